@@ -2,6 +2,7 @@
 // QT_TRANSLATE_NOOP("core", "..."), for lupdate. They are taken from the registries: a new field, choice,
 // model or column of a table is in the catalogues without anybody listing it.
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
@@ -23,6 +24,7 @@
 #include "core/readers/readers.h"
 #include "core/report/certificate_words.h"
 #include "core/report/comparison_columns.h"
+#include "core/report/design_results.h"
 #include "core/report/plot_words.h"
 #include "core/report/result_columns.h"
 #include "core/text/symbol.h"
@@ -167,6 +169,62 @@ bool say_tables(TextList& list) {
     return true;
 }
 
+void say_tables_for_reading(TextList& list, const std::vector<DataTable>& tables) {
+    for (const DataTable& table : tables) {
+        list.say("Title of a table", table.title);
+        for (const TableColumn& column : table.columns)
+            if (!column.is_symbol) list.say("Head of a column", column.header);
+    }
+}
+
+void say_plain(TextList& list, const Text& text) {
+    if (text.spans().size() == 1 && !text.has_scripts()) list.say("In a chart", text.letters());
+}
+
+void say_figures(TextList& list, const std::vector<PlotSpecification>& figures) {
+    for (const PlotSpecification& figure : figures) {
+        for (const Text& text : {figure.title, figure.x.title, figure.y.title}) say_plain(list, text);
+        for (const PlotSeries& series : figure.series) say_plain(list, series.name);
+    }
+}
+
+/// A design with something in every table.
+DesignResult filled_design() {
+    DesignResult design;
+    design.cost = 1.0;
+    design.goals.resize(1);
+    design.values.resize(1);
+    design.rows.resize(1);
+    design.gains.resize(1);
+    design.sources.resize(1);
+    design.curve.resize(1);
+    design.front.resize(1);
+    design.path.resize(1);
+    design.reasons.resize(1);
+    return design;
+}
+
+/// What models and assets show of their set-ups, by the examples.
+void say_evaluations(TextList& list) {
+    for (const char* folder : {"projects", "projects/gum"})
+        for (const auto& file :
+             std::filesystem::directory_iterator(std::filesystem::path(COVARIA_SOURCE_DIR) / folder)) {
+            if (file.path().extension() != ".covaria") continue;
+            const LoadedProject loaded = load_project(file.path());
+            if (!loaded.made) continue;
+            for (const auto& [id, entry] : loaded.made->assets().entries()) {
+                say_tables_for_reading(list, entry.asset->evaluation());
+                say_figures(list, entry.asset->figures());
+            }
+            for (const AnalysisEntry& analysis : loaded.project.analyses) {
+                const auto prepared = loaded.made->analysis(analysis.id);
+                if (!prepared) continue;
+                say_tables_for_reading(list, prepared->model->evaluation());
+                say_figures(list, prepared->model->figures());
+            }
+        }
+}
+
 }  // namespace
 }  // namespace covaria
 
@@ -175,6 +233,8 @@ int main() {
     TextList list;
     say_kinds(list);
     say_parts_of_project(list);
+    say_evaluations(list);
+    say_tables_for_reading(list, design_tables(filled_design()));
     if (say_tables(list)) return 0;
     std::fputs("the example projects/gum/h1-end-gauge.covaria has no result\n", stderr);
     return 1;

@@ -5115,6 +5115,778 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Total stations</source>
         <translation>Totalstationen</translation>
     </message>
+    <message>
+        <source>Uncertainty budget of a measured point</source>
+        <translation>Unsicherheitsbudget eines gemessenen Punktes</translation>
+    </message>
+    <message>
+        <source>Errors of indication (Eq 1)</source>
+        <translation>Anzeigeabweichungen (Gl. 1)</translation>
+    </message>
+    <message>
+        <source>Errors of indication (Eq 4)</source>
+        <translation>Anzeigeabweichungen (Gl. 4)</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of one reading, along and across the line of sight</source>
+        <translation>Standardunsicherheit einer Ablesung, längs und quer zur Ziellinie</translation>
+    </message>
+    <message>
+        <source>across, by azimuth</source>
+        <translation>quer, durch das Azimut</translation>
+    </message>
+    <message>
+        <source>across, by elevation</source>
+        <translation>quer, durch die Elevation</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>längs</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty by the readings alone, and with the stations</source>
+        <translation>Standardunsicherheit allein durch die Ablesungen und mit den Stationen</translation>
+    </message>
+    <message>
+        <source>readings alone (Eq 5)</source>
+        <translation>nur Ablesungen (Gl. 5)</translation>
+    </message>
+    <message>
+        <source>readings and shared deviations, first order</source>
+        <translation>Ablesungen und gemeinsame Abweichungen, erste Ordnung</translation>
+    </message>
+    <message>
+        <source>Parameters and their uncertainty</source>
+        <translation>Parameter und ihre Unsicherheit</translation>
+    </message>
+    <message>
+        <source>u, section 4.1</source>
+        <translation>u, Abschnitt 4.1</translation>
+    </message>
+    <message>
+        <source>U = 2 u</source>
+        <translation>U = 2 u</translation>
+    </message>
+    <message>
+        <source>value − U</source>
+        <translation>Wert − U</translation>
+    </message>
+    <message>
+        <source>value + U</source>
+        <translation>Wert + U</translation>
+    </message>
+    <message>
+        <source>u, Table 1</source>
+        <translation>u, Tabelle 1</translation>
+    </message>
+    <message>
+        <source>u, repeatability</source>
+        <translation>u, Wiederholpräzision</translation>
+    </message>
+    <message>
+        <source>u, sampling</source>
+        <translation>u, Abtastung</translation>
+    </message>
+    <message>
+        <source>u, range</source>
+        <translation>u, Bereich</translation>
+    </message>
+    <message>
+        <source>u, identification from measured poses</source>
+        <translation>u, Identifikation aus gemessenen Posen</translation>
+    </message>
+    <message>
+        <source>Identified parameters beside the nominal ones</source>
+        <translation>Identifizierte Parameter neben den Nennwerten</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>Nennwert</translation>
+    </message>
+    <message>
+        <source>identified</source>
+        <translation>identifiziert</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>What these points cannot tell</source>
+        <translation>Was diese Punkte nicht sagen können</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Observability</source>
+        <translation>Beobachtbarkeit</translation>
+    </message>
+    <message>
+        <source>Strongest correlation of each unknown</source>
+        <translation>Stärkste Korrelation jeder Unbekannten</translation>
+    </message>
+    <message>
+        <source>Residuals of the fit, measured less calculated</source>
+        <translation>Residuen der Ausgleichung, gemessen minus berechnet</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>largest over its u</source>
+        <translation>größte durch ihr u</translation>
+    </message>
+    <message>
+        <source>outlier test</source>
+        <translation>Ausreißertest</translation>
+    </message>
+    <message>
+        <source>Poses held back from the fit, calculated less measured</source>
+        <translation>Posen außerhalb der Ausgleichung, berechnet minus gemessen</translation>
+    </message>
+    <message>
+        <source>nominal, distance</source>
+        <translation>Nennwert, Abstand</translation>
+    </message>
+    <message>
+        <source>U (k = 2), largest</source>
+        <translation>U (k = 2), größtes</translation>
+    </message>
+    <message>
+        <source>E_n, largest</source>
+        <translation>E_n, größtes</translation>
+    </message>
+    <message>
+        <source>u, identification by joint trajectories</source>
+        <translation>u, Identifikation durch Gelenkbahnen</translation>
+    </message>
+    <message>
+        <source>Circles of the joints</source>
+        <translation>Kreise der Gelenke</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>rms along the radius</source>
+        <translation>RMS längs des Radius</translation>
+    </message>
+    <message>
+        <source>rms off the plane</source>
+        <translation>RMS aus der Ebene</translation>
+    </message>
+    <message>
+        <source>Readings and places of the poses, without uncertainty</source>
+        <translation>Ablesungen und Orte der Posen, ohne Unsicherheit</translation>
+    </message>
+    <message>
+        <source>Relative uncertainty of the loads</source>
+        <translation>Relative Unsicherheit der Lasten</translation>
+    </message>
+    <message>
+        <source>Calibration as planned and as read</source>
+        <translation>Kalibrierung wie geplant und wie abgelesen</translation>
+    </message>
+    <message>
+        <source>preloads</source>
+        <translation>Vorbelastungen</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>Durchläufe</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>decreasing steps</source>
+        <translation>fallende Stufen</translation>
+    </message>
+    <message>
+        <source>spread of the preloads</source>
+        <translation>Spanne der Vorbelastungen</translation>
+    </message>
+    <message>
+        <source>Rated output and non-zero error of each sensor (Kim, Table 1)</source>
+        <translation>Nennkennwert und Nullabweichung jedes Sensors (Kim, Tabelle 1)</translation>
+    </message>
+    <message>
+        <source>rated load</source>
+        <translation>Nennlast</translation>
+    </message>
+    <message>
+        <source>Interference error of each sensor (Kim, Table 2)</source>
+        <translation>Übersprechfehler jedes Sensors (Kim, Tabelle 2)</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the sensors by the paper (Kim, Table 3, Eqs 4 to 12)</source>
+        <translation>Unsicherheit der Sensoren nach dem Artikel (Kim, Tabelle 3, Gl. 4 bis 12)</translation>
+    </message>
+    <message>
+        <source>U, load</source>
+        <translation>U, Last</translation>
+    </message>
+    <message>
+        <source>Interference error in per cent of the rated output (Kim, Table 4)</source>
+        <translation>Übersprechfehler in Prozent des Nennkennwerts (Kim, Tabelle 4)</translation>
+    </message>
+    <message>
+        <source>Parts of the Type B standard uncertainty (Eqs 5 to 8)</source>
+        <translation>Teile der Standardunsicherheit vom Typ B (Gl. 5 bis 8)</translation>
+    </message>
+    <message>
+        <source>Means and standard deviations of the net values (Eqs 1 to 4)</source>
+        <translation>Mittelwerte und Standardabweichungen der Nettowerte (Gl. 1 bis 4)</translation>
+    </message>
+    <message>
+        <source>mean, decreasing</source>
+        <translation>Mittelwert, fallend</translation>
+    </message>
+    <message>
+        <source>Stated values beside the computed ones</source>
+        <translation>Angegebene Werte neben den berechneten</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>berechnet</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Interference at rated loads (% of the sensor&apos;s rated output)</source>
+        <translation>Übersprechen bei Nennlasten (% des Nennkennwerts des Sensors)</translation>
+    </message>
+    <message>
+        <source>interference (%)</source>
+        <translation>Übersprechen (%)</translation>
+    </message>
+    <message>
+        <source>Parts of U by the paper (% of rated output)</source>
+        <translation>Teile von U nach dem Artikel (% des Nennkennwerts)</translation>
+    </message>
+    <message>
+        <source>per cent of rated output</source>
+        <translation>Prozent des Nennkennwerts</translation>
+    </message>
+    <message>
+        <source>k u_c</source>
+        <translation>k u_c</translation>
+    </message>
+    <message>
+        <source>Loads of one axis against time</source>
+        <translation>Lasten einer Achse über der Zeit</translation>
+    </message>
+    <message>
+        <source>time (min)</source>
+        <translation>Zeit (min)</translation>
+    </message>
+    <message>
+        <source>load (% of rated load)</source>
+        <translation>Last (% der Nennlast)</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fx</source>
+        <translation>Kalibrierkurve von Fx</translation>
+    </message>
+    <message>
+        <source>load Fx (N)</source>
+        <translation>Last Fx (N)</translation>
+    </message>
+    <message>
+        <source>net reading (mV/V)</source>
+        <translation>Nettoablesung (mV/V)</translation>
+    </message>
+    <message>
+        <source>increasing, mean</source>
+        <translation>steigend, Mittelwert</translation>
+    </message>
+    <message>
+        <source>decreasing, mean</source>
+        <translation>fallend, Mittelwert</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fx</source>
+        <translation>Residuen von der Geraden durch null von Fx</translation>
+    </message>
+    <message>
+        <source>residual (µV/V)</source>
+        <translation>Residuum (µV/V)</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fx</source>
+        <translation>Hystereseschleife, vergrößert, von Fx</translation>
+    </message>
+    <message>
+        <source>deviation from the line (µV/V)</source>
+        <translation>Abweichung von der Geraden (µV/V)</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fy</source>
+        <translation>Kalibrierkurve von Fy</translation>
+    </message>
+    <message>
+        <source>load Fy (N)</source>
+        <translation>Last Fy (N)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fy</source>
+        <translation>Residuen von der Geraden durch null von Fy</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fy</source>
+        <translation>Hystereseschleife, vergrößert, von Fy</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fz</source>
+        <translation>Kalibrierkurve von Fz</translation>
+    </message>
+    <message>
+        <source>load Fz (N)</source>
+        <translation>Last Fz (N)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fz</source>
+        <translation>Residuen von der Geraden durch null von Fz</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fz</source>
+        <translation>Hystereseschleife, vergrößert, von Fz</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Mx</source>
+        <translation>Kalibrierkurve von Mx</translation>
+    </message>
+    <message>
+        <source>load Mx (N·m)</source>
+        <translation>Last Mx (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Mx</source>
+        <translation>Residuen von der Geraden durch null von Mx</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Mx</source>
+        <translation>Hystereseschleife, vergrößert, von Mx</translation>
+    </message>
+    <message>
+        <source>Calibration curve of My</source>
+        <translation>Kalibrierkurve von My</translation>
+    </message>
+    <message>
+        <source>load My (N·m)</source>
+        <translation>Last My (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of My</source>
+        <translation>Residuen von der Geraden durch null von My</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of My</source>
+        <translation>Hystereseschleife, vergrößert, von My</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Mz</source>
+        <translation>Kalibrierkurve von Mz</translation>
+    </message>
+    <message>
+        <source>load Mz (N·m)</source>
+        <translation>Last Mz (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Mz</source>
+        <translation>Residuen von der Geraden durch null von Mz</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Mz</source>
+        <translation>Hystereseschleife, vergrößert, von Mz</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s U and the GUM&apos;s, per cent of rated output</source>
+        <translation>U des Artikels und des GUM, Prozent des Nennkennwerts</translation>
+    </message>
+    <message>
+        <source>paper, linear sum</source>
+        <translation>Artikel, lineare Summe</translation>
+    </message>
+    <message>
+        <source>GUM, unknown loads on all other axes</source>
+        <translation>GUM, unbekannte Lasten auf allen anderen Achsen</translation>
+    </message>
+    <message>
+        <source>GUM, unknown load on one axis</source>
+        <translation>GUM, unbekannte Last auf einer Achse</translation>
+    </message>
+    <message>
+        <source>GUM, one component alone, 95 %</source>
+        <translation>GUM, eine Komponente allein, 95 %</translation>
+    </message>
+    <message>
+        <source>all other axes at rated load, worst signs</source>
+        <translation>alle anderen Achsen bei Nennlast, ungünstigste Vorzeichen</translation>
+    </message>
+    <message>
+        <source>interference alone exceeds the paper&apos;s U</source>
+        <translation>das Übersprechen allein übersteigt U des Artikels</translation>
+    </message>
+    <message>
+        <source>Standard uncertainties by the GUM</source>
+        <translation>Standardunsicherheiten nach dem GUM</translation>
+    </message>
+    <message>
+        <source>repeatability</source>
+        <translation>Wiederholpräzision</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>non-zero</source>
+        <translation>Nullabweichung</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>U by the paper and by the GUM</source>
+        <translation>U nach dem Artikel und nach dem GUM</translation>
+    </message>
+    <message>
+        <source>all others at rated load, worst signs</source>
+        <translation>alle anderen bei Nennlast, ungünstigste Vorzeichen</translation>
+    </message>
+    <message>
+        <source>Calibration matrix: reading by load</source>
+        <translation>Kalibriermatrix: Ablesung je Last</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>load Fx</source>
+        <translation>Last Fx</translation>
+    </message>
+    <message>
+        <source>load Fy</source>
+        <translation>Last Fy</translation>
+    </message>
+    <message>
+        <source>load Fz</source>
+        <translation>Last Fz</translation>
+    </message>
+    <message>
+        <source>load Mx</source>
+        <translation>Last Mx</translation>
+    </message>
+    <message>
+        <source>load My</source>
+        <translation>Last My</translation>
+    </message>
+    <message>
+        <source>load Mz</source>
+        <translation>Last Mz</translation>
+    </message>
+    <message>
+        <source>Decoupling matrix: load by reading</source>
+        <translation>Entkopplungsmatrix: Last je Ablesung</translation>
+    </message>
+    <message>
+        <source>channel Fx</source>
+        <translation>Kanal Fx</translation>
+    </message>
+    <message>
+        <source>channel Fy</source>
+        <translation>Kanal Fy</translation>
+    </message>
+    <message>
+        <source>channel Fz</source>
+        <translation>Kanal Fz</translation>
+    </message>
+    <message>
+        <source>channel Mx</source>
+        <translation>Kanal Mx</translation>
+    </message>
+    <message>
+        <source>channel My</source>
+        <translation>Kanal My</translation>
+    </message>
+    <message>
+        <source>channel Mz</source>
+        <translation>Kanal Mz</translation>
+    </message>
+    <message>
+        <source>Loads with and without compensation of interference</source>
+        <translation>Lasten mit und ohne Ausgleich des Übersprechens</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Ablesung</translation>
+    </message>
+    <message>
+        <source>compensated</source>
+        <translation>ausgeglichen</translation>
+    </message>
+    <message>
+        <source>uncompensated</source>
+        <translation>nicht ausgeglichen</translation>
+    </message>
+    <message>
+        <source>by rated load</source>
+        <translation>durch Nennlast</translation>
+    </message>
+    <message>
+        <source>What interference adds without compensation</source>
+        <translation>Was das Übersprechen ohne Ausgleich hinzufügt</translation>
+    </message>
+    <message>
+        <source>per cent of rated load</source>
+        <translation>Prozent der Nennlast</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>gemischt</translation>
+    </message>
+    <message>
+        <source>all rated</source>
+        <translation>alle Nennlast</translation>
+    </message>
+    <message>
+        <source>no load</source>
+        <translation>ohne Last</translation>
+    </message>
+    <message>
+        <source>Supports in the instrument&apos;s frame and in the robot&apos;s</source>
+        <translation>Auflagen im Koordinatensystem des Geräts und des Roboters</translation>
+    </message>
+    <message>
+        <source>support</source>
+        <translation>Auflage</translation>
+    </message>
+    <message>
+        <source>Scatter of a pose that the robot is sent to again</source>
+        <translation>Streuung einer Pose, die der Roboter wieder anfährt</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Rotations of the flange</source>
+        <translation>Drehungen des Flansches</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>um</translation>
+    </message>
+    <message>
+        <source>radius of the circle</source>
+        <translation>Radius des Kreises</translation>
+    </message>
+    <message>
+        <source>least height above the supports</source>
+        <translation>kleinste Höhe über den Auflagen</translation>
+    </message>
+    <message>
+        <source>greatest height</source>
+        <translation>größte Höhe</translation>
+    </message>
+    <message>
+        <source>Sensors of the network</source>
+        <translation>Sensoren des Netzes</translation>
+    </message>
+    <message>
+        <source>reads</source>
+        <translation>liest ab</translation>
+    </message>
+    <message>
+        <source>Analysis of variance</source>
+        <translation>Varianzanalyse</translation>
+    </message>
+    <message>
+        <source>source of variation</source>
+        <translation>Quelle der Streuung</translation>
+    </message>
+    <message>
+        <source>sum of squares</source>
+        <translation>Quadratsumme</translation>
+    </message>
+    <message>
+        <source>mean square</source>
+        <translation>mittleres Quadrat</translation>
+    </message>
+    <message>
+        <source>Components of variance</source>
+        <translation>Varianzkomponenten</translation>
+    </message>
+    <message>
+        <source>Type A evaluation of observations</source>
+        <translation>Ermittlung vom Typ A aus Beobachtungen</translation>
+    </message>
+    <message>
+        <source>s of one observation</source>
+        <translation>s einer Beobachtung</translation>
+    </message>
+    <message>
+        <source>u of the mean</source>
+        <translation>u des Mittelwerts</translation>
+    </message>
+    <message>
+        <source>number of the observation</source>
+        <translation>Nummer der Beobachtung</translation>
+    </message>
+    <message>
+        <source>Points and their residuals</source>
+        <translation>Punkte und ihre Residuen</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Residuum</translation>
+    </message>
+    <message>
+        <source>Analysis of variance of the fit</source>
+        <translation>Varianzanalyse der Ausgleichung</translation>
+    </message>
+    <message>
+        <source>Uncertainties</source>
+        <translation>Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>Ausgangsgröße</translation>
+    </message>
+    <message>
+        <source>U by Monte Carlo</source>
+        <translation>U durch Monte Carlo</translation>
+    </message>
+    <message>
+        <source>validated (clause 8)</source>
+        <translation>validiert (Abschnitt 8)</translation>
+    </message>
+    <message>
+        <source>cost per unit of target</source>
+        <translation>Kosten je Einheit des Ziels</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Rows that are kept</source>
+        <translation>Zeilen, die bleiben</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>of the candidates&apos; file</source>
+        <translation>aus der Kandidatendatei</translation>
+    </message>
+    <message>
+        <source>objective without it</source>
+        <translation>Zielgröße ohne sie</translation>
+    </message>
+    <message>
+        <source>price</source>
+        <translation>Preis</translation>
+    </message>
+    <message>
+        <source>Candidates and what they gain</source>
+        <translation>Kandidaten und ihr Gewinn</translation>
+    </message>
+    <message>
+        <source>gain (%)</source>
+        <translation>Gewinn (%)</translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation>y (mm)</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>What would be gained without the uncertainty of</source>
+        <translation>Was ohne die Unsicherheit gewonnen wäre von</translation>
+    </message>
+    <message>
+        <source>Objective and number of rows</source>
+        <translation>Zielgröße und Zahl der Zeilen</translation>
+    </message>
+    <message>
+        <source>objective</source>
+        <translation>Zielgröße</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>Cost and uncertainty</source>
+        <translation>Kosten und Unsicherheit</translation>
+    </message>
+    <message>
+        <source>Improvements</source>
+        <translation>Verbesserungen</translation>
+    </message>
+    <message>
+        <source>evaluation</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>search</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <source>Candidates without result</source>
+        <translation>Kandidaten ohne Ergebnis</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>Anzahl</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

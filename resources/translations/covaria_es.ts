@@ -5115,6 +5115,778 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Total stations</source>
         <translation>Estaciones totales</translation>
     </message>
+    <message>
+        <source>Uncertainty budget of a measured point</source>
+        <translation>Balance de incertidumbre de un punto medido</translation>
+    </message>
+    <message>
+        <source>Errors of indication (Eq 1)</source>
+        <translation>Errores de indicación (ec. 1)</translation>
+    </message>
+    <message>
+        <source>Errors of indication (Eq 4)</source>
+        <translation>Errores de indicación (ec. 4)</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of one reading, along and across the line of sight</source>
+        <translation>Incertidumbre estándar de una lectura, a lo largo y a través de la visual</translation>
+    </message>
+    <message>
+        <source>across, by azimuth</source>
+        <translation>a través, por el acimut</translation>
+    </message>
+    <message>
+        <source>across, by elevation</source>
+        <translation>a través, por la elevación</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>a lo largo</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty by the readings alone, and with the stations</source>
+        <translation>Incertidumbre estándar solo por las lecturas y con las estaciones</translation>
+    </message>
+    <message>
+        <source>readings alone (Eq 5)</source>
+        <translation>solo lecturas (ec. 5)</translation>
+    </message>
+    <message>
+        <source>readings and shared deviations, first order</source>
+        <translation>lecturas y desviaciones comunes, primer orden</translation>
+    </message>
+    <message>
+        <source>Parameters and their uncertainty</source>
+        <translation>Parámetros y su incertidumbre</translation>
+    </message>
+    <message>
+        <source>u, section 4.1</source>
+        <translation>u, sección 4.1</translation>
+    </message>
+    <message>
+        <source>U = 2 u</source>
+        <translation>U = 2 u</translation>
+    </message>
+    <message>
+        <source>value − U</source>
+        <translation>valor − U</translation>
+    </message>
+    <message>
+        <source>value + U</source>
+        <translation>valor + U</translation>
+    </message>
+    <message>
+        <source>u, Table 1</source>
+        <translation>u, tabla 1</translation>
+    </message>
+    <message>
+        <source>u, repeatability</source>
+        <translation>u, repetibilidad</translation>
+    </message>
+    <message>
+        <source>u, sampling</source>
+        <translation>u, muestreo</translation>
+    </message>
+    <message>
+        <source>u, range</source>
+        <translation>u, intervalo</translation>
+    </message>
+    <message>
+        <source>u, identification from measured poses</source>
+        <translation>u, identificación a partir de poses medidas</translation>
+    </message>
+    <message>
+        <source>Identified parameters beside the nominal ones</source>
+        <translation>Parámetros identificados junto a los nominales</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>nominal</translation>
+    </message>
+    <message>
+        <source>identified</source>
+        <translation>identificado</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>diferencia</translation>
+    </message>
+    <message>
+        <source>What these points cannot tell</source>
+        <translation>Lo que estos puntos no pueden decir</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>motivo</translation>
+    </message>
+    <message>
+        <source>Observability</source>
+        <translation>Observabilidad</translation>
+    </message>
+    <message>
+        <source>Strongest correlation of each unknown</source>
+        <translation>Correlación más fuerte de cada incógnita</translation>
+    </message>
+    <message>
+        <source>Residuals of the fit, measured less calculated</source>
+        <translation>Residuos del ajuste, medido menos calculado</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>pose</translation>
+    </message>
+    <message>
+        <source>largest over its u</source>
+        <translation>mayor dividido por su u</translation>
+    </message>
+    <message>
+        <source>outlier test</source>
+        <translation>ensayo de valores atípicos</translation>
+    </message>
+    <message>
+        <source>Poses held back from the fit, calculated less measured</source>
+        <translation>Poses reservadas del ajuste, calculado menos medido</translation>
+    </message>
+    <message>
+        <source>nominal, distance</source>
+        <translation>nominal, distancia</translation>
+    </message>
+    <message>
+        <source>U (k = 2), largest</source>
+        <translation>U (k = 2), mayor</translation>
+    </message>
+    <message>
+        <source>E_n, largest</source>
+        <translation>E_n, mayor</translation>
+    </message>
+    <message>
+        <source>u, identification by joint trajectories</source>
+        <translation>u, identificación por trayectorias de las articulaciones</translation>
+    </message>
+    <message>
+        <source>Circles of the joints</source>
+        <translation>Círculos de las articulaciones</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>arco</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>radio</translation>
+    </message>
+    <message>
+        <source>rms along the radius</source>
+        <translation>rms a lo largo del radio</translation>
+    </message>
+    <message>
+        <source>rms off the plane</source>
+        <translation>rms fuera del plano</translation>
+    </message>
+    <message>
+        <source>Readings and places of the poses, without uncertainty</source>
+        <translation>Lecturas y lugares de las poses, sin incertidumbre</translation>
+    </message>
+    <message>
+        <source>Relative uncertainty of the loads</source>
+        <translation>Incertidumbre relativa de las cargas</translation>
+    </message>
+    <message>
+        <source>Calibration as planned and as read</source>
+        <translation>Calibración prevista y leída</translation>
+    </message>
+    <message>
+        <source>preloads</source>
+        <translation>precargas</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>series</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>escalones</translation>
+    </message>
+    <message>
+        <source>decreasing steps</source>
+        <translation>escalones decrecientes</translation>
+    </message>
+    <message>
+        <source>spread of the preloads</source>
+        <translation>dispersión de las precargas</translation>
+    </message>
+    <message>
+        <source>Rated output and non-zero error of each sensor (Kim, Table 1)</source>
+        <translation>Salida nominal y error de cero de cada sensor (Kim, tabla 1)</translation>
+    </message>
+    <message>
+        <source>rated load</source>
+        <translation>carga nominal</translation>
+    </message>
+    <message>
+        <source>Interference error of each sensor (Kim, Table 2)</source>
+        <translation>Error de interferencia de cada sensor (Kim, tabla 2)</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the sensors by the paper (Kim, Table 3, Eqs 4 to 12)</source>
+        <translation>Incertidumbre de los sensores según el artículo (Kim, tabla 3, ecs. 4 a 12)</translation>
+    </message>
+    <message>
+        <source>U, load</source>
+        <translation>U, carga</translation>
+    </message>
+    <message>
+        <source>Interference error in per cent of the rated output (Kim, Table 4)</source>
+        <translation>Error de interferencia en tanto por ciento de la salida nominal (Kim, tabla 4)</translation>
+    </message>
+    <message>
+        <source>Parts of the Type B standard uncertainty (Eqs 5 to 8)</source>
+        <translation>Partes de la incertidumbre estándar de tipo B (ecs. 5 a 8)</translation>
+    </message>
+    <message>
+        <source>Means and standard deviations of the net values (Eqs 1 to 4)</source>
+        <translation>Medias y desviaciones estándar de los valores netos (ecs. 1 a 4)</translation>
+    </message>
+    <message>
+        <source>mean, decreasing</source>
+        <translation>media, decreciente</translation>
+    </message>
+    <message>
+        <source>Stated values beside the computed ones</source>
+        <translation>Valores declarados junto a los calculados</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>declarado</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>calculado</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>estado</translation>
+    </message>
+    <message>
+        <source>Interference at rated loads (% of the sensor&apos;s rated output)</source>
+        <translation>Interferencia con cargas nominales (% de la salida nominal del sensor)</translation>
+    </message>
+    <message>
+        <source>interference (%)</source>
+        <translation>interferencia (%)</translation>
+    </message>
+    <message>
+        <source>Parts of U by the paper (% of rated output)</source>
+        <translation>Partes de U según el artículo (% de la salida nominal)</translation>
+    </message>
+    <message>
+        <source>per cent of rated output</source>
+        <translation>tanto por ciento de la salida nominal</translation>
+    </message>
+    <message>
+        <source>k u_c</source>
+        <translation>k u_c</translation>
+    </message>
+    <message>
+        <source>Loads of one axis against time</source>
+        <translation>Cargas de un eje frente al tiempo</translation>
+    </message>
+    <message>
+        <source>time (min)</source>
+        <translation>tiempo (min)</translation>
+    </message>
+    <message>
+        <source>load (% of rated load)</source>
+        <translation>carga (% de la carga nominal)</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fx</source>
+        <translation>Curva de calibración de Fx</translation>
+    </message>
+    <message>
+        <source>load Fx (N)</source>
+        <translation>carga Fx (N)</translation>
+    </message>
+    <message>
+        <source>net reading (mV/V)</source>
+        <translation>lectura neta (mV/V)</translation>
+    </message>
+    <message>
+        <source>increasing, mean</source>
+        <translation>creciente, media</translation>
+    </message>
+    <message>
+        <source>decreasing, mean</source>
+        <translation>decreciente, media</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fx</source>
+        <translation>Residuos respecto a la recta por cero de Fx</translation>
+    </message>
+    <message>
+        <source>residual (µV/V)</source>
+        <translation>residuo (µV/V)</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fx</source>
+        <translation>Bucle de histéresis, ampliado, de Fx</translation>
+    </message>
+    <message>
+        <source>deviation from the line (µV/V)</source>
+        <translation>desviación de la recta (µV/V)</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fy</source>
+        <translation>Curva de calibración de Fy</translation>
+    </message>
+    <message>
+        <source>load Fy (N)</source>
+        <translation>carga Fy (N)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fy</source>
+        <translation>Residuos respecto a la recta por cero de Fy</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fy</source>
+        <translation>Bucle de histéresis, ampliado, de Fy</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fz</source>
+        <translation>Curva de calibración de Fz</translation>
+    </message>
+    <message>
+        <source>load Fz (N)</source>
+        <translation>carga Fz (N)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fz</source>
+        <translation>Residuos respecto a la recta por cero de Fz</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fz</source>
+        <translation>Bucle de histéresis, ampliado, de Fz</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Mx</source>
+        <translation>Curva de calibración de Mx</translation>
+    </message>
+    <message>
+        <source>load Mx (N·m)</source>
+        <translation>carga Mx (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Mx</source>
+        <translation>Residuos respecto a la recta por cero de Mx</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Mx</source>
+        <translation>Bucle de histéresis, ampliado, de Mx</translation>
+    </message>
+    <message>
+        <source>Calibration curve of My</source>
+        <translation>Curva de calibración de My</translation>
+    </message>
+    <message>
+        <source>load My (N·m)</source>
+        <translation>carga My (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of My</source>
+        <translation>Residuos respecto a la recta por cero de My</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of My</source>
+        <translation>Bucle de histéresis, ampliado, de My</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Mz</source>
+        <translation>Curva de calibración de Mz</translation>
+    </message>
+    <message>
+        <source>load Mz (N·m)</source>
+        <translation>carga Mz (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Mz</source>
+        <translation>Residuos respecto a la recta por cero de Mz</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Mz</source>
+        <translation>Bucle de histéresis, ampliado, de Mz</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s U and the GUM&apos;s, per cent of rated output</source>
+        <translation>U del artículo y de la GUM, tanto por ciento de la salida nominal</translation>
+    </message>
+    <message>
+        <source>paper, linear sum</source>
+        <translation>artículo, suma lineal</translation>
+    </message>
+    <message>
+        <source>GUM, unknown loads on all other axes</source>
+        <translation>GUM, cargas desconocidas en todos los demás ejes</translation>
+    </message>
+    <message>
+        <source>GUM, unknown load on one axis</source>
+        <translation>GUM, carga desconocida en un eje</translation>
+    </message>
+    <message>
+        <source>GUM, one component alone, 95 %</source>
+        <translation>GUM, una sola componente, 95 %</translation>
+    </message>
+    <message>
+        <source>all other axes at rated load, worst signs</source>
+        <translation>todos los demás ejes a carga nominal, signos más desfavorables</translation>
+    </message>
+    <message>
+        <source>interference alone exceeds the paper&apos;s U</source>
+        <translation>la interferencia sola supera la U del artículo</translation>
+    </message>
+    <message>
+        <source>Standard uncertainties by the GUM</source>
+        <translation>Incertidumbres estándar según la GUM</translation>
+    </message>
+    <message>
+        <source>repeatability</source>
+        <translation>repetibilidad</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>máquina</translation>
+    </message>
+    <message>
+        <source>non-zero</source>
+        <translation>error de cero</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>todas</translation>
+    </message>
+    <message>
+        <source>U by the paper and by the GUM</source>
+        <translation>U según el artículo y según la GUM</translation>
+    </message>
+    <message>
+        <source>all others at rated load, worst signs</source>
+        <translation>todos los demás a carga nominal, signos más desfavorables</translation>
+    </message>
+    <message>
+        <source>Calibration matrix: reading by load</source>
+        <translation>Matriz de calibración: lectura por carga</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>canal</translation>
+    </message>
+    <message>
+        <source>load Fx</source>
+        <translation>carga Fx</translation>
+    </message>
+    <message>
+        <source>load Fy</source>
+        <translation>carga Fy</translation>
+    </message>
+    <message>
+        <source>load Fz</source>
+        <translation>carga Fz</translation>
+    </message>
+    <message>
+        <source>load Mx</source>
+        <translation>carga Mx</translation>
+    </message>
+    <message>
+        <source>load My</source>
+        <translation>carga My</translation>
+    </message>
+    <message>
+        <source>load Mz</source>
+        <translation>carga Mz</translation>
+    </message>
+    <message>
+        <source>Decoupling matrix: load by reading</source>
+        <translation>Matriz de desacoplo: carga por lectura</translation>
+    </message>
+    <message>
+        <source>channel Fx</source>
+        <translation>canal Fx</translation>
+    </message>
+    <message>
+        <source>channel Fy</source>
+        <translation>canal Fy</translation>
+    </message>
+    <message>
+        <source>channel Fz</source>
+        <translation>canal Fz</translation>
+    </message>
+    <message>
+        <source>channel Mx</source>
+        <translation>canal Mx</translation>
+    </message>
+    <message>
+        <source>channel My</source>
+        <translation>canal My</translation>
+    </message>
+    <message>
+        <source>channel Mz</source>
+        <translation>canal Mz</translation>
+    </message>
+    <message>
+        <source>Loads with and without compensation of interference</source>
+        <translation>Cargas con y sin compensación de la interferencia</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>caso</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>lectura</translation>
+    </message>
+    <message>
+        <source>compensated</source>
+        <translation>compensada</translation>
+    </message>
+    <message>
+        <source>uncompensated</source>
+        <translation>sin compensar</translation>
+    </message>
+    <message>
+        <source>by rated load</source>
+        <translation>por carga nominal</translation>
+    </message>
+    <message>
+        <source>What interference adds without compensation</source>
+        <translation>Lo que añade la interferencia sin compensación</translation>
+    </message>
+    <message>
+        <source>per cent of rated load</source>
+        <translation>tanto por ciento de la carga nominal</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>mixta</translation>
+    </message>
+    <message>
+        <source>all rated</source>
+        <translation>todas nominales</translation>
+    </message>
+    <message>
+        <source>no load</source>
+        <translation>sin carga</translation>
+    </message>
+    <message>
+        <source>Supports in the instrument&apos;s frame and in the robot&apos;s</source>
+        <translation>Apoyos en el sistema del instrumento y en el del robot</translation>
+    </message>
+    <message>
+        <source>support</source>
+        <translation>apoyo</translation>
+    </message>
+    <message>
+        <source>Scatter of a pose that the robot is sent to again</source>
+        <translation>Dispersión de una pose a la que el robot vuelve</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>desviación</translation>
+    </message>
+    <message>
+        <source>Rotations of the flange</source>
+        <translation>Rotaciones de la brida</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>alrededor de</translation>
+    </message>
+    <message>
+        <source>radius of the circle</source>
+        <translation>radio del círculo</translation>
+    </message>
+    <message>
+        <source>least height above the supports</source>
+        <translation>altura mínima sobre los apoyos</translation>
+    </message>
+    <message>
+        <source>greatest height</source>
+        <translation>altura máxima</translation>
+    </message>
+    <message>
+        <source>Sensors of the network</source>
+        <translation>Sensores de la red</translation>
+    </message>
+    <message>
+        <source>reads</source>
+        <translation>lee</translation>
+    </message>
+    <message>
+        <source>Analysis of variance</source>
+        <translation>Análisis de varianza</translation>
+    </message>
+    <message>
+        <source>source of variation</source>
+        <translation>fuente de variación</translation>
+    </message>
+    <message>
+        <source>sum of squares</source>
+        <translation>suma de cuadrados</translation>
+    </message>
+    <message>
+        <source>mean square</source>
+        <translation>cuadrado medio</translation>
+    </message>
+    <message>
+        <source>Components of variance</source>
+        <translation>Componentes de la varianza</translation>
+    </message>
+    <message>
+        <source>Type A evaluation of observations</source>
+        <translation>Evaluación de tipo A de las observaciones</translation>
+    </message>
+    <message>
+        <source>s of one observation</source>
+        <translation>s de una observación</translation>
+    </message>
+    <message>
+        <source>u of the mean</source>
+        <translation>u de la media</translation>
+    </message>
+    <message>
+        <source>number of the observation</source>
+        <translation>número de la observación</translation>
+    </message>
+    <message>
+        <source>Points and their residuals</source>
+        <translation>Puntos y sus residuos</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>residuo</translation>
+    </message>
+    <message>
+        <source>Analysis of variance of the fit</source>
+        <translation>Análisis de varianza del ajuste</translation>
+    </message>
+    <message>
+        <source>Uncertainties</source>
+        <translation>Incertidumbres</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>magnitud de salida</translation>
+    </message>
+    <message>
+        <source>U by Monte Carlo</source>
+        <translation>U por Monte Carlo</translation>
+    </message>
+    <message>
+        <source>validated (clause 8)</source>
+        <translation>validado (apartado 8)</translation>
+    </message>
+    <message>
+        <source>cost per unit of target</source>
+        <translation>coste por unidad del objetivo</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>variable</source>
+        <translation>variable</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>elegido</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>tolerancia</translation>
+    </message>
+    <message>
+        <source>Rows that are kept</source>
+        <translation>Filas que se conservan</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>fila</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fija</translation>
+    </message>
+    <message>
+        <source>of the candidates&apos; file</source>
+        <translation>del archivo de candidatos</translation>
+    </message>
+    <message>
+        <source>objective without it</source>
+        <translation>objetivo sin ella</translation>
+    </message>
+    <message>
+        <source>price</source>
+        <translation>precio</translation>
+    </message>
+    <message>
+        <source>Candidates and what they gain</source>
+        <translation>Candidatos y lo que aportan</translation>
+    </message>
+    <message>
+        <source>gain (%)</source>
+        <translation>ganancia (%)</translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation>y (mm)</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>What would be gained without the uncertainty of</source>
+        <translation>Lo que se ganaría sin la incertidumbre de</translation>
+    </message>
+    <message>
+        <source>Objective and number of rows</source>
+        <translation>Objetivo y número de filas</translation>
+    </message>
+    <message>
+        <source>objective</source>
+        <translation>objetivo</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>cambio</translation>
+    </message>
+    <message>
+        <source>Cost and uncertainty</source>
+        <translation>Coste e incertidumbre</translation>
+    </message>
+    <message>
+        <source>Improvements</source>
+        <translation>Mejoras</translation>
+    </message>
+    <message>
+        <source>evaluation</source>
+        <translation>evaluación</translation>
+    </message>
+    <message>
+        <source>search</source>
+        <translation>búsqueda</translation>
+    </message>
+    <message>
+        <source>Candidates without result</source>
+        <translation>Candidatos sin resultado</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>cantidad</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

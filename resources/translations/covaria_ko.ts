@@ -5115,6 +5115,778 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <source>Total stations</source>
         <translation>토털 스테이션</translation>
     </message>
+    <message>
+        <source>Uncertainty budget of a measured point</source>
+        <translation>측정점의 불확도 총괄표</translation>
+    </message>
+    <message>
+        <source>Errors of indication (Eq 1)</source>
+        <translation>지시 오차 (식 1)</translation>
+    </message>
+    <message>
+        <source>Errors of indication (Eq 4)</source>
+        <translation>지시 오차 (식 4)</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of one reading, along and across the line of sight</source>
+        <translation>한 번 읽음의 표준불확도, 시준선 방향과 직각 방향</translation>
+    </message>
+    <message>
+        <source>across, by azimuth</source>
+        <translation>직각, 방위각에 의함</translation>
+    </message>
+    <message>
+        <source>across, by elevation</source>
+        <translation>직각, 고도각에 의함</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>방향</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty by the readings alone, and with the stations</source>
+        <translation>읽음만에 의한 표준불확도와 측점을 포함한 표준불확도</translation>
+    </message>
+    <message>
+        <source>readings alone (Eq 5)</source>
+        <translation>읽음만 (식 5)</translation>
+    </message>
+    <message>
+        <source>readings and shared deviations, first order</source>
+        <translation>읽음과 공통 편차, 1차</translation>
+    </message>
+    <message>
+        <source>Parameters and their uncertainty</source>
+        <translation>매개변수와 그 불확도</translation>
+    </message>
+    <message>
+        <source>u, section 4.1</source>
+        <translation>u, 4.1절</translation>
+    </message>
+    <message>
+        <source>U = 2 u</source>
+        <translation>U = 2 u</translation>
+    </message>
+    <message>
+        <source>value − U</source>
+        <translation>값 − U</translation>
+    </message>
+    <message>
+        <source>value + U</source>
+        <translation>값 + U</translation>
+    </message>
+    <message>
+        <source>u, Table 1</source>
+        <translation>u, 표 1</translation>
+    </message>
+    <message>
+        <source>u, repeatability</source>
+        <translation>u, 반복성</translation>
+    </message>
+    <message>
+        <source>u, sampling</source>
+        <translation>u, 표본추출</translation>
+    </message>
+    <message>
+        <source>u, range</source>
+        <translation>u, 범위</translation>
+    </message>
+    <message>
+        <source>u, identification from measured poses</source>
+        <translation>u, 측정된 자세로부터의 식별</translation>
+    </message>
+    <message>
+        <source>Identified parameters beside the nominal ones</source>
+        <translation>식별된 매개변수와 공칭 매개변수</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>공칭</translation>
+    </message>
+    <message>
+        <source>identified</source>
+        <translation>식별값</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>차이</translation>
+    </message>
+    <message>
+        <source>What these points cannot tell</source>
+        <translation>이 점들로 알 수 없는 것</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>이유</translation>
+    </message>
+    <message>
+        <source>Observability</source>
+        <translation>관측 가능성</translation>
+    </message>
+    <message>
+        <source>Strongest correlation of each unknown</source>
+        <translation>각 미지수의 가장 강한 상관</translation>
+    </message>
+    <message>
+        <source>Residuals of the fit, measured less calculated</source>
+        <translation>맞춤 잔차, 측정값 빼기 계산값</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>자세</translation>
+    </message>
+    <message>
+        <source>largest over its u</source>
+        <translation>u에 대한 최댓값</translation>
+    </message>
+    <message>
+        <source>outlier test</source>
+        <translation>이상값 검정</translation>
+    </message>
+    <message>
+        <source>Poses held back from the fit, calculated less measured</source>
+        <translation>맞춤에서 제외한 자세, 계산값 빼기 측정값</translation>
+    </message>
+    <message>
+        <source>nominal, distance</source>
+        <translation>공칭, 거리</translation>
+    </message>
+    <message>
+        <source>U (k = 2), largest</source>
+        <translation>U (k = 2), 최대</translation>
+    </message>
+    <message>
+        <source>E_n, largest</source>
+        <translation>E_n, 최대</translation>
+    </message>
+    <message>
+        <source>u, identification by joint trajectories</source>
+        <translation>u, 관절 궤적에 의한 식별</translation>
+    </message>
+    <message>
+        <source>Circles of the joints</source>
+        <translation>관절의 원</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>호</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>반지름</translation>
+    </message>
+    <message>
+        <source>rms along the radius</source>
+        <translation>반지름 방향 rms</translation>
+    </message>
+    <message>
+        <source>rms off the plane</source>
+        <translation>평면 이탈 rms</translation>
+    </message>
+    <message>
+        <source>Readings and places of the poses, without uncertainty</source>
+        <translation>자세의 읽음과 위치, 불확도 없음</translation>
+    </message>
+    <message>
+        <source>Relative uncertainty of the loads</source>
+        <translation>하중의 상대불확도</translation>
+    </message>
+    <message>
+        <source>Calibration as planned and as read</source>
+        <translation>계획된 교정과 읽은 교정</translation>
+    </message>
+    <message>
+        <source>preloads</source>
+        <translation>예비 하중</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>반복 횟수</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>단계</translation>
+    </message>
+    <message>
+        <source>decreasing steps</source>
+        <translation>감소 단계</translation>
+    </message>
+    <message>
+        <source>spread of the preloads</source>
+        <translation>예비 하중의 산포</translation>
+    </message>
+    <message>
+        <source>Rated output and non-zero error of each sensor (Kim, Table 1)</source>
+        <translation>각 센서의 정격 출력과 영점 오차 (Kim, 표 1)</translation>
+    </message>
+    <message>
+        <source>rated load</source>
+        <translation>정격 하중</translation>
+    </message>
+    <message>
+        <source>Interference error of each sensor (Kim, Table 2)</source>
+        <translation>각 센서의 간섭 오차 (Kim, 표 2)</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the sensors by the paper (Kim, Table 3, Eqs 4 to 12)</source>
+        <translation>논문에 따른 센서의 불확도 (Kim, 표 3, 식 4~12)</translation>
+    </message>
+    <message>
+        <source>U, load</source>
+        <translation>U, 하중</translation>
+    </message>
+    <message>
+        <source>Interference error in per cent of the rated output (Kim, Table 4)</source>
+        <translation>정격 출력의 퍼센트로 나타낸 간섭 오차 (Kim, 표 4)</translation>
+    </message>
+    <message>
+        <source>Parts of the Type B standard uncertainty (Eqs 5 to 8)</source>
+        <translation>B형 표준불확도의 부분 (식 5~8)</translation>
+    </message>
+    <message>
+        <source>Means and standard deviations of the net values (Eqs 1 to 4)</source>
+        <translation>순값의 평균과 표준편차 (식 1~4)</translation>
+    </message>
+    <message>
+        <source>mean, decreasing</source>
+        <translation>평균, 감소</translation>
+    </message>
+    <message>
+        <source>Stated values beside the computed ones</source>
+        <translation>명시된 값과 계산된 값</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>명시됨</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>계산됨</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>상태</translation>
+    </message>
+    <message>
+        <source>Interference at rated loads (% of the sensor&apos;s rated output)</source>
+        <translation>정격 하중에서의 간섭 (센서 정격 출력의 %)</translation>
+    </message>
+    <message>
+        <source>interference (%)</source>
+        <translation>간섭 (%)</translation>
+    </message>
+    <message>
+        <source>Parts of U by the paper (% of rated output)</source>
+        <translation>논문에 따른 U의 부분 (정격 출력의 %)</translation>
+    </message>
+    <message>
+        <source>per cent of rated output</source>
+        <translation>정격 출력의 퍼센트</translation>
+    </message>
+    <message>
+        <source>k u_c</source>
+        <translation>k u_c</translation>
+    </message>
+    <message>
+        <source>Loads of one axis against time</source>
+        <translation>시간에 따른 한 축의 하중</translation>
+    </message>
+    <message>
+        <source>time (min)</source>
+        <translation>시간 (min)</translation>
+    </message>
+    <message>
+        <source>load (% of rated load)</source>
+        <translation>하중 (정격 하중의 %)</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fx</source>
+        <translation>Fx의 교정 곡선</translation>
+    </message>
+    <message>
+        <source>load Fx (N)</source>
+        <translation>하중 Fx (N)</translation>
+    </message>
+    <message>
+        <source>net reading (mV/V)</source>
+        <translation>순 읽음 (mV/V)</translation>
+    </message>
+    <message>
+        <source>increasing, mean</source>
+        <translation>증가, 평균</translation>
+    </message>
+    <message>
+        <source>decreasing, mean</source>
+        <translation>감소, 평균</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fx</source>
+        <translation>Fx의 영점 통과 직선에 대한 잔차</translation>
+    </message>
+    <message>
+        <source>residual (µV/V)</source>
+        <translation>잔차 (µV/V)</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fx</source>
+        <translation>Fx의 확대된 히스테리시스 고리</translation>
+    </message>
+    <message>
+        <source>deviation from the line (µV/V)</source>
+        <translation>직선으로부터의 편차 (µV/V)</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fy</source>
+        <translation>Fy의 교정 곡선</translation>
+    </message>
+    <message>
+        <source>load Fy (N)</source>
+        <translation>하중 Fy (N)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fy</source>
+        <translation>Fy의 영점 통과 직선에 대한 잔차</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fy</source>
+        <translation>Fy의 확대된 히스테리시스 고리</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fz</source>
+        <translation>Fz의 교정 곡선</translation>
+    </message>
+    <message>
+        <source>load Fz (N)</source>
+        <translation>하중 Fz (N)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fz</source>
+        <translation>Fz의 영점 통과 직선에 대한 잔차</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fz</source>
+        <translation>Fz의 확대된 히스테리시스 고리</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Mx</source>
+        <translation>Mx의 교정 곡선</translation>
+    </message>
+    <message>
+        <source>load Mx (N·m)</source>
+        <translation>하중 Mx (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Mx</source>
+        <translation>Mx의 영점 통과 직선에 대한 잔차</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Mx</source>
+        <translation>Mx의 확대된 히스테리시스 고리</translation>
+    </message>
+    <message>
+        <source>Calibration curve of My</source>
+        <translation>My의 교정 곡선</translation>
+    </message>
+    <message>
+        <source>load My (N·m)</source>
+        <translation>하중 My (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of My</source>
+        <translation>My의 영점 통과 직선에 대한 잔차</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of My</source>
+        <translation>My의 확대된 히스테리시스 고리</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Mz</source>
+        <translation>Mz의 교정 곡선</translation>
+    </message>
+    <message>
+        <source>load Mz (N·m)</source>
+        <translation>하중 Mz (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Mz</source>
+        <translation>Mz의 영점 통과 직선에 대한 잔차</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Mz</source>
+        <translation>Mz의 확대된 히스테리시스 고리</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s U and the GUM&apos;s, per cent of rated output</source>
+        <translation>논문의 U와 GUM의 U, 정격 출력의 퍼센트</translation>
+    </message>
+    <message>
+        <source>paper, linear sum</source>
+        <translation>논문, 선형 합</translation>
+    </message>
+    <message>
+        <source>GUM, unknown loads on all other axes</source>
+        <translation>GUM, 다른 모든 축에 미지의 하중</translation>
+    </message>
+    <message>
+        <source>GUM, unknown load on one axis</source>
+        <translation>GUM, 한 축에 미지의 하중</translation>
+    </message>
+    <message>
+        <source>GUM, one component alone, 95 %</source>
+        <translation>GUM, 한 성분만, 95 %</translation>
+    </message>
+    <message>
+        <source>all other axes at rated load, worst signs</source>
+        <translation>다른 모든 축이 정격 하중, 최악의 부호</translation>
+    </message>
+    <message>
+        <source>interference alone exceeds the paper&apos;s U</source>
+        <translation>간섭만으로 논문의 U를 넘음</translation>
+    </message>
+    <message>
+        <source>Standard uncertainties by the GUM</source>
+        <translation>GUM에 따른 표준불확도</translation>
+    </message>
+    <message>
+        <source>repeatability</source>
+        <translation>반복성</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>교정기</translation>
+    </message>
+    <message>
+        <source>non-zero</source>
+        <translation>영점</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>전체</translation>
+    </message>
+    <message>
+        <source>U by the paper and by the GUM</source>
+        <translation>논문과 GUM에 따른 U</translation>
+    </message>
+    <message>
+        <source>all others at rated load, worst signs</source>
+        <translation>나머지 모두 정격 하중, 최악의 부호</translation>
+    </message>
+    <message>
+        <source>Calibration matrix: reading by load</source>
+        <translation>교정 행렬: 하중당 읽음</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>채널</translation>
+    </message>
+    <message>
+        <source>load Fx</source>
+        <translation>하중 Fx</translation>
+    </message>
+    <message>
+        <source>load Fy</source>
+        <translation>하중 Fy</translation>
+    </message>
+    <message>
+        <source>load Fz</source>
+        <translation>하중 Fz</translation>
+    </message>
+    <message>
+        <source>load Mx</source>
+        <translation>하중 Mx</translation>
+    </message>
+    <message>
+        <source>load My</source>
+        <translation>하중 My</translation>
+    </message>
+    <message>
+        <source>load Mz</source>
+        <translation>하중 Mz</translation>
+    </message>
+    <message>
+        <source>Decoupling matrix: load by reading</source>
+        <translation>분리 행렬: 읽음당 하중</translation>
+    </message>
+    <message>
+        <source>channel Fx</source>
+        <translation>채널 Fx</translation>
+    </message>
+    <message>
+        <source>channel Fy</source>
+        <translation>채널 Fy</translation>
+    </message>
+    <message>
+        <source>channel Fz</source>
+        <translation>채널 Fz</translation>
+    </message>
+    <message>
+        <source>channel Mx</source>
+        <translation>채널 Mx</translation>
+    </message>
+    <message>
+        <source>channel My</source>
+        <translation>채널 My</translation>
+    </message>
+    <message>
+        <source>channel Mz</source>
+        <translation>채널 Mz</translation>
+    </message>
+    <message>
+        <source>Loads with and without compensation of interference</source>
+        <translation>간섭 보정 유무에 따른 하중</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>경우</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>읽음</translation>
+    </message>
+    <message>
+        <source>compensated</source>
+        <translation>보정함</translation>
+    </message>
+    <message>
+        <source>uncompensated</source>
+        <translation>보정 안 함</translation>
+    </message>
+    <message>
+        <source>by rated load</source>
+        <translation>정격 하중 대비</translation>
+    </message>
+    <message>
+        <source>What interference adds without compensation</source>
+        <translation>보정하지 않을 때 간섭이 더하는 값</translation>
+    </message>
+    <message>
+        <source>per cent of rated load</source>
+        <translation>정격 하중의 퍼센트</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>혼합</translation>
+    </message>
+    <message>
+        <source>all rated</source>
+        <translation>모두 정격</translation>
+    </message>
+    <message>
+        <source>no load</source>
+        <translation>무하중</translation>
+    </message>
+    <message>
+        <source>Supports in the instrument&apos;s frame and in the robot&apos;s</source>
+        <translation>기기 좌표계와 로봇 좌표계에서의 지지점</translation>
+    </message>
+    <message>
+        <source>support</source>
+        <translation>지지점</translation>
+    </message>
+    <message>
+        <source>Scatter of a pose that the robot is sent to again</source>
+        <translation>로봇이 다시 도달하는 자세의 산포</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>편차</translation>
+    </message>
+    <message>
+        <source>Rotations of the flange</source>
+        <translation>플랜지의 회전</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>축</translation>
+    </message>
+    <message>
+        <source>radius of the circle</source>
+        <translation>원의 반지름</translation>
+    </message>
+    <message>
+        <source>least height above the supports</source>
+        <translation>지지점 위 최소 높이</translation>
+    </message>
+    <message>
+        <source>greatest height</source>
+        <translation>최대 높이</translation>
+    </message>
+    <message>
+        <source>Sensors of the network</source>
+        <translation>네트워크의 센서</translation>
+    </message>
+    <message>
+        <source>reads</source>
+        <translation>읽는 값</translation>
+    </message>
+    <message>
+        <source>Analysis of variance</source>
+        <translation>분산분석</translation>
+    </message>
+    <message>
+        <source>source of variation</source>
+        <translation>변동 요인</translation>
+    </message>
+    <message>
+        <source>sum of squares</source>
+        <translation>제곱합</translation>
+    </message>
+    <message>
+        <source>mean square</source>
+        <translation>평균제곱</translation>
+    </message>
+    <message>
+        <source>Components of variance</source>
+        <translation>분산 성분</translation>
+    </message>
+    <message>
+        <source>Type A evaluation of observations</source>
+        <translation>관측값의 A형 평가</translation>
+    </message>
+    <message>
+        <source>s of one observation</source>
+        <translation>한 관측값의 s</translation>
+    </message>
+    <message>
+        <source>u of the mean</source>
+        <translation>평균의 u</translation>
+    </message>
+    <message>
+        <source>number of the observation</source>
+        <translation>관측 번호</translation>
+    </message>
+    <message>
+        <source>Points and their residuals</source>
+        <translation>점과 그 잔차</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>잔차</translation>
+    </message>
+    <message>
+        <source>Analysis of variance of the fit</source>
+        <translation>맞춤의 분산분석</translation>
+    </message>
+    <message>
+        <source>Uncertainties</source>
+        <translation>불확도</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>출력량</translation>
+    </message>
+    <message>
+        <source>U by Monte Carlo</source>
+        <translation>몬테카를로의 U</translation>
+    </message>
+    <message>
+        <source>validated (clause 8)</source>
+        <translation>검증됨 (8절)</translation>
+    </message>
+    <message>
+        <source>cost per unit of target</source>
+        <translation>목표 단위당 비용</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>값</translation>
+    </message>
+    <message>
+        <source>variable</source>
+        <translation>변수</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>선택됨</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>허용차</translation>
+    </message>
+    <message>
+        <source>Rows that are kept</source>
+        <translation>유지되는 행</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>행</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>고정</translation>
+    </message>
+    <message>
+        <source>of the candidates&apos; file</source>
+        <translation>후보 파일에서</translation>
+    </message>
+    <message>
+        <source>objective without it</source>
+        <translation>없을 때의 목적값</translation>
+    </message>
+    <message>
+        <source>price</source>
+        <translation>가격</translation>
+    </message>
+    <message>
+        <source>Candidates and what they gain</source>
+        <translation>후보와 그 이득</translation>
+    </message>
+    <message>
+        <source>gain (%)</source>
+        <translation>이득 (%)</translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation>y (mm)</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>What would be gained without the uncertainty of</source>
+        <translation>다음 불확도가 없을 때의 이득</translation>
+    </message>
+    <message>
+        <source>Objective and number of rows</source>
+        <translation>목적값과 행 수</translation>
+    </message>
+    <message>
+        <source>objective</source>
+        <translation>목적값</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>변화</translation>
+    </message>
+    <message>
+        <source>Cost and uncertainty</source>
+        <translation>비용과 불확도</translation>
+    </message>
+    <message>
+        <source>Improvements</source>
+        <translation>개선</translation>
+    </message>
+    <message>
+        <source>evaluation</source>
+        <translation>평가</translation>
+    </message>
+    <message>
+        <source>search</source>
+        <translation>탐색</translation>
+    </message>
+    <message>
+        <source>Candidates without result</source>
+        <translation>결과가 없는 후보</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>개수</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -5115,6 +5115,778 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Total stations</source>
         <translation>Estações totais</translation>
     </message>
+    <message>
+        <source>Uncertainty budget of a measured point</source>
+        <translation>Balanço de incertezas de um ponto medido</translation>
+    </message>
+    <message>
+        <source>Errors of indication (Eq 1)</source>
+        <translation>Erros de indicação (eq. 1)</translation>
+    </message>
+    <message>
+        <source>Errors of indication (Eq 4)</source>
+        <translation>Erros de indicação (eq. 4)</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of one reading, along and across the line of sight</source>
+        <translation>Incerteza-padrão de uma leitura, ao longo e através da linha de visada</translation>
+    </message>
+    <message>
+        <source>across, by azimuth</source>
+        <translation>através, pelo azimute</translation>
+    </message>
+    <message>
+        <source>across, by elevation</source>
+        <translation>através, pela elevação</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>ao longo</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty by the readings alone, and with the stations</source>
+        <translation>Incerteza-padrão só pelas leituras e com as estações</translation>
+    </message>
+    <message>
+        <source>readings alone (Eq 5)</source>
+        <translation>só leituras (eq. 5)</translation>
+    </message>
+    <message>
+        <source>readings and shared deviations, first order</source>
+        <translation>leituras e desvios comuns, primeira ordem</translation>
+    </message>
+    <message>
+        <source>Parameters and their uncertainty</source>
+        <translation>Parâmetros e sua incerteza</translation>
+    </message>
+    <message>
+        <source>u, section 4.1</source>
+        <translation>u, seção 4.1</translation>
+    </message>
+    <message>
+        <source>U = 2 u</source>
+        <translation>U = 2 u</translation>
+    </message>
+    <message>
+        <source>value − U</source>
+        <translation>valor − U</translation>
+    </message>
+    <message>
+        <source>value + U</source>
+        <translation>valor + U</translation>
+    </message>
+    <message>
+        <source>u, Table 1</source>
+        <translation>u, tabela 1</translation>
+    </message>
+    <message>
+        <source>u, repeatability</source>
+        <translation>u, repetibilidade</translation>
+    </message>
+    <message>
+        <source>u, sampling</source>
+        <translation>u, amostragem</translation>
+    </message>
+    <message>
+        <source>u, range</source>
+        <translation>u, faixa</translation>
+    </message>
+    <message>
+        <source>u, identification from measured poses</source>
+        <translation>u, identificação a partir de poses medidas</translation>
+    </message>
+    <message>
+        <source>Identified parameters beside the nominal ones</source>
+        <translation>Parâmetros identificados ao lado dos nominais</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>nominal</translation>
+    </message>
+    <message>
+        <source>identified</source>
+        <translation>identificado</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>diferença</translation>
+    </message>
+    <message>
+        <source>What these points cannot tell</source>
+        <translation>O que estes pontos não podem dizer</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>motivo</translation>
+    </message>
+    <message>
+        <source>Observability</source>
+        <translation>Observabilidade</translation>
+    </message>
+    <message>
+        <source>Strongest correlation of each unknown</source>
+        <translation>Correlação mais forte de cada incógnita</translation>
+    </message>
+    <message>
+        <source>Residuals of the fit, measured less calculated</source>
+        <translation>Resíduos do ajuste, medido menos calculado</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>pose</translation>
+    </message>
+    <message>
+        <source>largest over its u</source>
+        <translation>maior dividido por sua u</translation>
+    </message>
+    <message>
+        <source>outlier test</source>
+        <translation>teste de valores atípicos</translation>
+    </message>
+    <message>
+        <source>Poses held back from the fit, calculated less measured</source>
+        <translation>Poses reservadas do ajuste, calculado menos medido</translation>
+    </message>
+    <message>
+        <source>nominal, distance</source>
+        <translation>nominal, distância</translation>
+    </message>
+    <message>
+        <source>U (k = 2), largest</source>
+        <translation>U (k = 2), maior</translation>
+    </message>
+    <message>
+        <source>E_n, largest</source>
+        <translation>E_n, maior</translation>
+    </message>
+    <message>
+        <source>u, identification by joint trajectories</source>
+        <translation>u, identificação por trajetórias das juntas</translation>
+    </message>
+    <message>
+        <source>Circles of the joints</source>
+        <translation>Círculos das juntas</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>arco</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>raio</translation>
+    </message>
+    <message>
+        <source>rms along the radius</source>
+        <translation>rms ao longo do raio</translation>
+    </message>
+    <message>
+        <source>rms off the plane</source>
+        <translation>rms fora do plano</translation>
+    </message>
+    <message>
+        <source>Readings and places of the poses, without uncertainty</source>
+        <translation>Leituras e lugares das poses, sem incerteza</translation>
+    </message>
+    <message>
+        <source>Relative uncertainty of the loads</source>
+        <translation>Incerteza relativa das cargas</translation>
+    </message>
+    <message>
+        <source>Calibration as planned and as read</source>
+        <translation>Calibração prevista e lida</translation>
+    </message>
+    <message>
+        <source>preloads</source>
+        <translation>pré-cargas</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>séries</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>degraus</translation>
+    </message>
+    <message>
+        <source>decreasing steps</source>
+        <translation>degraus decrescentes</translation>
+    </message>
+    <message>
+        <source>spread of the preloads</source>
+        <translation>dispersão das pré-cargas</translation>
+    </message>
+    <message>
+        <source>Rated output and non-zero error of each sensor (Kim, Table 1)</source>
+        <translation>Saída nominal e erro de zero de cada sensor (Kim, tabela 1)</translation>
+    </message>
+    <message>
+        <source>rated load</source>
+        <translation>carga nominal</translation>
+    </message>
+    <message>
+        <source>Interference error of each sensor (Kim, Table 2)</source>
+        <translation>Erro de interferência de cada sensor (Kim, tabela 2)</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the sensors by the paper (Kim, Table 3, Eqs 4 to 12)</source>
+        <translation>Incerteza dos sensores segundo o artigo (Kim, tabela 3, eqs. 4 a 12)</translation>
+    </message>
+    <message>
+        <source>U, load</source>
+        <translation>U, carga</translation>
+    </message>
+    <message>
+        <source>Interference error in per cent of the rated output (Kim, Table 4)</source>
+        <translation>Erro de interferência em por cento da saída nominal (Kim, tabela 4)</translation>
+    </message>
+    <message>
+        <source>Parts of the Type B standard uncertainty (Eqs 5 to 8)</source>
+        <translation>Partes da incerteza-padrão do tipo B (eqs. 5 a 8)</translation>
+    </message>
+    <message>
+        <source>Means and standard deviations of the net values (Eqs 1 to 4)</source>
+        <translation>Médias e desvios-padrão dos valores líquidos (eqs. 1 a 4)</translation>
+    </message>
+    <message>
+        <source>mean, decreasing</source>
+        <translation>média, decrescente</translation>
+    </message>
+    <message>
+        <source>Stated values beside the computed ones</source>
+        <translation>Valores declarados ao lado dos calculados</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>declarado</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>calculado</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>estado</translation>
+    </message>
+    <message>
+        <source>Interference at rated loads (% of the sensor&apos;s rated output)</source>
+        <translation>Interferência com cargas nominais (% da saída nominal do sensor)</translation>
+    </message>
+    <message>
+        <source>interference (%)</source>
+        <translation>interferência (%)</translation>
+    </message>
+    <message>
+        <source>Parts of U by the paper (% of rated output)</source>
+        <translation>Partes de U segundo o artigo (% da saída nominal)</translation>
+    </message>
+    <message>
+        <source>per cent of rated output</source>
+        <translation>por cento da saída nominal</translation>
+    </message>
+    <message>
+        <source>k u_c</source>
+        <translation>k u_c</translation>
+    </message>
+    <message>
+        <source>Loads of one axis against time</source>
+        <translation>Cargas de um eixo em função do tempo</translation>
+    </message>
+    <message>
+        <source>time (min)</source>
+        <translation>tempo (min)</translation>
+    </message>
+    <message>
+        <source>load (% of rated load)</source>
+        <translation>carga (% da carga nominal)</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fx</source>
+        <translation>Curva de calibração de Fx</translation>
+    </message>
+    <message>
+        <source>load Fx (N)</source>
+        <translation>carga Fx (N)</translation>
+    </message>
+    <message>
+        <source>net reading (mV/V)</source>
+        <translation>leitura líquida (mV/V)</translation>
+    </message>
+    <message>
+        <source>increasing, mean</source>
+        <translation>crescente, média</translation>
+    </message>
+    <message>
+        <source>decreasing, mean</source>
+        <translation>decrescente, média</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fx</source>
+        <translation>Resíduos em relação à reta por zero de Fx</translation>
+    </message>
+    <message>
+        <source>residual (µV/V)</source>
+        <translation>resíduo (µV/V)</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fx</source>
+        <translation>Laço de histerese, ampliado, de Fx</translation>
+    </message>
+    <message>
+        <source>deviation from the line (µV/V)</source>
+        <translation>desvio da reta (µV/V)</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fy</source>
+        <translation>Curva de calibração de Fy</translation>
+    </message>
+    <message>
+        <source>load Fy (N)</source>
+        <translation>carga Fy (N)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fy</source>
+        <translation>Resíduos em relação à reta por zero de Fy</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fy</source>
+        <translation>Laço de histerese, ampliado, de Fy</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fz</source>
+        <translation>Curva de calibração de Fz</translation>
+    </message>
+    <message>
+        <source>load Fz (N)</source>
+        <translation>carga Fz (N)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fz</source>
+        <translation>Resíduos em relação à reta por zero de Fz</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fz</source>
+        <translation>Laço de histerese, ampliado, de Fz</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Mx</source>
+        <translation>Curva de calibração de Mx</translation>
+    </message>
+    <message>
+        <source>load Mx (N·m)</source>
+        <translation>carga Mx (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Mx</source>
+        <translation>Resíduos em relação à reta por zero de Mx</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Mx</source>
+        <translation>Laço de histerese, ampliado, de Mx</translation>
+    </message>
+    <message>
+        <source>Calibration curve of My</source>
+        <translation>Curva de calibração de My</translation>
+    </message>
+    <message>
+        <source>load My (N·m)</source>
+        <translation>carga My (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of My</source>
+        <translation>Resíduos em relação à reta por zero de My</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of My</source>
+        <translation>Laço de histerese, ampliado, de My</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Mz</source>
+        <translation>Curva de calibração de Mz</translation>
+    </message>
+    <message>
+        <source>load Mz (N·m)</source>
+        <translation>carga Mz (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Mz</source>
+        <translation>Resíduos em relação à reta por zero de Mz</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Mz</source>
+        <translation>Laço de histerese, ampliado, de Mz</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s U and the GUM&apos;s, per cent of rated output</source>
+        <translation>U do artigo e do GUM, por cento da saída nominal</translation>
+    </message>
+    <message>
+        <source>paper, linear sum</source>
+        <translation>artigo, soma linear</translation>
+    </message>
+    <message>
+        <source>GUM, unknown loads on all other axes</source>
+        <translation>GUM, cargas desconhecidas em todos os outros eixos</translation>
+    </message>
+    <message>
+        <source>GUM, unknown load on one axis</source>
+        <translation>GUM, carga desconhecida em um eixo</translation>
+    </message>
+    <message>
+        <source>GUM, one component alone, 95 %</source>
+        <translation>GUM, uma só componente, 95 %</translation>
+    </message>
+    <message>
+        <source>all other axes at rated load, worst signs</source>
+        <translation>todos os outros eixos à carga nominal, piores sinais</translation>
+    </message>
+    <message>
+        <source>interference alone exceeds the paper&apos;s U</source>
+        <translation>só a interferência excede a U do artigo</translation>
+    </message>
+    <message>
+        <source>Standard uncertainties by the GUM</source>
+        <translation>Incertezas-padrão segundo o GUM</translation>
+    </message>
+    <message>
+        <source>repeatability</source>
+        <translation>repetibilidade</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>máquina</translation>
+    </message>
+    <message>
+        <source>non-zero</source>
+        <translation>erro de zero</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>todas</translation>
+    </message>
+    <message>
+        <source>U by the paper and by the GUM</source>
+        <translation>U segundo o artigo e segundo o GUM</translation>
+    </message>
+    <message>
+        <source>all others at rated load, worst signs</source>
+        <translation>todos os outros à carga nominal, piores sinais</translation>
+    </message>
+    <message>
+        <source>Calibration matrix: reading by load</source>
+        <translation>Matriz de calibração: leitura por carga</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>canal</translation>
+    </message>
+    <message>
+        <source>load Fx</source>
+        <translation>carga Fx</translation>
+    </message>
+    <message>
+        <source>load Fy</source>
+        <translation>carga Fy</translation>
+    </message>
+    <message>
+        <source>load Fz</source>
+        <translation>carga Fz</translation>
+    </message>
+    <message>
+        <source>load Mx</source>
+        <translation>carga Mx</translation>
+    </message>
+    <message>
+        <source>load My</source>
+        <translation>carga My</translation>
+    </message>
+    <message>
+        <source>load Mz</source>
+        <translation>carga Mz</translation>
+    </message>
+    <message>
+        <source>Decoupling matrix: load by reading</source>
+        <translation>Matriz de desacoplamento: carga por leitura</translation>
+    </message>
+    <message>
+        <source>channel Fx</source>
+        <translation>canal Fx</translation>
+    </message>
+    <message>
+        <source>channel Fy</source>
+        <translation>canal Fy</translation>
+    </message>
+    <message>
+        <source>channel Fz</source>
+        <translation>canal Fz</translation>
+    </message>
+    <message>
+        <source>channel Mx</source>
+        <translation>canal Mx</translation>
+    </message>
+    <message>
+        <source>channel My</source>
+        <translation>canal My</translation>
+    </message>
+    <message>
+        <source>channel Mz</source>
+        <translation>canal Mz</translation>
+    </message>
+    <message>
+        <source>Loads with and without compensation of interference</source>
+        <translation>Cargas com e sem compensação da interferência</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>caso</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>leitura</translation>
+    </message>
+    <message>
+        <source>compensated</source>
+        <translation>compensada</translation>
+    </message>
+    <message>
+        <source>uncompensated</source>
+        <translation>não compensada</translation>
+    </message>
+    <message>
+        <source>by rated load</source>
+        <translation>por carga nominal</translation>
+    </message>
+    <message>
+        <source>What interference adds without compensation</source>
+        <translation>O que a interferência acrescenta sem compensação</translation>
+    </message>
+    <message>
+        <source>per cent of rated load</source>
+        <translation>por cento da carga nominal</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>mista</translation>
+    </message>
+    <message>
+        <source>all rated</source>
+        <translation>todas nominais</translation>
+    </message>
+    <message>
+        <source>no load</source>
+        <translation>sem carga</translation>
+    </message>
+    <message>
+        <source>Supports in the instrument&apos;s frame and in the robot&apos;s</source>
+        <translation>Apoios no sistema do instrumento e no do robô</translation>
+    </message>
+    <message>
+        <source>support</source>
+        <translation>apoio</translation>
+    </message>
+    <message>
+        <source>Scatter of a pose that the robot is sent to again</source>
+        <translation>Dispersão de uma pose à qual o robô volta</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>desvio</translation>
+    </message>
+    <message>
+        <source>Rotations of the flange</source>
+        <translation>Rotações do flange</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>em torno de</translation>
+    </message>
+    <message>
+        <source>radius of the circle</source>
+        <translation>raio do círculo</translation>
+    </message>
+    <message>
+        <source>least height above the supports</source>
+        <translation>altura mínima sobre os apoios</translation>
+    </message>
+    <message>
+        <source>greatest height</source>
+        <translation>altura máxima</translation>
+    </message>
+    <message>
+        <source>Sensors of the network</source>
+        <translation>Sensores da rede</translation>
+    </message>
+    <message>
+        <source>reads</source>
+        <translation>lê</translation>
+    </message>
+    <message>
+        <source>Analysis of variance</source>
+        <translation>Análise de variância</translation>
+    </message>
+    <message>
+        <source>source of variation</source>
+        <translation>fonte de variação</translation>
+    </message>
+    <message>
+        <source>sum of squares</source>
+        <translation>soma de quadrados</translation>
+    </message>
+    <message>
+        <source>mean square</source>
+        <translation>quadrado médio</translation>
+    </message>
+    <message>
+        <source>Components of variance</source>
+        <translation>Componentes da variância</translation>
+    </message>
+    <message>
+        <source>Type A evaluation of observations</source>
+        <translation>Avaliação do tipo A das observações</translation>
+    </message>
+    <message>
+        <source>s of one observation</source>
+        <translation>s de uma observação</translation>
+    </message>
+    <message>
+        <source>u of the mean</source>
+        <translation>u da média</translation>
+    </message>
+    <message>
+        <source>number of the observation</source>
+        <translation>número da observação</translation>
+    </message>
+    <message>
+        <source>Points and their residuals</source>
+        <translation>Pontos e seus resíduos</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>resíduo</translation>
+    </message>
+    <message>
+        <source>Analysis of variance of the fit</source>
+        <translation>Análise de variância do ajuste</translation>
+    </message>
+    <message>
+        <source>Uncertainties</source>
+        <translation>Incertezas</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>grandeza de saída</translation>
+    </message>
+    <message>
+        <source>U by Monte Carlo</source>
+        <translation>U por Monte Carlo</translation>
+    </message>
+    <message>
+        <source>validated (clause 8)</source>
+        <translation>validado (seção 8)</translation>
+    </message>
+    <message>
+        <source>cost per unit of target</source>
+        <translation>custo por unidade do alvo</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>variable</source>
+        <translation>variável</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>escolhido</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>tolerância</translation>
+    </message>
+    <message>
+        <source>Rows that are kept</source>
+        <translation>Linhas que são mantidas</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>linha</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fixa</translation>
+    </message>
+    <message>
+        <source>of the candidates&apos; file</source>
+        <translation>do arquivo de candidatos</translation>
+    </message>
+    <message>
+        <source>objective without it</source>
+        <translation>objetivo sem ela</translation>
+    </message>
+    <message>
+        <source>price</source>
+        <translation>preço</translation>
+    </message>
+    <message>
+        <source>Candidates and what they gain</source>
+        <translation>Candidatos e o que ganham</translation>
+    </message>
+    <message>
+        <source>gain (%)</source>
+        <translation>ganho (%)</translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation>y (mm)</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>What would be gained without the uncertainty of</source>
+        <translation>O que se ganharia sem a incerteza de</translation>
+    </message>
+    <message>
+        <source>Objective and number of rows</source>
+        <translation>Objetivo e número de linhas</translation>
+    </message>
+    <message>
+        <source>objective</source>
+        <translation>objetivo</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>alteração</translation>
+    </message>
+    <message>
+        <source>Cost and uncertainty</source>
+        <translation>Custo e incerteza</translation>
+    </message>
+    <message>
+        <source>Improvements</source>
+        <translation>Melhorias</translation>
+    </message>
+    <message>
+        <source>evaluation</source>
+        <translation>avaliação</translation>
+    </message>
+    <message>
+        <source>search</source>
+        <translation>busca</translation>
+    </message>
+    <message>
+        <source>Candidates without result</source>
+        <translation>Candidatos sem resultado</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>quantidade</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

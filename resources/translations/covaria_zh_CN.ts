@@ -5115,6 +5115,778 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <source>Total stations</source>
         <translation>全站仪</translation>
     </message>
+    <message>
+        <source>Uncertainty budget of a measured point</source>
+        <translation>测量点的不确定度概算</translation>
+    </message>
+    <message>
+        <source>Errors of indication (Eq 1)</source>
+        <translation>示值误差（式 1）</translation>
+    </message>
+    <message>
+        <source>Errors of indication (Eq 4)</source>
+        <translation>示值误差（式 4）</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of one reading, along and across the line of sight</source>
+        <translation>一次读数的标准不确定度，沿视线与垂直视线</translation>
+    </message>
+    <message>
+        <source>across, by azimuth</source>
+        <translation>横向，由方位角</translation>
+    </message>
+    <message>
+        <source>across, by elevation</source>
+        <translation>横向，由俯仰角</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>沿视线</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty by the readings alone, and with the stations</source>
+        <translation>仅由读数及连同测站的标准不确定度</translation>
+    </message>
+    <message>
+        <source>readings alone (Eq 5)</source>
+        <translation>仅读数（式 5）</translation>
+    </message>
+    <message>
+        <source>readings and shared deviations, first order</source>
+        <translation>读数与共同偏差，一阶</translation>
+    </message>
+    <message>
+        <source>Parameters and their uncertainty</source>
+        <translation>参数及其不确定度</translation>
+    </message>
+    <message>
+        <source>u, section 4.1</source>
+        <translation>u，第 4.1 节</translation>
+    </message>
+    <message>
+        <source>U = 2 u</source>
+        <translation>U = 2 u</translation>
+    </message>
+    <message>
+        <source>value − U</source>
+        <translation>值 − U</translation>
+    </message>
+    <message>
+        <source>value + U</source>
+        <translation>值 + U</translation>
+    </message>
+    <message>
+        <source>u, Table 1</source>
+        <translation>u，表 1</translation>
+    </message>
+    <message>
+        <source>u, repeatability</source>
+        <translation>u，重复性</translation>
+    </message>
+    <message>
+        <source>u, sampling</source>
+        <translation>u，采样</translation>
+    </message>
+    <message>
+        <source>u, range</source>
+        <translation>u，范围</translation>
+    </message>
+    <message>
+        <source>u, identification from measured poses</source>
+        <translation>u，由测量位姿辨识</translation>
+    </message>
+    <message>
+        <source>Identified parameters beside the nominal ones</source>
+        <translation>辨识参数与名义参数对照</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>名义值</translation>
+    </message>
+    <message>
+        <source>identified</source>
+        <translation>辨识值</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>What these points cannot tell</source>
+        <translation>这些点无法确定的内容</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Observability</source>
+        <translation>可观测性</translation>
+    </message>
+    <message>
+        <source>Strongest correlation of each unknown</source>
+        <translation>每个未知量的最强相关</translation>
+    </message>
+    <message>
+        <source>Residuals of the fit, measured less calculated</source>
+        <translation>拟合残差，测量值减计算值</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>largest over its u</source>
+        <translation>最大值与其 u 之比</translation>
+    </message>
+    <message>
+        <source>outlier test</source>
+        <translation>离群值检验</translation>
+    </message>
+    <message>
+        <source>Poses held back from the fit, calculated less measured</source>
+        <translation>未参与拟合的位姿，计算值减测量值</translation>
+    </message>
+    <message>
+        <source>nominal, distance</source>
+        <translation>名义值，距离</translation>
+    </message>
+    <message>
+        <source>U (k = 2), largest</source>
+        <translation>U (k = 2)，最大</translation>
+    </message>
+    <message>
+        <source>E_n, largest</source>
+        <translation>E_n，最大</translation>
+    </message>
+    <message>
+        <source>u, identification by joint trajectories</source>
+        <translation>u，由关节轨迹辨识</translation>
+    </message>
+    <message>
+        <source>Circles of the joints</source>
+        <translation>关节圆</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>弧</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>rms along the radius</source>
+        <translation>沿半径方向的均方根</translation>
+    </message>
+    <message>
+        <source>rms off the plane</source>
+        <translation>离面均方根</translation>
+    </message>
+    <message>
+        <source>Readings and places of the poses, without uncertainty</source>
+        <translation>位姿的读数与位置，无不确定度</translation>
+    </message>
+    <message>
+        <source>Relative uncertainty of the loads</source>
+        <translation>载荷的相对不确定度</translation>
+    </message>
+    <message>
+        <source>Calibration as planned and as read</source>
+        <translation>计划的校准与实际读数</translation>
+    </message>
+    <message>
+        <source>preloads</source>
+        <translation>预加载次数</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>测量循环</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>级数</translation>
+    </message>
+    <message>
+        <source>decreasing steps</source>
+        <translation>递减级数</translation>
+    </message>
+    <message>
+        <source>spread of the preloads</source>
+        <translation>预加载的离散</translation>
+    </message>
+    <message>
+        <source>Rated output and non-zero error of each sensor (Kim, Table 1)</source>
+        <translation>各传感器的额定输出与零点误差（Kim，表 1）</translation>
+    </message>
+    <message>
+        <source>rated load</source>
+        <translation>额定载荷</translation>
+    </message>
+    <message>
+        <source>Interference error of each sensor (Kim, Table 2)</source>
+        <translation>各传感器的干扰误差（Kim，表 2）</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the sensors by the paper (Kim, Table 3, Eqs 4 to 12)</source>
+        <translation>按论文的传感器不确定度（Kim，表 3，式 4 至 12）</translation>
+    </message>
+    <message>
+        <source>U, load</source>
+        <translation>U，载荷</translation>
+    </message>
+    <message>
+        <source>Interference error in per cent of the rated output (Kim, Table 4)</source>
+        <translation>干扰误差占额定输出的百分比（Kim，表 4）</translation>
+    </message>
+    <message>
+        <source>Parts of the Type B standard uncertainty (Eqs 5 to 8)</source>
+        <translation>B 类标准不确定度的组成（式 5 至 8）</translation>
+    </message>
+    <message>
+        <source>Means and standard deviations of the net values (Eqs 1 to 4)</source>
+        <translation>净值的均值与标准差（式 1 至 4）</translation>
+    </message>
+    <message>
+        <source>mean, decreasing</source>
+        <translation>均值，递减</translation>
+    </message>
+    <message>
+        <source>Stated values beside the computed ones</source>
+        <translation>给定值与计算值对照</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>给定</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Interference at rated loads (% of the sensor&apos;s rated output)</source>
+        <translation>额定载荷下的干扰（占传感器额定输出的 %）</translation>
+    </message>
+    <message>
+        <source>interference (%)</source>
+        <translation>干扰 (%)</translation>
+    </message>
+    <message>
+        <source>Parts of U by the paper (% of rated output)</source>
+        <translation>按论文的 U 的组成（占额定输出的 %）</translation>
+    </message>
+    <message>
+        <source>per cent of rated output</source>
+        <translation>占额定输出的百分比</translation>
+    </message>
+    <message>
+        <source>k u_c</source>
+        <translation>k u_c</translation>
+    </message>
+    <message>
+        <source>Loads of one axis against time</source>
+        <translation>一个轴的载荷随时间变化</translation>
+    </message>
+    <message>
+        <source>time (min)</source>
+        <translation>时间 (min)</translation>
+    </message>
+    <message>
+        <source>load (% of rated load)</source>
+        <translation>载荷（占额定载荷的 %）</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fx</source>
+        <translation>Fx 的校准曲线</translation>
+    </message>
+    <message>
+        <source>load Fx (N)</source>
+        <translation>载荷 Fx (N)</translation>
+    </message>
+    <message>
+        <source>net reading (mV/V)</source>
+        <translation>净读数 (mV/V)</translation>
+    </message>
+    <message>
+        <source>increasing, mean</source>
+        <translation>递增，均值</translation>
+    </message>
+    <message>
+        <source>decreasing, mean</source>
+        <translation>递减，均值</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fx</source>
+        <translation>Fx 相对过零直线的残差</translation>
+    </message>
+    <message>
+        <source>residual (µV/V)</source>
+        <translation>残差 (µV/V)</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fx</source>
+        <translation>Fx 的放大迟滞回线</translation>
+    </message>
+    <message>
+        <source>deviation from the line (µV/V)</source>
+        <translation>与直线的偏差 (µV/V)</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fy</source>
+        <translation>Fy 的校准曲线</translation>
+    </message>
+    <message>
+        <source>load Fy (N)</source>
+        <translation>载荷 Fy (N)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fy</source>
+        <translation>Fy 相对过零直线的残差</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fy</source>
+        <translation>Fy 的放大迟滞回线</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Fz</source>
+        <translation>Fz 的校准曲线</translation>
+    </message>
+    <message>
+        <source>load Fz (N)</source>
+        <translation>载荷 Fz (N)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Fz</source>
+        <translation>Fz 相对过零直线的残差</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Fz</source>
+        <translation>Fz 的放大迟滞回线</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Mx</source>
+        <translation>Mx 的校准曲线</translation>
+    </message>
+    <message>
+        <source>load Mx (N·m)</source>
+        <translation>载荷 Mx (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Mx</source>
+        <translation>Mx 相对过零直线的残差</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Mx</source>
+        <translation>Mx 的放大迟滞回线</translation>
+    </message>
+    <message>
+        <source>Calibration curve of My</source>
+        <translation>My 的校准曲线</translation>
+    </message>
+    <message>
+        <source>load My (N·m)</source>
+        <translation>载荷 My (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of My</source>
+        <translation>My 相对过零直线的残差</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of My</source>
+        <translation>My 的放大迟滞回线</translation>
+    </message>
+    <message>
+        <source>Calibration curve of Mz</source>
+        <translation>Mz 的校准曲线</translation>
+    </message>
+    <message>
+        <source>load Mz (N·m)</source>
+        <translation>载荷 Mz (N·m)</translation>
+    </message>
+    <message>
+        <source>Residuals from the line through zero of Mz</source>
+        <translation>Mz 相对过零直线的残差</translation>
+    </message>
+    <message>
+        <source>Hysteresis loop, magnified, of Mz</source>
+        <translation>Mz 的放大迟滞回线</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s U and the GUM&apos;s, per cent of rated output</source>
+        <translation>论文的 U 与 GUM 的 U，占额定输出的百分比</translation>
+    </message>
+    <message>
+        <source>paper, linear sum</source>
+        <translation>论文，线性和</translation>
+    </message>
+    <message>
+        <source>GUM, unknown loads on all other axes</source>
+        <translation>GUM，其他各轴载荷未知</translation>
+    </message>
+    <message>
+        <source>GUM, unknown load on one axis</source>
+        <translation>GUM，一个轴载荷未知</translation>
+    </message>
+    <message>
+        <source>GUM, one component alone, 95 %</source>
+        <translation>GUM，仅一个分量，95 %</translation>
+    </message>
+    <message>
+        <source>all other axes at rated load, worst signs</source>
+        <translation>其他各轴为额定载荷，最不利符号</translation>
+    </message>
+    <message>
+        <source>interference alone exceeds the paper&apos;s U</source>
+        <translation>仅干扰即超过论文的 U</translation>
+    </message>
+    <message>
+        <source>Standard uncertainties by the GUM</source>
+        <translation>按 GUM 的标准不确定度</translation>
+    </message>
+    <message>
+        <source>repeatability</source>
+        <translation>重复性</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>校准机</translation>
+    </message>
+    <message>
+        <source>non-zero</source>
+        <translation>零点</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>合计</translation>
+    </message>
+    <message>
+        <source>U by the paper and by the GUM</source>
+        <translation>按论文与按 GUM 的 U</translation>
+    </message>
+    <message>
+        <source>all others at rated load, worst signs</source>
+        <translation>其他均为额定载荷，最不利符号</translation>
+    </message>
+    <message>
+        <source>Calibration matrix: reading by load</source>
+        <translation>校准矩阵：每单位载荷的读数</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>load Fx</source>
+        <translation>载荷 Fx</translation>
+    </message>
+    <message>
+        <source>load Fy</source>
+        <translation>载荷 Fy</translation>
+    </message>
+    <message>
+        <source>load Fz</source>
+        <translation>载荷 Fz</translation>
+    </message>
+    <message>
+        <source>load Mx</source>
+        <translation>载荷 Mx</translation>
+    </message>
+    <message>
+        <source>load My</source>
+        <translation>载荷 My</translation>
+    </message>
+    <message>
+        <source>load Mz</source>
+        <translation>载荷 Mz</translation>
+    </message>
+    <message>
+        <source>Decoupling matrix: load by reading</source>
+        <translation>解耦矩阵：每单位读数的载荷</translation>
+    </message>
+    <message>
+        <source>channel Fx</source>
+        <translation>通道 Fx</translation>
+    </message>
+    <message>
+        <source>channel Fy</source>
+        <translation>通道 Fy</translation>
+    </message>
+    <message>
+        <source>channel Fz</source>
+        <translation>通道 Fz</translation>
+    </message>
+    <message>
+        <source>channel Mx</source>
+        <translation>通道 Mx</translation>
+    </message>
+    <message>
+        <source>channel My</source>
+        <translation>通道 My</translation>
+    </message>
+    <message>
+        <source>channel Mz</source>
+        <translation>通道 Mz</translation>
+    </message>
+    <message>
+        <source>Loads with and without compensation of interference</source>
+        <translation>有无干扰补偿的载荷</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>情形</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>compensated</source>
+        <translation>已补偿</translation>
+    </message>
+    <message>
+        <source>uncompensated</source>
+        <translation>未补偿</translation>
+    </message>
+    <message>
+        <source>by rated load</source>
+        <translation>除以额定载荷</translation>
+    </message>
+    <message>
+        <source>What interference adds without compensation</source>
+        <translation>未补偿时干扰的附加量</translation>
+    </message>
+    <message>
+        <source>per cent of rated load</source>
+        <translation>占额定载荷的百分比</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>混合</translation>
+    </message>
+    <message>
+        <source>all rated</source>
+        <translation>全部额定</translation>
+    </message>
+    <message>
+        <source>no load</source>
+        <translation>无载荷</translation>
+    </message>
+    <message>
+        <source>Supports in the instrument&apos;s frame and in the robot&apos;s</source>
+        <translation>支座在仪器坐标系与机器人坐标系中的位置</translation>
+    </message>
+    <message>
+        <source>support</source>
+        <translation>支座</translation>
+    </message>
+    <message>
+        <source>Scatter of a pose that the robot is sent to again</source>
+        <translation>机器人重复到达同一位姿的离散</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>Rotations of the flange</source>
+        <translation>法兰的转动</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>绕</translation>
+    </message>
+    <message>
+        <source>radius of the circle</source>
+        <translation>圆的半径</translation>
+    </message>
+    <message>
+        <source>least height above the supports</source>
+        <translation>高于支座的最小高度</translation>
+    </message>
+    <message>
+        <source>greatest height</source>
+        <translation>最大高度</translation>
+    </message>
+    <message>
+        <source>Sensors of the network</source>
+        <translation>网络的传感器</translation>
+    </message>
+    <message>
+        <source>reads</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Analysis of variance</source>
+        <translation>方差分析</translation>
+    </message>
+    <message>
+        <source>source of variation</source>
+        <translation>变异来源</translation>
+    </message>
+    <message>
+        <source>sum of squares</source>
+        <translation>平方和</translation>
+    </message>
+    <message>
+        <source>mean square</source>
+        <translation>均方</translation>
+    </message>
+    <message>
+        <source>Components of variance</source>
+        <translation>方差分量</translation>
+    </message>
+    <message>
+        <source>Type A evaluation of observations</source>
+        <translation>观测值的 A 类评定</translation>
+    </message>
+    <message>
+        <source>s of one observation</source>
+        <translation>单次观测的 s</translation>
+    </message>
+    <message>
+        <source>u of the mean</source>
+        <translation>均值的 u</translation>
+    </message>
+    <message>
+        <source>number of the observation</source>
+        <translation>观测序号</translation>
+    </message>
+    <message>
+        <source>Points and their residuals</source>
+        <translation>各点及其残差</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Analysis of variance of the fit</source>
+        <translation>拟合的方差分析</translation>
+    </message>
+    <message>
+        <source>Uncertainties</source>
+        <translation>不确定度</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>输出量</translation>
+    </message>
+    <message>
+        <source>U by Monte Carlo</source>
+        <translation>蒙特卡洛的 U</translation>
+    </message>
+    <message>
+        <source>validated (clause 8)</source>
+        <translation>已验证（第 8 条）</translation>
+    </message>
+    <message>
+        <source>cost per unit of target</source>
+        <translation>每单位目标的成本</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>选定</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>容差</translation>
+    </message>
+    <message>
+        <source>Rows that are kept</source>
+        <translation>保留的行</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>of the candidates&apos; file</source>
+        <translation>来自候选文件</translation>
+    </message>
+    <message>
+        <source>objective without it</source>
+        <translation>去掉它后的目标函数</translation>
+    </message>
+    <message>
+        <source>price</source>
+        <translation>价格</translation>
+    </message>
+    <message>
+        <source>Candidates and what they gain</source>
+        <translation>候选项及其收益</translation>
+    </message>
+    <message>
+        <source>gain (%)</source>
+        <translation>收益 (%)</translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation>y (mm)</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>What would be gained without the uncertainty of</source>
+        <translation>去掉下列不确定度后的收益</translation>
+    </message>
+    <message>
+        <source>Objective and number of rows</source>
+        <translation>目标函数与行数</translation>
+    </message>
+    <message>
+        <source>objective</source>
+        <translation>目标函数</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>变化</translation>
+    </message>
+    <message>
+        <source>Cost and uncertainty</source>
+        <translation>成本与不确定度</translation>
+    </message>
+    <message>
+        <source>Improvements</source>
+        <translation>改进</translation>
+    </message>
+    <message>
+        <source>evaluation</source>
+        <translation>求值</translation>
+    </message>
+    <message>
+        <source>search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Candidates without result</source>
+        <translation>无结果的候选项</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>数量</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -1,6 +1,7 @@
 #include "ui/pages/asset_evaluation.h"
 
 #include "ui/pages/data_table_html.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -14,7 +15,7 @@ struct Evaluation {
 /// Tables and charts of one asset, or what is wrong with it.
 Evaluation evaluate(const std::shared_ptr<const Asset>& asset) {
     if (!asset) return {AssetEvaluation::tr("The asset has problems; they are listed below the scene."), {}};
-    Evaluation found{html_of(asset->evaluation()), asset->figures()};
+    Evaluation found{html_of(asset->evaluation()), core_plots(asset->figures())};
     if (found.html.isEmpty() && found.figures.empty())
         found.html = AssetEvaluation::tr("This asset is used as it is specified; nothing is evaluated.");
     return found;

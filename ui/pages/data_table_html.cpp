@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t most_rows = 300;
 
 QString head_of(const TableColumn& column) {
-    QString head =
-        to_qt(column.is_symbol ? to_html(symbols_text(column.header)) : escape_html(column.header));
+    QString head = column.is_symbol ? to_qt(to_html(symbols_text(column.header)))
+                                    : core_text(column.header).toHtmlEscaped();
     if (!(column.unit == Unit())) head += QStringLiteral("<br>(%1)").arg(to_qt(column.unit.display()));
     return QStringLiteral("<th align=\"right\">%1</th>").arg(head);
 }

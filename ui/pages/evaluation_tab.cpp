@@ -1,6 +1,7 @@
 #include "ui/pages/evaluation_tab.h"
 
 #include "ui/pages/data_table_html.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -30,7 +31,7 @@ void EvaluationTab::refresh() {
         return show_evaluation({}, {});
     }
     const auto evaluate = [this, model](const std::stop_token&) -> JobQueue::Delivery {
-        return [this, html = html_of(model->evaluation()), figures = model->figures()] {
+        return [this, html = html_of(model->evaluation()), figures = core_plots(model->figures())] {
             show_evaluation(html, figures);
             emit filled(!html.isEmpty() || !figures.empty());
         };

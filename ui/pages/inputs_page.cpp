@@ -21,6 +21,7 @@
 #include "ui/models/roles.h"
 #include "ui/pages/evaluation_view.h"
 #include "ui/pages/scrolled.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/tabs.h"
@@ -118,7 +119,7 @@ void InputsPage::show_quantity() {
 void InputsPage::show_observations(const std::string& symbol) {
     std::vector<PlotSpecification> charts;
     if (const auto& prepared = model_.analysis())
-        for (PlotSpecification& chart : prepared->model->figures())
+        for (PlotSpecification& chart : core_plots(prepared->model->figures()))
             if (!symbol.empty() && chart.quantity == symbol) charts.push_back(std::move(chart));
     show_tab(*details_, observations_, !charts.empty());
     observations_->show_evaluation({}, std::move(charts));

@@ -20,4 +20,15 @@ Text core_title(const Text& english) {
     return plain ? Text(core_words(english.spans()[0].letters)) : english;
 }
 
+std::vector<PlotSpecification> core_plots(std::vector<PlotSpecification> plots) {
+    const auto translate = [](Text& text) { text = core_title(text); };
+    for (PlotSpecification& plot : plots) {
+        for (Text* text : {&plot.title, &plot.x.title, &plot.y.title}) translate(*text);
+        for (PlotSeries& series : plot.series) translate(series.name);
+        for (PlotMark& mark : plot.marks) translate(mark.label);
+        for (PlotBand& band : plot.bands) translate(band.label);
+    }
+    return plots;
+}
+
 }  // namespace covaria::ui

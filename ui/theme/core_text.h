@@ -6,7 +6,9 @@
 #include <QString>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/text/plot_specification.h"
 #include "core/text/text.h"
 
 namespace covaria::ui {
@@ -19,5 +21,7 @@ QString core_text(std::string_view english);
 std::string core_words(std::string_view english);
 /// Likewise; a text with symbols in it stays.
 Text core_title(const Text& english);
+/// The charts of models and assets: titles, axes, legends, marks.
+std::vector<PlotSpecification> core_plots(std::vector<PlotSpecification> english);
 
 }  // namespace covaria::ui

@@ -18,6 +18,7 @@
 #include <QTabBar>
 #include <QTableView>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QToolButton>
 #include <QTranslator>
 #include <QXmlStreamReader>
@@ -32,6 +33,7 @@
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/search_actions.h"
 #include "ui/pages/compare_tab.h"
+#include "ui/pages/evaluation_view.h"
 #include "ui/pages/library_browser.h"
 #include "ui/pages/page_list.h"
 #include "ui/pages/search_palette.h"
@@ -203,6 +205,12 @@ protected:
             if (view->model() && !is_head && !is_of_report) look_at_cells(*view->model(), place);
         }
         for (auto* chart : top.findChildren<ChartView*>()) look_at_chart(chart->plot());
+        for (auto* view : top.findChildren<EvaluationView*>())
+            for (QTextFrame* frame : view->text().document()->rootFrame()->childFrames())
+                if (auto* table = qobject_cast<QTextTable*>(frame))
+                    for (int c = 0; c < table->columns(); ++c)
+                        look_at(QStringLiteral("head of a table to read"),
+                                table->cellAt(0, c).firstCursorPosition().block().text());
     }
     void look_at_tabs(QTabWidget& tabs) {
         for (int i = 0; i < tabs.count(); ++i) {
