@@ -21,6 +21,8 @@
 #include "core/propagation/engine.h"
 #include "core/quantity/distribution.h"
 #include "core/quantity/statement_text.h"
+#include "core/readers/budget_columns.h"
+#include "core/readers/point_columns.h"
 #include "core/readers/readers.h"
 #include "core/report/certificate_words.h"
 #include "core/report/comparison_columns.h"
@@ -125,6 +127,10 @@ void say_parts_of_project(TextList& list) {
     for (const LibraryItem& item : load_library().items)
         if (!item.own) list.say("Collection of the library", item.collection);
     for (const Reader& reader : reader_registry()) list.say("Format of a file that is read", reader.title);
+    for (const BudgetColumnWord& word : budget_column_words())
+        list.say_word("What a column of a budget is read as", word.title);
+    for (const auto& [word, title] : point_column_titles())
+        if (title != word) list.say_word("What a column of points is read as", title);
     for (const Writer& writer : writer_registry()) list.say("Format of a file that is written", writer.title);
 }
 

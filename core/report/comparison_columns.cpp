@@ -216,7 +216,7 @@ Table compared_budget_table(const ResultComparison& comparison, std::vector<Comp
     add("id", [](P p) -> Cell { return p.either().id; });
     add("what", [](P p) -> Cell { return change_word(p); })
         .print("What")
-        .window("What", "Changed, the same, new, or gone")
+        .window("Kind of change", "Changed, the same, new, or gone")
         .of_own_words({"new", "gone", "changed", "same"});
     add("unit", [](P p) -> Cell { return p.either().unit; })
         .print("Unit")

@@ -15,6 +15,16 @@ namespace {
 const char* const met_word = "met";
 const char* const not_met_word = "not met";
 
+const Phrase without{"U without %1"},
+    remains_by_law{
+        "Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by "
+        "the "
+        "law of propagation"},
+    remains_by_monte_carlo{
+        "Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by "
+        "Monte "
+        "Carlo"};
+
 using Number = std::function<std::optional<double>(const OutputResult&)>;
 using Scale = Measured::Scale;
 
@@ -47,9 +57,10 @@ Number validation(double FirstOrderOutput::Validation::*member) {
 using Rows = std::shared_ptr<const std::vector<std::size_t>>;
 
 /// U of the outputs in the rows without each contributor.
-void add_contributors(Table& table, const UncertaintyResult& result, const Rows& outputs) {
+void add_contributors(Table& table, const UncertaintyResult& result, const Rows& outputs,
+                      const DocumentLanguage& language) {
     const std::vector<std::string> keys = contributor_keys(result);
-    const std::string method = result.contributor_trials > 0 ? "by Monte Carlo" : "by the law of propagation";
+    const Phrase& help = result.contributor_trials > 0 ? remains_by_monte_carlo : remains_by_law;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const std::string name = report_parts::contributor_title(result.contributors[i]);
         table
@@ -59,8 +70,7 @@ void add_contributors(Table& table, const UncertaintyResult& result, const Rows&
                      const double U = expanded_with(output, r.contributors[i].without, (*shown)[row]);
                      return Measured{U, Scale::interval, output.quantity.unit, {}};
                  })
-            .window(keys[i], "Expanded uncertainty that remains when everything " + name +
-                                 " brings in is kept constant (an ideal one), " + method)
+            .window(language.say(without, {name}), language.say(help, {name}))
             .digits(2)
             .not_in_files();
     }
@@ -68,8 +78,11 @@ void add_contributors(Table& table, const UncertaintyResult& result, const Rows&
 
 class ResultColumns {
 public:
-    ResultColumns(const UncertaintyResult& result, std::vector<std::size_t> outputs)
-        : result_(result), outputs_(std::make_shared<const std::vector<std::size_t>>(std::move(outputs))) {}
+    ResultColumns(const UncertaintyResult& result, std::vector<std::size_t> outputs,
+                  const DocumentLanguage& language)
+        : result_(result),
+          outputs_(std::make_shared<const std::vector<std::size_t>>(std::move(outputs))),
+          language_(language) {}
 
     /// In the order in which files have them.
     Table make() {
@@ -80,7 +93,7 @@ public:
         add_first_order();
         table_.add("U by", words(expanded_key(result_)));
         table_.add("remark", words(represents_measurand(result_) ? "" : std::string(does_not_represent)));
-        add_contributors(table_, result_, outputs_);
+        add_contributors(table_, result_, outputs_, language_);
         return std::move(table_);
     }
 
@@ -261,6 +274,7 @@ private:
 
     const UncertaintyResult& result_;
     Rows outputs_;
+    DocumentLanguage language_;  ///< of heads with names in them
     Table table_{"results", "Results"};
 };
 
@@ -269,16 +283,16 @@ private:
 std::vector<std::string> contributor_keys(const UncertaintyResult& result) {
     std::vector<std::string> keys;
     for (const ContributorResult& c : result.contributors)
-        keys.push_back("U without " + report_parts::contributor_title(c));
+        keys.push_back(DocumentLanguage().say(without, {report_parts::contributor_title(c)}));
     return keys;
 }
 
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs) {
-    return ResultColumns(result, std::move(outputs)).make();
+    return ResultColumns(result, std::move(outputs), {}).make();
 }
 
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs,
-                    const std::vector<RequirementResult>& verdicts) {
+                    const std::vector<RequirementResult>& verdicts, const DocumentLanguage& language) {
     struct OfRow {
         Cell target, part, met;
     };
@@ -298,7 +312,7 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
         }
         if (any) row.met = std::string(met ? met_word : not_met_word);
     }
-    Table table = results_table(result, std::move(outputs));
+    Table table = ResultColumns(result, std::move(outputs), language).make();
     table.add("target", [rows](std::size_t row) { return (*rows)[row].target; })
         .window("Target", "Target uncertainty that is required")
         .digits(2)

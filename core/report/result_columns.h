@@ -8,6 +8,7 @@
 
 #include "core/report/table.h"
 #include "core/result/uncertainty_result.h"
+#include "core/text/document_language.h"
 
 namespace covaria {
 
@@ -16,9 +17,9 @@ namespace covaria {
 /// A row for each of these outputs.
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs);
 Table results_table(const UncertaintyResult& result);  ///< all of them
-/// With what the requirements say of each row: "target", "U/target", "met".
+/// With what the requirements say of each row: "target", "U/target", "met". `language`: of heads with names.
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs,
-                    const std::vector<RequirementResult>& verdicts);
+                    const std::vector<RequirementResult>& verdicts, const DocumentLanguage& language = {});
 /// Keys of the columns "U, ... held", one for each contributor.
 std::vector<std::string> contributor_keys(const UncertaintyResult& result);
 

@@ -5887,6 +5887,102 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>count</source>
         <translation>Anzahl</translation>
     </message>
+    <message>
+        <source>U without %1</source>
+        <translation>U ohne %1</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by the law of propagation</source>
+        <translation>Erweiterte Unsicherheit, die bleibt, wenn alles konstant gehalten wird, was %1 einbringt (ein Ideal), nach dem Fortpflanzungsgesetz</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by Monte Carlo</source>
+        <translation>Erweiterte Unsicherheit, die bleibt, wenn alles konstant gehalten wird, was %1 einbringt (ein Ideal), durch Monte Carlo</translation>
+    </message>
+    <message>
+        <source>symbol of the quantity</source>
+        <translation>Symbol der Größe</translation>
+    </message>
+    <message>
+        <source>what it is</source>
+        <translation>was es ist</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>Schätzwert</translation>
+    </message>
+    <message>
+        <source>unit of estimate and uncertainty</source>
+        <translation>Einheit von Schätzwert und Unsicherheit</translation>
+    </message>
+    <message>
+        <source>uncertainty before the divisor</source>
+        <translation>Unsicherheit vor dem Teiler</translation>
+    </message>
+    <message>
+        <source>half-width of the limits</source>
+        <translation>halbe Weite der Grenzen</translation>
+    </message>
+    <message>
+        <source>divisor, coverage factor k</source>
+        <translation>Teiler, Erweiterungsfaktor k</translation>
+    </message>
+    <message>
+        <source>sensitivity coefficient</source>
+        <translation>Empfindlichkeitskoeffizient</translation>
+    </message>
+    <message>
+        <source>contribution to u(y)</source>
+        <translation>Beitrag zu u(y)</translation>
+    </message>
+    <message>
+        <source>where the figure comes from</source>
+        <translation>woher die Zahl kommt</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>nicht gelesen</translation>
+    </message>
+    <message>
+        <source>name of the point</source>
+        <translation>Name des Punktes</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of x, y, z</source>
+        <translation>Standardunsicherheit von x, y, z</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of x</source>
+        <translation>Standardunsicherheit von x</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of y</source>
+        <translation>Standardunsicherheit von y</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of z</source>
+        <translation>Standardunsicherheit von z</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of x, y, z, k = 2</source>
+        <translation>erweiterte Unsicherheit von x, y, z, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of x, k = 2</source>
+        <translation>erweiterte Unsicherheit von x, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of y, k = 2</source>
+        <translation>erweiterte Unsicherheit von y, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of z, k = 2</source>
+        <translation>erweiterte Unsicherheit von z, k = 2</translation>
+    </message>
+    <message>
+        <source>Kind of change</source>
+        <translation>Art der Änderung</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -6387,14 +6483,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>alle-ergebnisse</translation>
     </message>
     <message>
-        <source>Output quantity</source>
-        <translation>Ausgangsgröße</translation>
-    </message>
-    <message>
-        <source>k</source>
-        <translation>k</translation>
-    </message>
-    <message>
         <source>up to date</source>
         <translation>aktuell</translation>
     </message>
@@ -6599,44 +6687,8 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Vergleich</translation>
     </message>
     <message>
-        <source>Group</source>
-        <translation>Gruppe</translation>
-    </message>
-    <message>
-        <source>Output quantity</source>
-        <translation>Ausgangsgröße</translation>
-    </message>
-    <message>
-        <source>Change of estimate</source>
-        <translation>Änderung des Schätzwerts</translation>
-    </message>
-    <message>
-        <source>u before</source>
-        <translation>u vorher</translation>
-    </message>
-    <message>
-        <source>u after</source>
-        <translation>u nachher</translation>
-    </message>
-    <message>
-        <source>k before</source>
-        <translation>k vorher</translation>
-    </message>
-    <message>
-        <source>k after</source>
-        <translation>k nachher</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>In</translation>
-    </message>
-    <message>
         <source>budget-changes</source>
         <translation>Budget-Änderungen</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>Herkunft</translation>
     </message>
     <message>
         <source>Chart</source>
@@ -9346,18 +9398,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>results</source>
         <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Gruppe</translation>
-    </message>
-    <message>
-        <source>Estimate (first order)</source>
-        <translation>Schätzwert (erste Ordnung)</translation>
-    </message>
-    <message>
-        <source>U (first order)</source>
-        <translation>U (erste Ordnung)</translation>
     </message>
     <message>
         <source>Unit</source>

@@ -5887,6 +5887,102 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>count</source>
         <translation>cantidad</translation>
     </message>
+    <message>
+        <source>U without %1</source>
+        <translation>U sin %1</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by the law of propagation</source>
+        <translation>Incertidumbre expandida que queda cuando todo lo que aporta %1 se mantiene constante (uno ideal), por la ley de propagación</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by Monte Carlo</source>
+        <translation>Incertidumbre expandida que queda cuando todo lo que aporta %1 se mantiene constante (uno ideal), por Monte Carlo</translation>
+    </message>
+    <message>
+        <source>symbol of the quantity</source>
+        <translation>símbolo de la magnitud</translation>
+    </message>
+    <message>
+        <source>what it is</source>
+        <translation>qué es</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>estimación</translation>
+    </message>
+    <message>
+        <source>unit of estimate and uncertainty</source>
+        <translation>unidad de la estimación y de la incertidumbre</translation>
+    </message>
+    <message>
+        <source>uncertainty before the divisor</source>
+        <translation>incertidumbre antes del divisor</translation>
+    </message>
+    <message>
+        <source>half-width of the limits</source>
+        <translation>semianchura de los límites</translation>
+    </message>
+    <message>
+        <source>divisor, coverage factor k</source>
+        <translation>divisor, factor de cobertura k</translation>
+    </message>
+    <message>
+        <source>sensitivity coefficient</source>
+        <translation>coeficiente de sensibilidad</translation>
+    </message>
+    <message>
+        <source>contribution to u(y)</source>
+        <translation>contribución a u(y)</translation>
+    </message>
+    <message>
+        <source>where the figure comes from</source>
+        <translation>de dónde sale la cifra</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>no se lee</translation>
+    </message>
+    <message>
+        <source>name of the point</source>
+        <translation>nombre del punto</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of x, y, z</source>
+        <translation>incertidumbre estándar de x, y, z</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of x</source>
+        <translation>incertidumbre estándar de x</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of y</source>
+        <translation>incertidumbre estándar de y</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of z</source>
+        <translation>incertidumbre estándar de z</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of x, y, z, k = 2</source>
+        <translation>incertidumbre expandida de x, y, z, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of x, k = 2</source>
+        <translation>incertidumbre expandida de x, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of y, k = 2</source>
+        <translation>incertidumbre expandida de y, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of z, k = 2</source>
+        <translation>incertidumbre expandida de z, k = 2</translation>
+    </message>
+    <message>
+        <source>Kind of change</source>
+        <translation>Tipo de cambio</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -6387,14 +6483,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>todos-los-resultados</translation>
     </message>
     <message>
-        <source>Output quantity</source>
-        <translation>Magnitud de salida</translation>
-    </message>
-    <message>
-        <source>k</source>
-        <translation>k</translation>
-    </message>
-    <message>
         <source>up to date</source>
         <translation>actualizado</translation>
     </message>
@@ -6599,44 +6687,8 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>comparación</translation>
     </message>
     <message>
-        <source>Group</source>
-        <translation>Grupo</translation>
-    </message>
-    <message>
-        <source>Output quantity</source>
-        <translation>Magnitud de salida</translation>
-    </message>
-    <message>
-        <source>Change of estimate</source>
-        <translation>Cambio de la estimación</translation>
-    </message>
-    <message>
-        <source>u before</source>
-        <translation>u antes</translation>
-    </message>
-    <message>
-        <source>u after</source>
-        <translation>u después</translation>
-    </message>
-    <message>
-        <source>k before</source>
-        <translation>k antes</translation>
-    </message>
-    <message>
-        <source>k after</source>
-        <translation>k después</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>En</translation>
-    </message>
-    <message>
         <source>budget-changes</source>
         <translation>cambios-del-balance</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>Origen</translation>
     </message>
     <message>
         <source>Chart</source>
@@ -9346,18 +9398,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>results</source>
         <translation>resultados</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Grupo</translation>
-    </message>
-    <message>
-        <source>Estimate (first order)</source>
-        <translation>Estimación (primer orden)</translation>
-    </message>
-    <message>
-        <source>U (first order)</source>
-        <translation>U (primer orden)</translation>
     </message>
     <message>
         <source>Unit</source>

@@ -5887,6 +5887,102 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <source>count</source>
         <translation>개수</translation>
     </message>
+    <message>
+        <source>U without %1</source>
+        <translation>%1 없는 U</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by the law of propagation</source>
+        <translation>%1이(가) 가져오는 모든 것을 일정하게 둘 때(이상적인 것) 남는 확장불확도, 전파 법칙에 의함</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by Monte Carlo</source>
+        <translation>%1이(가) 가져오는 모든 것을 일정하게 둘 때(이상적인 것) 남는 확장불확도, 몬테카를로에 의함</translation>
+    </message>
+    <message>
+        <source>symbol of the quantity</source>
+        <translation>양의 기호</translation>
+    </message>
+    <message>
+        <source>what it is</source>
+        <translation>무엇인지</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>추정값</translation>
+    </message>
+    <message>
+        <source>unit of estimate and uncertainty</source>
+        <translation>추정값과 불확도의 단위</translation>
+    </message>
+    <message>
+        <source>uncertainty before the divisor</source>
+        <translation>나눗수로 나누기 전의 불확도</translation>
+    </message>
+    <message>
+        <source>half-width of the limits</source>
+        <translation>한계의 반너비</translation>
+    </message>
+    <message>
+        <source>divisor, coverage factor k</source>
+        <translation>나눗수, 포함인자 k</translation>
+    </message>
+    <message>
+        <source>sensitivity coefficient</source>
+        <translation>감도계수</translation>
+    </message>
+    <message>
+        <source>contribution to u(y)</source>
+        <translation>u(y)에 대한 기여</translation>
+    </message>
+    <message>
+        <source>where the figure comes from</source>
+        <translation>수치의 출처</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>읽지 않음</translation>
+    </message>
+    <message>
+        <source>name of the point</source>
+        <translation>점의 이름</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of x, y, z</source>
+        <translation>x, y, z의 표준불확도</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of x</source>
+        <translation>x의 표준불확도</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of y</source>
+        <translation>y의 표준불확도</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of z</source>
+        <translation>z의 표준불확도</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of x, y, z, k = 2</source>
+        <translation>x, y, z의 확장불확도, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of x, k = 2</source>
+        <translation>x의 확장불확도, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of y, k = 2</source>
+        <translation>y의 확장불확도, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of z, k = 2</source>
+        <translation>z의 확장불확도, k = 2</translation>
+    </message>
+    <message>
+        <source>Kind of change</source>
+        <translation>변화의 종류</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -6387,14 +6483,6 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <translation>모든-결과</translation>
     </message>
     <message>
-        <source>Output quantity</source>
-        <translation>출력량</translation>
-    </message>
-    <message>
-        <source>k</source>
-        <translation>k</translation>
-    </message>
-    <message>
         <source>up to date</source>
         <translation>최신</translation>
     </message>
@@ -6599,44 +6687,8 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <translation>비교</translation>
     </message>
     <message>
-        <source>Group</source>
-        <translation>그룹</translation>
-    </message>
-    <message>
-        <source>Output quantity</source>
-        <translation>출력량</translation>
-    </message>
-    <message>
-        <source>Change of estimate</source>
-        <translation>추정값의 변화</translation>
-    </message>
-    <message>
-        <source>u before</source>
-        <translation>u 전</translation>
-    </message>
-    <message>
-        <source>u after</source>
-        <translation>u 후</translation>
-    </message>
-    <message>
-        <source>k before</source>
-        <translation>k 전</translation>
-    </message>
-    <message>
-        <source>k after</source>
-        <translation>k 후</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>포함</translation>
-    </message>
-    <message>
         <source>budget-changes</source>
         <translation>총괄표-변화</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>출처</translation>
     </message>
     <message>
         <source>Chart</source>
@@ -9343,18 +9395,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>results</source>
         <translation>결과</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>그룹</translation>
-    </message>
-    <message>
-        <source>Estimate (first order)</source>
-        <translation>추정값(일차)</translation>
-    </message>
-    <message>
-        <source>U (first order)</source>
-        <translation>U(일차)</translation>
     </message>
     <message>
         <source>Unit</source>

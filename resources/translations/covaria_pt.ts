@@ -5887,6 +5887,102 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>count</source>
         <translation>quantidade</translation>
     </message>
+    <message>
+        <source>U without %1</source>
+        <translation>U sem %1</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by the law of propagation</source>
+        <translation>Incerteza expandida que resta quando tudo o que %1 traz é mantido constante (um ideal), pela lei de propagação</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by Monte Carlo</source>
+        <translation>Incerteza expandida que resta quando tudo o que %1 traz é mantido constante (um ideal), por Monte Carlo</translation>
+    </message>
+    <message>
+        <source>symbol of the quantity</source>
+        <translation>símbolo da grandeza</translation>
+    </message>
+    <message>
+        <source>what it is</source>
+        <translation>o que é</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>estimativa</translation>
+    </message>
+    <message>
+        <source>unit of estimate and uncertainty</source>
+        <translation>unidade da estimativa e da incerteza</translation>
+    </message>
+    <message>
+        <source>uncertainty before the divisor</source>
+        <translation>incerteza antes do divisor</translation>
+    </message>
+    <message>
+        <source>half-width of the limits</source>
+        <translation>meia largura dos limites</translation>
+    </message>
+    <message>
+        <source>divisor, coverage factor k</source>
+        <translation>divisor, fator de abrangência k</translation>
+    </message>
+    <message>
+        <source>sensitivity coefficient</source>
+        <translation>coeficiente de sensibilidade</translation>
+    </message>
+    <message>
+        <source>contribution to u(y)</source>
+        <translation>contribuição para u(y)</translation>
+    </message>
+    <message>
+        <source>where the figure comes from</source>
+        <translation>de onde vem o número</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>não lida</translation>
+    </message>
+    <message>
+        <source>name of the point</source>
+        <translation>nome do ponto</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of x, y, z</source>
+        <translation>incerteza-padrão de x, y, z</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of x</source>
+        <translation>incerteza-padrão de x</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of y</source>
+        <translation>incerteza-padrão de y</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of z</source>
+        <translation>incerteza-padrão de z</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of x, y, z, k = 2</source>
+        <translation>incerteza expandida de x, y, z, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of x, k = 2</source>
+        <translation>incerteza expandida de x, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of y, k = 2</source>
+        <translation>incerteza expandida de y, k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of z, k = 2</source>
+        <translation>incerteza expandida de z, k = 2</translation>
+    </message>
+    <message>
+        <source>Kind of change</source>
+        <translation>Tipo de alteração</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -6387,14 +6483,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>todos-os-resultados</translation>
     </message>
     <message>
-        <source>Output quantity</source>
-        <translation>Grandeza de saída</translation>
-    </message>
-    <message>
-        <source>k</source>
-        <translation>k</translation>
-    </message>
-    <message>
         <source>up to date</source>
         <translation>atualizado</translation>
     </message>
@@ -6599,44 +6687,8 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>comparação</translation>
     </message>
     <message>
-        <source>Group</source>
-        <translation>Grupo</translation>
-    </message>
-    <message>
-        <source>Output quantity</source>
-        <translation>Grandeza de saída</translation>
-    </message>
-    <message>
-        <source>Change of estimate</source>
-        <translation>Variação da estimativa</translation>
-    </message>
-    <message>
-        <source>u before</source>
-        <translation>u antes</translation>
-    </message>
-    <message>
-        <source>u after</source>
-        <translation>u depois</translation>
-    </message>
-    <message>
-        <source>k before</source>
-        <translation>k antes</translation>
-    </message>
-    <message>
-        <source>k after</source>
-        <translation>k depois</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>Em</translation>
-    </message>
-    <message>
         <source>budget-changes</source>
         <translation>alterações-do-balanço</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>Origem</translation>
     </message>
     <message>
         <source>Chart</source>
@@ -9346,18 +9398,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>results</source>
         <translation>resultados</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Grupo</translation>
-    </message>
-    <message>
-        <source>Estimate (first order)</source>
-        <translation>Estimativa (1ª ordem)</translation>
-    </message>
-    <message>
-        <source>U (first order)</source>
-        <translation>U (1ª ordem)</translation>
     </message>
     <message>
         <source>Unit</source>

@@ -5887,6 +5887,102 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <source>count</source>
         <translation>数量</translation>
     </message>
+    <message>
+        <source>U without %1</source>
+        <translation>无 %1 时的 U</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by the law of propagation</source>
+        <translation>将 %1 带来的一切保持不变（理想情况）时剩余的扩展不确定度，按传播律</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by Monte Carlo</source>
+        <translation>将 %1 带来的一切保持不变（理想情况）时剩余的扩展不确定度，按蒙特卡洛</translation>
+    </message>
+    <message>
+        <source>symbol of the quantity</source>
+        <translation>量的符号</translation>
+    </message>
+    <message>
+        <source>what it is</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>估计值</translation>
+    </message>
+    <message>
+        <source>unit of estimate and uncertainty</source>
+        <translation>估计值与不确定度的单位</translation>
+    </message>
+    <message>
+        <source>uncertainty before the divisor</source>
+        <translation>除以除数之前的不确定度</translation>
+    </message>
+    <message>
+        <source>half-width of the limits</source>
+        <translation>界限半宽</translation>
+    </message>
+    <message>
+        <source>divisor, coverage factor k</source>
+        <translation>除数，包含因子 k</translation>
+    </message>
+    <message>
+        <source>sensitivity coefficient</source>
+        <translation>灵敏系数</translation>
+    </message>
+    <message>
+        <source>contribution to u(y)</source>
+        <translation>对 u(y) 的贡献</translation>
+    </message>
+    <message>
+        <source>where the figure comes from</source>
+        <translation>数值的来源</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>不读取</translation>
+    </message>
+    <message>
+        <source>name of the point</source>
+        <translation>点名</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of x, y, z</source>
+        <translation>x、y、z 的标准不确定度</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of x</source>
+        <translation>x 的标准不确定度</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of y</source>
+        <translation>y 的标准不确定度</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of z</source>
+        <translation>z 的标准不确定度</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of x, y, z, k = 2</source>
+        <translation>x、y、z 的扩展不确定度，k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of x, k = 2</source>
+        <translation>x 的扩展不确定度，k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of y, k = 2</source>
+        <translation>y 的扩展不确定度，k = 2</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty of z, k = 2</source>
+        <translation>z 的扩展不确定度，k = 2</translation>
+    </message>
+    <message>
+        <source>Kind of change</source>
+        <translation>变化类型</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -6387,14 +6483,6 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <translation>全部结果</translation>
     </message>
     <message>
-        <source>Output quantity</source>
-        <translation>输出量</translation>
-    </message>
-    <message>
-        <source>k</source>
-        <translation>k</translation>
-    </message>
-    <message>
         <source>up to date</source>
         <translation>最新</translation>
     </message>
@@ -6599,44 +6687,8 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <translation>比较</translation>
     </message>
     <message>
-        <source>Group</source>
-        <translation>组</translation>
-    </message>
-    <message>
-        <source>Output quantity</source>
-        <translation>输出量</translation>
-    </message>
-    <message>
-        <source>Change of estimate</source>
-        <translation>估计值的变化</translation>
-    </message>
-    <message>
-        <source>u before</source>
-        <translation>u（前）</translation>
-    </message>
-    <message>
-        <source>u after</source>
-        <translation>u（后）</translation>
-    </message>
-    <message>
-        <source>k before</source>
-        <translation>k（前）</translation>
-    </message>
-    <message>
-        <source>k after</source>
-        <translation>k（后）</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>存在于</translation>
-    </message>
-    <message>
         <source>budget-changes</source>
         <translation>预算变化</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>来源</translation>
     </message>
     <message>
         <source>Chart</source>
@@ -9343,18 +9395,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>results</source>
         <translation>结果</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>组</translation>
-    </message>
-    <message>
-        <source>Estimate (first order)</source>
-        <translation>估计值（一阶）</translation>
-    </message>
-    <message>
-        <source>U (first order)</source>
-        <translation>U（一阶）</translation>
     </message>
     <message>
         <source>Unit</source>

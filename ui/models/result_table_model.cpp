@@ -6,6 +6,7 @@
 #include "core/propagation/requirements.h"
 #include "core/report/result_columns.h"
 #include "ui/models/roles.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -59,7 +60,8 @@ void ResultTableModel::rebuild() {
     for (std::size_t i = 0; result_ && i < result_->outputs.size(); ++i)
         if (is_wanted(i)) shown_.push_back(i);
     if (!result_) return set_contents({}, {}, {}, current_result_);
-    set_contents(result_, results_table(*result_, shown_, verdicts_), keys(), current_result_);
+    set_contents(result_, results_table(*result_, shown_, verdicts_, language_of_window()), keys(),
+                 current_result_);
 }
 
 std::vector<std::string> ResultTableModel::keys() const {

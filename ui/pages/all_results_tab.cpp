@@ -32,7 +32,8 @@ AllResultsTab::AllResultsTab(Document& document, AnalysisRunner& runner, QWidget
     bar->addWidget(only_not_met_);
     bar->addWidget(count_, 1);
     table_ = new SortableTable(model_, tr("all-results"));
-    table_->set_columns(QStringLiteral("all_results"), {tr("Output quantity"), tr("k")});
+    table_->set_columns(QStringLiteral("all_results"),
+                        {QStringLiteral("Output quantity"), QStringLiteral("k")});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -73,11 +73,13 @@ QWidget* CompareTab::make_head() {
 
 QWidget* CompareTab::make_body() {
     results_ = new SortableTable(results_model_, tr("comparison"));
-    results_->set_columns(QStringLiteral("comparison"),
-                          {tr("Group"), tr("Output quantity"), tr("Change of estimate"), tr("u before"),
-                           tr("u after"), tr("k before"), tr("k after"), tr("In")});
+    results_->set_columns(
+        QStringLiteral("comparison"),
+        {QStringLiteral("Group"), QStringLiteral("Output quantity"), QStringLiteral("Change of estimate"),
+         QStringLiteral("u before"), QStringLiteral("u after"), QStringLiteral("k before"),
+         QStringLiteral("k after"), QStringLiteral("In")});
     budget_ = new SortableTable(budget_model_, tr("budget-changes"));
-    budget_->set_columns(QStringLiteral("budget-changes"), {tr("Origin")});
+    budget_->set_columns(QStringLiteral("budget-changes"), {QStringLiteral("Origin")});
     chart_list_ = new QComboBox;
     chart_list_->setAccessibleName(tr("Chart"));
     chart_list_->addItems({tr("Distributions"), tr("Changes of the budget")});

@@ -180,7 +180,8 @@ QWidget* ResultsPane::make_results_tab() {
     results_ = new SortableTable(result_model_, tr("results"));
     results_->setObjectName(QStringLiteral("results_table"));
     results_->set_columns(QStringLiteral("results"),
-                          {tr("Group"), tr("Estimate (first order)"), tr("U (first order)")});
+                          {QStringLiteral("Group"), QStringLiteral("Estimate (first order)"),
+                           QStringLiteral("U (first order)")});
     results_->extend_menu = [this](QMenu& menu, int row) {
         const std::size_t output = result_model_.output_of(row);
         units_->add_choices(*menu.addMenu(tr("Unit")), result_->outputs[output].quantity.unit);

@@ -17,8 +17,8 @@ public:
     /// `name` names the saved file ("results") and the table to screen readers.
     SortableTable(ColumnTableModel& model, const QString& name, QWidget* parent = nullptr);
 
-    /// Columns hidden until the user shows them. The choice and the widths the user gave are remembered under
-    /// `key`.
+    /// Columns hidden until the user shows them, by their English heads. The choice and the widths the user
+    /// gave are remembered under `key`.
     void set_columns(const QString& key, const QStringList& hidden);
     void set_column_shown(int column, bool shown);
     /// Columns to tick, as on a right click on the head.

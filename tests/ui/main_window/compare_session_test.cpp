@@ -76,7 +76,7 @@ TEST_F(CompareSession, WhatWasKeptStandsBesideWhatIsEdited) {
     EXPECT_GT(number(tab().results(), 0, QStringLiteral("Change of U in %")), 0.1);
     window_->selection().select_output(0);
     ASSERT_GT(tab().budget().model()->rowCount(), 3);
-    EXPECT_EQ(words(tab().budget(), 0, QStringLiteral("What")), QStringLiteral("changed"));
+    EXPECT_EQ(words(tab().budget(), 0, QStringLiteral("Kind of change")), QStringLiteral("changed"));
     double sum = 0.0;
     for (int row = 0; row < tab().budget().model()->rowCount(); ++row)
         sum += number(tab().budget(), row, QStringLiteral("Change of variance / %"));

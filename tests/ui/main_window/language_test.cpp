@@ -32,12 +32,15 @@
 #include "ui/forms/import_dialog.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/search_actions.h"
+#include "ui/models/roles.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/evaluation_view.h"
 #include "ui/pages/library_browser.h"
 #include "ui/pages/page_list.h"
 #include "ui/pages/search_palette.h"
+#include "ui/pages/sortable_table.h"
 #include "ui/pages/start_page.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/languages.h"
 
 namespace covaria::ui::language_test {
@@ -73,7 +76,8 @@ public:
         if (!has_words) return {};
         if (of.startsWith(QLatin1String("covaria::ui")) || of == QLatin1String("QObject"))
             unknown_.insert(of + QStringLiteral(": ") + text);
-        of_others_.insert(text);
+        else if (of != QLatin1String(core_context))  // through which names go, too
+            of_others_.insert(text);
         return {};
     }
     /// Qt asked for it: it has catalogues of its own.
@@ -106,7 +110,9 @@ protected:
         return word.match(text.remove(markup)).hasMatch() ? text.trimmed() : QString();
     }
     /// What people, files and models named: the project, its results, examples.
-    void learn(const QString& text) { data_ += text + QLatin1Char('\n'); }
+    void learn(const QString& text) {
+        for (const QString& one : text.split(QRegularExpression(QStringLiteral("[\"\n]")))) data_.insert(one);
+    }
     void learn_project() {
         learn(to_qt(project_text(window_->document().project())));
         for (const AnalysisEntry& analysis : window_->document().project().analyses)
@@ -114,6 +120,7 @@ protected:
                 for (const PlotSpecification& plot : prepared->model->figures())
                     learn(to_qt(to_unicode(plot.title)));
                 for (const OutputQuantity& output : prepared->model->outputs()) learn_output(output);
+                for (const InputQuantity& input : prepared->inputs.quantities) learn(to_qt(input.name));
                 for (const UncertaintyComponent& component : prepared->inputs.components)
                     for (const std::string& text : {component.id, component.name, component.origin})
                         learn(to_qt(text));
@@ -141,14 +148,21 @@ protected:
         learn(to_qt(symbol_to_unicode(output.symbol) + found + ": " + output.name));
     }
     bool is_data(const QString& words) const {
-        if (data_.contains(words)) return true;
-        static const QRegularExpression symbol(QStringLiteral("\\w_[\\w,]+|/ \\w+$"),
-                                               QRegularExpression::UseUnicodePropertiesOption);
-        for (QString part : words.split(QRegularExpression(QStringLiteral(", |\n|:$")))) {
-            part = untranslated(part.remove(symbol));
-            if (!part.isEmpty() && !data_.contains(part)) return false;
-        }
-        return true;
+        const QStringList lines = words.split(QLatin1Char('\n'));
+        return std::ranges::all_of(lines, [this](const QString& line) { return is_line_of_data(line); });
+    }
+    /// A name, with a symbol or a unit, or names parted by commas.
+    bool is_line_of_data(QString line) const {
+        static const QRegularExpression symbol_or_unit(QStringLiteral("\\w_[\\w,]+|/ \\w+$| \\(\\w+\\)$|:$"),
+                                                       QRegularExpression::UseUnicodePropertiesOption);
+        if (data_.contains(line)) return true;
+        line = untranslated(line.remove(symbol_or_unit));
+        if (line.isEmpty() || data_.contains(line)) return true;
+        const QStringList parts = line.split(QStringLiteral(", "));
+        return std::ranges::all_of(parts, [this](const QString& part) {
+            const QString name = untranslated(part);
+            return name.isEmpty() || data_.contains(name);
+        });
     }
     void look_at(const QString& place, const QString& text) {
         const QString words = untranslated(text);
@@ -227,7 +241,7 @@ protected:
     }
 
     Brackets brackets_;
-    QString data_;
+    QSet<QString> data_;  ///< whole texts
     QSet<QString> found_;
 };
 
@@ -247,6 +261,19 @@ TEST_F(Languages, NamesInAProjectStayAsTheyAre) {
         ++references;
     }
     EXPECT_GE(references, 2);
+}
+
+TEST_F(Languages, TheSameColumnsAreHidden) {
+    open(project_copy());
+    wait_until_idle();
+    select(SetupOwner::analysis, window_->document().project().analyses.front().id);
+    const SortableTable& table = window_->results().result_table();
+    ASSERT_TRUE(wait_for([&] { return table.model()->columnCount() > 0; }));
+    QStringList hidden;
+    for (int c = 0; c < table.model()->columnCount(); ++c)
+        if (table.isColumnHidden(c))
+            hidden << table.model()->headerData(c, Qt::Horizontal, id_role).toString();
+    EXPECT_TRUE(hidden.contains(QStringLiteral("Group"))) << hidden.join(QLatin1Char(' ')).toStdString();
 }
 
 TEST_F(Languages, EveryTextOfTheWindowIsInTheCatalogues) {
