@@ -57,7 +57,7 @@ struct Column {
     NumberRule rule = {};
     std::optional<Unit> unit = {};  ///< of all its numbers: the head says it
     bool in_files = true;
-    bool own_words = false;  ///< its texts are the program's ("not met"), not people's
+    bool own_words = false;                    ///< its texts are the program's ("not met"), not people's
     std::vector<std::string> undeclared = {};  ///< those of them that no registry declares
 
     // To write columns down on a line.
