@@ -4973,7 +4973,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>Run the study “%1” to see it</source>
-        <translation>运行研究“%1”以查看它</translation>
+        <translation>运行参数研究“%1”以查看它</translation>
     </message>
     <message>
         <source>No grid point of “%1” has values: %2</source>

@@ -132,6 +132,7 @@ void StudyTab::refresh() {
     state_->setToolTip(state_->text());
     if (other) refresh_choices();
     model_.set_study(result_, current_);
+    table_->setVisible(result_ != nullptr);
     table_->set_remark(result_ && !current_ ? tr("Out of date: of the project as it was") : QString());
     show_study();
 }

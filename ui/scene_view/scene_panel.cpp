@@ -234,6 +234,7 @@ SceneOptions ScenePanel::options() const {
     if (const QVariant factor = magnification_->currentData(); factor.isValid())
         options.magnification = factor.toDouble();
     options.probability = probability_->currentData().toDouble();
+    options.numbers = user_numbers();
     options.context = context_;
     return options;
 }

@@ -20,15 +20,15 @@ LengthUnit unit_for(double size) {
     return {"mm", 1e3};
 }
 
-std::vector<AxisTick> ticks_between(double low, double high, double step, LengthUnit unit) {
+std::vector<AxisTick> ticks_between(double low, double high, double step, const Scene& scene) {
     std::vector<AxisTick> ticks;
-    const double step_shown = step * unit.per_metre;
+    const double step_shown = step * scene.unit.per_metre;
     const int decimals = decimals_of_step(step_shown);
     const auto first = static_cast<long>(std::ceil(low / step - 1e-9));
     const auto last = static_cast<long>(std::floor(high / step + 1e-9));
     for (long i = first; i <= last; ++i) {
         const double at = static_cast<double>(i) * step;
-        ticks.push_back({at, grouped_number(at * unit.per_metre, decimals)});
+        ticks.push_back({at, grouped_number(at * scene.unit.per_metre, decimals, scene.numbers)});
     }
     return ticks;
 }
@@ -86,24 +86,24 @@ void add_axes(Scene& scene) {
         const auto k = static_cast<std::size_t>(i);
         axes.titles[k] = std::string(names[i]) + " / " + scene.unit.text;
         const double own = extent[i] >= 2 * step ? step : nearest_round_number(extent[i] / 3);
-        axes.ticks[k] = ticks_between(axes.low[i], axes.high[i], own, scene.unit);
+        axes.ticks[k] = ticks_between(axes.low[i], axes.high[i], own, scene);
     }
     scene.axes = std::move(axes);
 }
 
-std::vector<AxisTick> colour_ticks(double low, double high) {
+std::vector<AxisTick> colour_ticks(const SceneMap& map, const NumberLocale& numbers) {
     std::vector<AxisTick> ticks;
-    const double step = round_number_below((high - low) / 4.0);
+    const double step = round_number_below((map.high - map.low) / 4.0);
     if (!(step > 0)) return ticks;
     const int decimals = decimals_of_step(step);
-    for (double at = std::ceil(low / step - 1e-9) * step; at <= high + 1e-9 * step; at += step)
-        ticks.push_back({at, grouped_number(at, decimals)});
+    for (double at = std::ceil(map.low / step - 1e-9) * step; at <= map.high + 1e-9 * step; at += step)
+        ticks.push_back({at, grouped_number(at, decimals, numbers)});
     return ticks;
 }
 
 void add_legend(SceneBuild& build) {
     Scene& scene = build.scene;
-    const std::string p = percent_text(scene.probability);
+    const std::string p = typeset_number(percent_text(scene.probability), scene.numbers);
     for (const auto& [role, name] : {std::pair{Role::output, "outputs"}, std::pair{Role::input, "inputs"}}) {
         const auto is_role = [role = role](const auto& item) { return item.role == role; };
         if (std::any_of(scene.ellipsoids.begin(), scene.ellipsoids.end(), is_role))
@@ -113,7 +113,7 @@ void add_legend(SceneBuild& build) {
         if (cloud != scene.clouds.end())
             scene.legend.push_back({LegendMark::cloud, role,
                                     std::string(name) + ": " +
-                                        grouped_number(static_cast<double>(cloud->size()), 0) +
+                                        grouped_number(static_cast<double>(cloud->size()), 0, scene.numbers) +
                                         " trials per point"});
     }
     if (!scene.ellipsoids_before.empty())

@@ -42,7 +42,7 @@ void add_labels(SceneBuild& build);
 /// Axes around everything, in place of those there were; unit of length, scale bar.
 void add_axes(Scene& scene);
 /// Of a colour bar, at round numbers.
-std::vector<AxisTick> colour_ticks(double low, double high);
+std::vector<AxisTick> colour_ticks(const SceneMap& map, const NumberLocale& numbers);
 void add_legend(SceneBuild& build);
 
 /// Outline moved outwards by `distance` with round corners; outlines that are not convex stay as they are.

@@ -35,6 +35,7 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     Scene scene;
     scene.title = source.title;
     scene.probability = options.probability;
+    scene.numbers = options.numbers;
     scene.group = options.group.empty() ? first_group(source) : options.group;
     if (!source.layout) return scene;
     const PointUncertainties uncertainties(source.result);
@@ -42,7 +43,10 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     detail::SceneBuild build{source, options, uncertainties, before, scene};
     detail::add_items(build);
     detail::add_uncertainties(build);
-    if (source.map) scene.map = *source.map;
+    if (source.map) {
+        scene.map = *source.map;
+        scene.map->ticks = detail::colour_ticks(*scene.map, scene.numbers);
+    }
     detail::add_wall_histograms(build);
     if (options.labels) detail::add_labels(build);
     detail::add_axes(scene);

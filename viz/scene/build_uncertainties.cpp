@@ -113,9 +113,10 @@ void add_cloud(SceneBuild& build, const UncertainPoint& p) {
 
 std::string caption_of(const Scene& scene) {
     if (scene.ellipsoids.empty() && scene.ellipsoids_before.empty() && scene.clouds.empty()) return {};
-    std::string caption = "uncertainty × " + round_number_text(scene.magnification);
+    std::string caption =
+        "uncertainty × " + typeset_number(round_number_text(scene.magnification), scene.numbers);
     if (!scene.ellipsoids.empty() || !scene.ellipsoids_before.empty())
-        caption += ", ellipsoids p = " + percent_text(scene.probability);
+        caption += ", ellipsoids p = " + typeset_number(percent_text(scene.probability), scene.numbers);
     return caption;
 }
 

@@ -45,7 +45,6 @@ void scale_colours(SceneMap& map) {
     }
     if (!(map.low <= map.high)) map.low = map.high = 0.0;
     if (!(map.high > map.low)) map.high = map.low + std::max(1e-12, 1e-3 * std::abs(map.low));
-    map.ticks = detail::colour_ticks(map.low, map.high);
 }
 
 /// The rows of the table, larger where they were chosen.
@@ -119,7 +118,8 @@ void add_tracks(Scene& scene, const DesignResult& design, double extent) {
             scene.labels.push_back({before.item.name, *track.before, before.radius, Role::text, 450});
             scene.points.push_back(std::move(before));
         }
-        const std::string best = "best: " + format_significant(design.objective, 4);
+        const std::string best =
+            "best: " + typeset_number(format_significant(design.objective, 4), scene.numbers);
         scene.labels.push_back({of + best, track.chosen, 2.0 * point_radius * extent, Role::text, 500});
     }
 }
@@ -147,7 +147,8 @@ void name_rows(Scene& scene, const DesignResult& design) {
                              [](const DesignGain* a, const DesignGain* b) { return *a->gain > *b->gain; });
     for (std::size_t i = 0; i < std::min<std::size_t>(others.size(), most_names); ++i)
         scene.labels.push_back(
-            {running_text(others[i]->name) + ": " + format_significant(100.0 * *others[i]->gain, 2) + " %",
+            {running_text(others[i]->name) + ": " +
+                 typeset_number(format_significant(100.0 * *others[i]->gain, 2), scene.numbers) + " %",
              *others[i]->place, scene.map->radius, Role::quiet_text, 440});
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/model/layout.h"
 #include "core/result/joint_covariance.h"
+#include "core/text/numbers.h"
 #include "core/text/text.h"
 
 namespace covaria {
@@ -229,6 +230,7 @@ struct Scene {
     double probability = 0.95;
     double size = 0.0;  ///< diagonal of the box of the layout (without uncertainties), m; 0 = empty
     LengthUnit unit = {};
+    NumberLocale numbers = {};  ///< how its texts write theirs
     bool scale_bar = false;
 
     std::vector<SceneFrame> frames;

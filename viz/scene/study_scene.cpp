@@ -70,7 +70,6 @@ SceneMap map_of(const StudyResult& study, const StudyQuantity& quantity, std::si
         map.high = std::max(map.high, map.values.back());
     }
     if (!(map.high > map.low)) map.high = map.low + std::max(1e-12, 1e-3 * std::abs(map.low));
-    map.ticks = detail::colour_ticks(map.low, map.high);
     const SceneBounds box = bounds_of_points(map);
     const double across = (box.high - box.low).norm();
     const double per_side = std::cbrt(static_cast<double>(std::max<std::size_t>(8, map.values.size())));
@@ -90,9 +89,9 @@ void add_extremes(const StudyResult& study, const StudyQuantity& quantity, Scene
         const double value = scene.map->values[point];
         const int decimals =
             std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(value, 1e-300)))), 0, 9);
-        scene.labels.push_back(
-            {std::string(words) + ": " + grouped_number(value, decimals) + " " + quantity.unit.display(),
-             scene.map->positions[point], 1.4 * scene.map->radius, Role::text, 500});
+        scene.labels.push_back({std::string(words) + ": " + grouped_number(value, decimals, scene.numbers) +
+                                    " " + quantity.unit.display(),
+                                scene.map->positions[point], 1.4 * scene.map->radius, Role::text, 500});
         scene.points.push_back(
             {{.id = std::string("map:") + words, .name = words, .position = scene.map->positions[point]},
              PointKind::other,
@@ -134,18 +133,19 @@ void add_ellipsoids(const StudyResult& study, std::size_t triple, const SceneOpt
         scene.ellipsoids.push_back({item, Role::output, scene.magnification * ellipsoids[k].axes,
                                     ellipsoids[k].rank, ellipsoids[k].coverage_factor});
     }
-    scene.legend.push_back({LegendMark::ellipsoid, Role::output,
-                            "coverage ellipsoids, p = " + percent_text(options.probability)});
-    scene.caption = "uncertainty × " + round_number_text(scene.magnification) +
-                    ", ellipsoids p = " + percent_text(options.probability);
+    const std::string p = typeset_number(percent_text(options.probability), scene.numbers);
+    scene.legend.push_back({LegendMark::ellipsoid, Role::output, "coverage ellipsoids, p = " + p});
+    scene.caption = "uncertainty × " + typeset_number(round_number_text(scene.magnification), scene.numbers) +
+                    ", ellipsoids p = " + p;
 }
 
-std::string surface_words(const SceneMap& map, const Unit& unit) {
+std::string surface_words(const Scene& scene, const Unit& unit) {
+    const SceneMap& map = *scene.map;
     std::string words = "iso-surfaces at";
     const int decimals =
         std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(map.high, 1e-300)))), 0, 9);
     for (std::size_t i = 0; i < map.levels.size(); ++i)
-        words += (i ? ", " : " ") + grouped_number(map.levels[i], decimals);
+        words += (i ? ", " : " ") + grouped_number(map.levels[i], decimals, scene.numbers);
     return words + " " + unit.display();
 }
 
@@ -176,7 +176,7 @@ Scene study_scene(const PreparedAnalysis& analysis, const StudyResult& study, co
     if (wanted.ellipsoids) add_ellipsoids(study, triple, options, scene);
     add_extremes(study, quantity, scene);
     if (!map.levels.empty())
-        scene.legend.push_back({LegendMark::none, Role::quiet_text, surface_words(map, quantity.unit)});
+        scene.legend.push_back({LegendMark::none, Role::quiet_text, surface_words(scene, quantity.unit)});
     return scene;
 }
 

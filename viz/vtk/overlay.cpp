@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text/numbers.h"
 #include "core/text/round_numbers.h"
 #include "core/text/symbol.h"
 
@@ -154,7 +155,8 @@ void Overlay::paint_scale_bar() {
     if (!(longest > 0) || !std::isfinite(longest)) return;
     const double shown = round_number_below(longest);
     const double length = shown / scene_.unit.per_metre / scale;
-    const Word word{round_number_text(shown) + " " + scene_.unit.text, Role::text, false, 0.92};
+    const Word word{typeset_number(round_number_text(shown), scene_.numbers) + " " + scene_.unit.text,
+                    Role::text, false, 0.92};
     const TextMask& mask = mask_of(word);
     const double right = canvas_.size().width - px(margin), height = mask.letters.height + px(14);
     double y = canvas_.size().height - px(margin);

@@ -62,6 +62,27 @@ TEST(StudyScene, NamesBestAndWorst) {
     EXPECT_EQ(find_item(scene, "map:best")->position, map.result.points[extremes.best].places[0].p_W);
 }
 
+// A German window has no "0.41" beside its "0,41".
+TEST(StudyScene, NumbersHaveTheSignsThatAreAskedFor) {
+    const Map map("volume");
+    SceneOptions options;
+    options.numbers.decimal = ",";
+    options.probability = 0.9545;
+    StudySceneOptions wanted;
+    wanted.ellipsoids = true;
+    const Scene scene = study_scene(*map.prepared->analysis, map.result, wanted, options);
+    std::string texts = scene.caption;
+    for (const SceneLabel& label : scene.labels) texts += '\n' + to_unicode(label.text);
+    for (const LegendLine& line : scene.legend) texts += '\n' + to_unicode(line.text);
+    for (const auto& ticks : scene.axes->ticks)
+        for (const AxisTick& tick : ticks) texts += '\n' + tick.text;
+    for (const AxisTick& tick : scene.map->ticks) texts += '\n' + tick.text;
+    EXPECT_NE(texts.find("95,45"), std::string::npos) << texts;
+    EXPECT_NE(texts.find("best: 0,41"), std::string::npos) << texts;
+    EXPECT_NE(scene.map->ticks.front().text.find(','), std::string::npos) << texts;
+    EXPECT_EQ(texts.find('.'), std::string::npos) << texts;
+}
+
 TEST(StudyScene, SliceLeavesOutTheOthers) {
     const Map map("volume");
     const Scene scene = map.scene({.slice_axis = 2, .slice = 3});
