@@ -134,12 +134,17 @@ void say_parts_of_project(TextList& list) {
     for (const Writer& writer : writer_registry()) list.say("Format of a file that is written", writer.title);
 }
 
+/// Where it is running text: symbols stay.
+void say_plain(TextList& list, std::string_view what, const Text& text) {
+    const auto& spans = text.spans();
+    if (spans.size() == 1 && !spans[0].italic && spans[0].script == Script::line)
+        list.say(what, spans[0].letters);
+}
+
 void say_table(TextList& list, const Table& table, const std::set<std::string>& without = {}) {
     for (const Column& column : table.columns) {
         if (without.contains(column.key)) continue;
-        const auto& spans = column.title.spans();
-        if (spans.size() == 1 && !spans[0].italic && spans[0].script == Script::line)
-            list.say("Head of a column of results", spans[0].letters);
+        say_plain(list, "Head of a column of results", column.title);
         list.say("Help on a column of results", column.help);
         for (const std::string& word : column.undeclared) list.say("Cell of a table of results", word);
     }
@@ -183,14 +188,11 @@ void say_tables_for_reading(TextList& list, const std::vector<DataTable>& tables
     }
 }
 
-void say_plain(TextList& list, const Text& text) {
-    if (text.spans().size() == 1 && !text.has_scripts()) list.say("In a chart", text.letters());
-}
-
 void say_figures(TextList& list, const std::vector<PlotSpecification>& figures) {
     for (const PlotSpecification& figure : figures) {
-        for (const Text& text : {figure.title, figure.x.title, figure.y.title}) say_plain(list, text);
-        for (const PlotSeries& series : figure.series) say_plain(list, series.name);
+        for (const Text& text : {figure.title, figure.x.title, figure.y.title})
+            say_plain(list, "In a chart", text);
+        for (const PlotSeries& series : figure.series) say_plain(list, "In a chart", series.name);
     }
 }
 
@@ -210,25 +212,31 @@ DesignResult filled_design() {
     return design;
 }
 
+/// In the same order on every machine.
+std::set<std::filesystem::path> example_files() {
+    const std::filesystem::path projects = COVARIA_SOURCE_DIR "/projects";
+    std::set<std::filesystem::path> files;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(projects))
+        if (file.path().extension() == ".covaria") files.insert(file.path());
+    return files;
+}
+
 /// What models and assets show of their set-ups, by the examples.
 void say_evaluations(TextList& list) {
-    for (const char* folder : {"projects", "projects/gum"})
-        for (const auto& file :
-             std::filesystem::directory_iterator(std::filesystem::path(COVARIA_SOURCE_DIR) / folder)) {
-            if (file.path().extension() != ".covaria") continue;
-            const LoadedProject loaded = load_project(file.path());
-            if (!loaded.made) continue;
-            for (const auto& [id, entry] : loaded.made->assets().entries()) {
-                say_tables_for_reading(list, entry.asset->evaluation());
-                say_figures(list, entry.asset->figures());
-            }
-            for (const AnalysisEntry& analysis : loaded.project.analyses) {
-                const auto prepared = loaded.made->analysis(analysis.id);
-                if (!prepared) continue;
-                say_tables_for_reading(list, prepared->model->evaluation());
-                say_figures(list, prepared->model->figures());
-            }
+    for (const std::filesystem::path& file : example_files()) {
+        const LoadedProject loaded = load_project(file);
+        if (!loaded.made) continue;
+        for (const auto& [id, entry] : loaded.made->assets().entries()) {
+            say_tables_for_reading(list, entry.asset->evaluation());
+            say_figures(list, entry.asset->figures());
         }
+        for (const AnalysisEntry& analysis : loaded.project.analyses) {
+            const auto prepared = loaded.made->analysis(analysis.id);
+            if (!prepared) continue;
+            say_tables_for_reading(list, prepared->model->evaluation());
+            say_figures(list, prepared->model->figures());
+        }
+    }
 }
 
 }  // namespace

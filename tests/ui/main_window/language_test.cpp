@@ -10,7 +10,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -117,8 +116,6 @@ protected:
         learn(to_qt(project_text(window_->document().project())));
         for (const AnalysisEntry& analysis : window_->document().project().analyses)
             if (const auto& prepared = window_->runner().status(to_qt(analysis.id)).prepared) {
-                for (const PlotSpecification& plot : prepared->model->figures())
-                    learn(to_qt(to_unicode(plot.title)));
                 for (const OutputQuantity& output : prepared->model->outputs()) learn_output(output);
                 for (const InputQuantity& input : prepared->inputs.quantities) learn(to_qt(input.name));
                 for (const UncertaintyComponent& component : prepared->inputs.components)
@@ -133,13 +130,6 @@ protected:
             for (const StudyAxis& axis : study.axes)
                 if (const auto target = find_study_target(project, analysis, nullptr, axis))
                     learn(to_qt(to_unicode(target->title)));
-    }
-    /// Figures of models speak English.
-    void learn_charts(const QString& file) {
-        const LoadedProject loaded = load_project(to_path(file));
-        ASSERT_TRUE(loaded.made);
-        for (const auto& [id, entry] : loaded.made->assets().entries())
-            for (const PlotSpecification& plot : entry.asset->figures()) learn(to_qt(to_unicode(plot.title)));
     }
     void learn_output(const OutputQuantity& output) {
         for (const std::string& text : {output.group, output.name, output.symbol})
@@ -291,7 +281,6 @@ TEST_F(Languages, EveryTextOfTheWindowIsInTheCatalogues) {
         learn(QString::fromLatin1(name));
         const QString file = project_copy(QString::fromLatin1(name));
         learn(file);
-        learn_charts(file);
         open(file);
         wait_until_idle();
         learn_project();
@@ -317,7 +306,6 @@ TEST_F(Languages, EveryTextAboutResultsIsInTheCatalogues) {
          {std::pair("lsm-network", "recommended"), std::pair("ballbar-design", "")}) {
         const QString file = project_copy(QString::fromLatin1(name));
         learn(QStringLiteral("mm\nrad\nmrad\nµrad\nthou\n") + file);
-        learn_charts(file);
         open(file);
         wait_until_idle();
         learn_project();
