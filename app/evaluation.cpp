@@ -49,7 +49,7 @@ Result<std::vector<std::string>> selected(const Project& project, const std::vec
 
 std::string why(const Problems& problems) {
     for (const Problem& problem : problems.items())
-        if (problem.severity == Severity::error) return problem.path + ": " + problem.message;
+        if (problem.severity == Severity::error) return problem.path + ": " + problem.message.english();
     return "it cannot be evaluated";
 }
 
@@ -74,10 +74,11 @@ public:
         end_progress_line();
         if (!one && one.error().code == ErrorCode::cancelled) return fail(one.error());
         if (!one) {
-            note_failure(id, "", one.error().message);
+            note_failure(id, "", one.error().message.english());
             return {};
         }
-        for (const std::string& warning : one->result->warnings) print_message(id + ": warning: " + warning);
+        for (const Message& warning : one->result->warnings)
+            print_message(id + ": warning: " + warning.english());
         auto studies = request_.studies ? evaluate_studies(*one) : Result<void>{};
         if (studies && request_.designs) studies = evaluate_designs(*one);
         evaluation.analyses.push_back(std::move(*one));
@@ -112,7 +113,7 @@ private:
             end_progress_line();
             if (!result && result.error().code == ErrorCode::cancelled) return fail(result.error());
             if (!result)
-                note_failure(id, study.id, result.error().message);
+                note_failure(id, study.id, result.error().message.english());
             else
                 evaluated.studies.push_back(std::make_shared<const StudyResult>(std::move(*result)));
         }
@@ -150,7 +151,7 @@ private:
             end_progress_line();
             if (!result && result.error().code == ErrorCode::cancelled) return fail(result.error());
             if (!result)
-                note_failure(id, design.id, result.error().message);
+                note_failure(id, design.id, result.error().message.english());
             else
                 evaluated.designs.push_back(std::make_shared<const DesignResult>(std::move(*result)));
         }

@@ -45,7 +45,7 @@ std::string mistyped_command(const CLI::App& app, int argc, char** argv) {
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         names.push_back(command->get_name());
     if (std::find(names.begin(), names.end(), word) != names.end()) return {};
-    const std::string hint = covaria::did_you_mean(word, names);
+    const std::string hint = covaria::did_you_mean(word, names).english();
     if (hint.empty()) return {};
     return "there is no command " + covaria::in_quotes(word) + hint;
 }

@@ -30,7 +30,7 @@ void print_message(const std::string& message) {
 }
 
 void print_error(const Error& error) {
-    print_message(place(error.file, error.line, error.path) + error.message);
+    print_message(place(error.file, error.line, error.path) + error.message.english());
 }
 
 void print_problems(const Problems& problems) {
@@ -40,7 +40,7 @@ void print_problems(const Problems& problems) {
         const std::string where =
             p.file.empty() ? "" : p.file + (p.line > 0 ? ":" + std::to_string(p.line) : "") + ": ";
         const std::string path = p.path.empty() ? "" : p.path + ": ";
-        std::fprintf(stderr, "%s%s%s%s\n", where.c_str(), kind, path.c_str(), p.message.c_str());
+        std::fprintf(stderr, "%s%s%s%s\n", where.c_str(), kind, path.c_str(), p.message.english().c_str());
     }
 }
 

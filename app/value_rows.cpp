@@ -12,7 +12,7 @@ bool gives_values(const std::string& head) {
     return head.starts_with('/');
 }
 
-Error at_line(const std::filesystem::path& file, int line, const std::string& message) {
+Error at_line(const std::filesystem::path& file, int line, const Message& message) {
     return {ErrorCode::bad_input, message, {}, file.string(), line};
 }
 

@@ -18,7 +18,7 @@ std::string words_of(const Error& error) {
     std::string words = error.file + (error.line > 0 ? ":" + std::to_string(error.line) : "");
     if (!words.empty()) words += ": ";
     if (!error.path.empty()) words += error.path + ": ";
-    return words + error.message;
+    return words + error.message.english();
 }
 
 /// Errors are ValueError in Python.

@@ -41,7 +41,7 @@ int describe(const std::string& name) {
     }
     const auto part = description_of_part(name);
     if (!part) {
-        print_message(part.error().message);
+        print_message(part.error().message.english());
         return exit_bad_input;
     }
     if (*part) {

@@ -14,7 +14,7 @@ namespace covaria {
 namespace {
 
 int tell_problems(const Library& library) {
-    for (const Problem& problem : library.problems.items()) print_message(problem.message);
+    for (const Problem& problem : library.problems.items()) print_message(problem.message.english());
     return library.problems.has_errors() ? exit_bad_input : exit_success;
 }
 

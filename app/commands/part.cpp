@@ -74,7 +74,7 @@ Result<Part> computed_part(const SharedRun& run, const std::stop_token& stop, Ra
         if (!done && done.error().code == ErrorCode::cancelled) return fail(done.error());
         // It has no results, which is said where the parts are merged too.
         if (!done)
-            print_message(work.name() + ": " + done.error().message);
+            print_message(work.name() + ": " + done.error().message.english());
         else if (store.complete())
             part.sections.push_back(std::move(section));
     }

@@ -13,6 +13,7 @@
 #include "core/made/analysis_templates.h"
 #include "core/made/library.h"
 #include "core/made/load_project.h"
+#include "core/manual/help_words.h"
 #include "core/project/certificate.h"
 #include "core/project/design_fields.h"
 #include "core/project/option_fields.h"
@@ -29,6 +30,7 @@
 #include "core/report/design_results.h"
 #include "core/report/plot_words.h"
 #include "core/report/result_columns.h"
+#include "core/setup/field_words.h"
 #include "core/text/symbol.h"
 #include "core/writers/writers.h"
 
@@ -116,6 +118,9 @@ void say_parts_of_project(TextList& list) {
         for (const bool targets : {true, false})
             list.say("What a design makes smallest", objective_words(objective, targets));
     for (const char* phrase : Phrase::all()) list.say_word("Words of a certificate or a chart", phrase);
+    for (const FieldKind kind : {FieldKind::number, FieldKind::integer, FieldKind::choice, FieldKind::text,
+                                 FieldKind::flag, FieldKind::pose, FieldKind::table, FieldKind::reference})
+        list.say_word("What a field takes", kind_words(kind));
     for (const ReportChapterField& chapter : report_chapters())
         list.say("Chapter of a report", chapter.title);
     for (const DistributionKindInfo& kind : distribution_kinds()) {

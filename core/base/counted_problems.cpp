@@ -31,8 +31,8 @@ struct Kind {
 
 }  // namespace
 
-std::string counted_words(std::size_t more) {
-    return "and " + std::to_string(more) + " more like these";
+Message counted_words(std::size_t more) {
+    return tell<"and %1 more like these">(more);
 }
 
 void count_beyond_a_hundred(Problems& problems) {

@@ -10,6 +10,6 @@ namespace covaria {
 inline constexpr std::size_t most_of_a_kind = 100;
 void count_beyond_a_hundred(Problems& problems);
 /// "and 7 more like these"
-std::string counted_words(std::size_t more);
+Message counted_words(std::size_t more);
 
 }  // namespace covaria

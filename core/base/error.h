@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace covaria {
 
 enum class ErrorCode {
@@ -18,10 +20,10 @@ enum class ErrorCode {
     usage,      ///< wrong command line
 };
 
-/// One failure: in words for the user, with the place in the project file where it is known.
+/// One failure: what the user is told, with the place in the project file where it is known.
 struct Error {
     ErrorCode code = ErrorCode::bad_input;
-    std::string message;
+    Message message = {};
     std::string path = {};  ///< JSON pointer into the project, e.g. "/analyses/0/setup/base_points/rows/2"
     std::string file = {};
     int line = 0;  ///< 1-based; 0 = unknown
@@ -30,7 +32,7 @@ struct Error {
 template <class T>
 using Result = tl::expected<T, Error>;
 
-inline tl::unexpected<Error> fail(ErrorCode code, std::string message, std::string path = {}) {
+inline tl::unexpected<Error> fail(ErrorCode code, Message message, std::string path = {}) {
     return tl::unexpected<Error>(Error{code, std::move(message), std::move(path), {}, 0});
 }
 inline tl::unexpected<Error> fail(Error error) {
@@ -44,7 +46,7 @@ enum class Severity { warning, error };
 struct Problem {
     Severity severity = Severity::error;
     std::string path = {};  ///< JSON pointer, relative to what is checked until the caller prefixes it
-    std::string message;
+    Message message = {};
     std::string file = {};
     int line = 0;
 };
@@ -52,13 +54,13 @@ struct Problem {
 /// Collects problems; the prefix of the place being checked is put before each path.
 class Problems {
 public:
-    void error(std::string path, std::string message) {
+    void error(std::string path, Message message) {
         add(Severity::error, std::move(path), std::move(message));
     }
-    void warning(std::string path, std::string message) {
+    void warning(std::string path, Message message) {
         add(Severity::warning, std::move(path), std::move(message));
     }
-    void add(Severity severity, std::string path, std::string message) {
+    void add(Severity severity, std::string path, Message message) {
         items_.push_back({severity, std::move(path), std::move(message), {}, 0});
     }
     void add(Problem problem) { items_.push_back(std::move(problem)); }

@@ -57,9 +57,9 @@ int write_all(int descriptor, const std::string& bytes) {
     return 0;
 }
 
-tl::unexpected<Error> io_failure(const fs::path& file, const std::string& step, int number) {
+tl::unexpected<Error> io_failure(const fs::path& file, const Message& step, int number) {
     return fail(Error{ErrorCode::io,
-                      "'" + file.string() + "' was not written: " + step + ": " + reason(number),
+                      tell<"'%1' was not written: %2: %3">(file.string(), step, reason(number)),
                       {},
                       file.string(),
                       0});
@@ -121,9 +121,10 @@ private:
 // Devices and pipes hold nothing that could be lost, and cannot be replaced by a file.
 Result<void> write_in_place(const fs::path& file, const std::string& bytes) {
     Descriptor out(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
-    if (out.get() < 0) return io_failure(file, "it cannot be opened", errno);
-    if (const int number = write_all(out.get(), bytes)) return io_failure(file, "writing failed", number);
-    if (const int number = out.close_now()) return io_failure(file, "closing failed", number);
+    if (out.get() < 0) return io_failure(file, tell<"it cannot be opened">(), errno);
+    if (const int number = write_all(out.get(), bytes))
+        return io_failure(file, tell<"writing failed">(), number);
+    if (const int number = out.close_now()) return io_failure(file, tell<"closing failed">(), number);
     return {};
 }
 
@@ -134,10 +135,11 @@ Result<void> fill_temporary(const fs::path& temporary, const fs::path& file, con
             file, "a file cannot be created in its folder '" + temporary.parent_path().string() + "'", errno);
     struct stat old = {};
     if (::stat(file.c_str(), &old) == 0 && ::fchmod(out.get(), old.st_mode & 07777) != 0)
-        return io_failure(file, "the permissions of the old file cannot be kept", errno);
-    if (const int number = write_all(out.get(), bytes)) return io_failure(file, "writing failed", number);
-    if (::fsync(out.get()) != 0) return io_failure(file, "flushing to the disk failed", errno);
-    if (const int number = out.close_now()) return io_failure(file, "closing failed", number);
+        return io_failure(file, tell<"the permissions of the old file cannot be kept">(), errno);
+    if (const int number = write_all(out.get(), bytes))
+        return io_failure(file, tell<"writing failed">(), number);
+    if (::fsync(out.get()) != 0) return io_failure(file, tell<"flushing to the disk failed">(), errno);
+    if (const int number = out.close_now()) return io_failure(file, tell<"closing failed">(), number);
     return {};
 }
 
@@ -153,7 +155,7 @@ Result<void> replace_file(const fs::path& file, const std::string& bytes) {
     Unfinished::all().add(temporary);
     Result<void> filled = fill_temporary(temporary, file, bytes);
     if (filled && ::rename(temporary.c_str(), file.c_str()) != 0)
-        filled = io_failure(file, "the new file cannot take its place", errno);
+        filled = io_failure(file, tell<"the new file cannot take its place">(), errno);
     if (!filled) ::unlink(temporary.c_str());
     Unfinished::all().drop(temporary);
     if (!filled) return filled;
@@ -191,8 +193,8 @@ std::string read_all(int descriptor, std::size_t expected) {
 }  // namespace
 
 Result<std::string> read_file(const fs::path& file) {
-    const auto failure = [&](ErrorCode code, const std::string& why) {
-        return fail(Error{code, "'" + file.string() + "' cannot be read: " + why, {}, file.string(), 0});
+    const auto failure = [&](ErrorCode code, const Message& why) {
+        return fail(Error{code, tell<"'%1' cannot be read: %2">(file.string(), why), {}, file.string(), 0});
     };
     const auto refused = [&](int number) {
         return failure(number == ENOENT ? ErrorCode::not_found : ErrorCode::io, reason(number));
@@ -200,20 +202,19 @@ Result<std::string> read_file(const fs::path& file) {
     struct stat state = {};
     if (::stat(file.c_str(), &state) != 0) return refused(errno);
     if (const std::string other = other_kind(state.st_mode); !other.empty())
-        return failure(ErrorCode::io, "it is " + other + ", not a file");
+        return failure(ErrorCode::io, tell<"it is %1, not a file">(other));
     Descriptor in(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     if (in.get() < 0) return refused(errno);
     // Once more, of what was opened: it may have changed meanwhile.
     if (::fstat(in.get(), &state) != 0) return refused(errno);
-    if (!S_ISREG(state.st_mode)) return failure(ErrorCode::io, "it is not a file");
+    if (!S_ISREG(state.st_mode)) return failure(ErrorCode::io, tell<"it is not a file">());
     const auto size = static_cast<std::uintmax_t>(std::max<off_t>(state.st_size, 0));
     std::string text;
     if (size <= largest_file) text = read_all(in.get(), static_cast<std::size_t>(size));
     if (size > largest_file || text.size() > largest_file)
-        return failure(ErrorCode::io,
-                       "it is too large: files of up to " + std::to_string(largest_file / 1'000'000) +
-                           " MB are read, it has " +
-                           std::to_string(std::max<std::uintmax_t>(size, text.size()) / 1'000'000) + " MB");
+        return failure(ErrorCode::io, tell<"it is too large: files of up to %1 MB are read, it has %2 MB">(
+                                          largest_file / 1'000'000,
+                                          std::max<std::uintmax_t>(size, text.size()) / 1'000'000));
     if (errno != 0) return refused(errno);
     return text;
 }
@@ -225,7 +226,7 @@ Result<void> write_file_atomically(const fs::path& file, const std::string& byte
         const fs::path named = fs::weakly_canonical(target, ignored);
         if (!ignored && !named.empty()) target = named;
     }
-    if (fs::is_directory(target, ignored)) return io_failure(file, "it is a folder", EISDIR);
+    if (fs::is_directory(target, ignored)) return io_failure(file, tell<"it is a folder">(), EISDIR);
     if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored))
         return write_in_place(target, bytes);
     return replace_file(target, bytes);

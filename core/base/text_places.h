@@ -11,10 +11,10 @@
 
 namespace covaria {
 
-inline tl::unexpected<Error> refused_at(int line, std::string message) {
+inline tl::unexpected<Error> refused_at(int line, Message message) {
     return fail(Error{ErrorCode::bad_input, std::move(message), {}, {}, line});
 }
-inline tl::unexpected<Error> refused_at(int line, int column, const std::string& message) {
+inline tl::unexpected<Error> refused_at(int line, int column, const Message& message) {
     return refused_at(line, "column " + std::to_string(column) + ": " + message);
 }
 

@@ -30,8 +30,8 @@ struct Factor {
 };
 using Factors = std::vector<Factor>;
 
-tl::unexpected<Error> malformed(std::string_view text, std::string_view what) {
-    return fail(ErrorCode::bad_input, "unit \"" + std::string(text) + "\": " + std::string(what));
+tl::unexpected<Error> malformed(std::string_view text, Message what) {
+    return fail(ErrorCode::bad_input, tell<"unit \"%1\": %2">(text, std::move(what)));
 }
 
 /// Signs people type, in the plain letters the parser reads. "°C" needs no entry: "deg" + "C".
@@ -78,7 +78,7 @@ public:
     Result<Factors> read() {
         Result<Factors> factors = product(false);
         if (factors && !rest_.empty())
-            return malformed(whole_, "a parenthesis is closed that was not opened.");
+            return malformed(whole_, tell<"a parenthesis is closed that was not opened.">());
         return factors;
     }
 
@@ -100,8 +100,8 @@ private:
                 divides = rest_.front() == '/';
                 rest_.remove_prefix(1);
             } else if (!blank || !inside || divides) {  // "m s^-2" may be meant as milliseconds
-                return malformed(whole_,
-                                 "write a product with '*' (\"N*m\", \"W/(m*K)\"), not with a blank.");
+                return malformed(
+                    whole_, tell<"write a product with '*' (\"N*m\", \"W/(m*K)\"), not with a blank.">());
             }
         }
     }
@@ -114,7 +114,7 @@ private:
             rest_.remove_prefix(1);
             Result<Factors> inside = product(true);
             if (!inside) return inside;
-            if (rest_.empty()) return malformed(whole_, "a parenthesis is not closed.");
+            if (rest_.empty()) return malformed(whole_, tell<"a parenthesis is not closed.">());
             rest_.remove_prefix(1);
             base = *std::move(inside);
         } else {
@@ -124,29 +124,29 @@ private:
         }
         int exponent = 1;
         if (!take_exponent(exponent))
-            return malformed(whole_,
-                             "the exponent must be a whole number between -9 and 9, not 0 (\"mm^2\").");
+            return malformed(
+                whole_, tell<"the exponent must be a whole number between -9 and 9, not 0 (\"mm^2\").">());
         for (Factor& f : base) {
             f.exponent *= exponent;
             if (std::abs(f.exponent) > largest_exponent)
-                return malformed(whole_, "the exponents are too large.");
+                return malformed(whole_, tell<"the exponents are too large.">());
         }
         return base;
     }
 
     Result<Factor> name() {
         if (rest_.empty() || rest_.front() == '*' || rest_.front() == '/' || rest_.front() == ')')
-            return malformed(whole_, "a unit is missing beside '*', '/' or a parenthesis.");
+            return malformed(whole_, tell<"a unit is missing beside '*', '/' or a parenthesis.">());
         const std::size_t end = is_digit(rest_.front()) ? rest_.find_first_not_of("0123456789.")
                                                         : rest_.find_first_of("*/^() -0123456789");
         const std::string_view word = rest_.substr(0, end);
         std::optional<detail::KnownUnit> unit = detail::find_unit(word);
         if (!unit && is_digit(rest_.front()))
-            return malformed(whole_,
-                             "numbers other than 1 do not belong in a unit; put them into the value.");
+            return malformed(
+                whole_, tell<"numbers other than 1 do not belong in a unit; put them into the value.">());
         if (!unit)
-            return malformed(whole_, "the unit \"" + std::string(word) + "\" is not known." +
-                                         detail::unit_suggestion(word));
+            return malformed(whole_,
+                             tell<"the unit \"%1\" is not known.%2">(word, detail::unit_suggestion(word)));
         rest_.remove_prefix(word.size());
         return Factor{*std::move(unit)};
     }
@@ -203,10 +203,10 @@ Texts texts_of(const Factors& factors) {
 
 Result<Unit> Unit::parse(std::string_view text) {
     if (text.size() > longest_text)
-        return malformed(text.substr(0, longest_text), "the text is too long for a unit.");
+        return malformed(text.substr(0, longest_text), tell<"the text is too long for a unit.">());
     const std::string plain = plain_letters(text);
     if (trimmed(plain).empty())
-        return fail(ErrorCode::bad_input, "the unit is empty: write \"1\" for a pure number.");
+        return fail(ErrorCode::bad_input, tell<"the unit is empty: write \"1\" for a pure number.">());
     const Result<Factors> factors = UnitReader(plain, text).read();
     if (!factors) return fail(factors.error());
     Unit unit;
@@ -224,11 +224,12 @@ Result<Unit> Unit::parse(std::string_view text) {
             exponents[i] += power * f.unit.dimension.exponents[i];
     }
     for (std::size_t i = 0; i < exponents.size(); ++i) {
-        if (std::abs(exponents[i]) > largest_exponent) return malformed(text, "the exponents are too large.");
+        if (std::abs(exponents[i]) > largest_exponent)
+            return malformed(text, tell<"the exponents are too large.">());
         unit.dimension_.exponents[i] = static_cast<std::int8_t>(exponents[i]);
     }
     if (!std::isnormal(unit.numerator_) || !std::isnormal(unit.denominator_))
-        return malformed(text, "the exponents are too large.");
+        return malformed(text, tell<"the exponents are too large.">());
     // Only the scale itself has a zero of its own; in compounds degC stands for an interval.
     if (factors->size() == 1 && factors->front().exponent == 1) unit.offset_ = factors->front().unit.offset;
     return unit;
@@ -240,7 +241,7 @@ Unit Unit::of(std::string_view text) {
     if (const auto unit = known.find(text); unit != known.end()) return unit->second;
     const Result<Unit> unit = parse(text);
     if (unit) return known.emplace(text, *unit).first->second;
-    std::fputs((unit.error().message + "\n").c_str(), stderr);
+    std::fputs((unit.error().message.english() + "\n").c_str(), stderr);
     std::abort();
 }
 

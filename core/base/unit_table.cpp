@@ -267,19 +267,18 @@ std::optional<KnownUnit> find_unit(std::string_view name) {
     return std::nullopt;
 }
 
-std::string unit_suggestion(std::string_view unknown) {
+Message unit_suggestion(std::string_view unknown) {
     const std::vector<std::string> names = similar_units(unknown);
-    std::string text =
-        names.empty() ? " Known units, most of them with the prefixes of the SI:" : " Did you mean ";
     if (names.empty()) {
-        for (const UnitEntry& unit : units) text += " " + std::string(unit.name);
-        return text + ".";
+        std::string all;
+        for (const UnitEntry& unit : units) all += (all.empty() ? "" : " ") + std::string(unit.name);
+        return tell<" Known units, most of them with the prefixes of the SI: %1.">(all);
     }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-        text += '"' + names[i] + '"';
-    }
-    return text + "?";
+    const auto quoted = [](const std::string& name) { return '"' + name + '"'; };
+    std::string first = quoted(names.front());
+    for (std::size_t i = 1; i + 1 < names.size(); ++i) first += ", " + quoted(names[i]);
+    return names.size() == 1 ? tell<" Did you mean %1?">(first)
+                             : tell<" Did you mean %1 or %2?">(first, quoted(names.back()));
 }
 
 }  // namespace covaria::detail

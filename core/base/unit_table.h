@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/unit.h"
 
 namespace covaria::detail {
@@ -47,6 +48,6 @@ std::optional<KnownUnit> find_unit(std::string_view name);
 
 /// The names most like an unknown one, as a sentence for the user: ' Did you mean "mm" or "um"?'; lists all
 /// units when none is alike.
-std::string unit_suggestion(std::string_view unknown);
+Message unit_suggestion(std::string_view unknown);
 
 }  // namespace covaria::detail

@@ -138,10 +138,12 @@ bool is_result(const AttachedFile& file) {
 Result<CarriedResults> carried_results(const std::vector<AttachedFile>& files) {
     const AttachedFile* file = find_file(files, carried::results);
     if (!file)
-        return fail(ErrorCode::bad_input, "the report carries no results to compare with (results.json)");
+        return fail(ErrorCode::bad_input,
+                    tell<"the report carries no results to compare with (results.json)">());
     const Json json = parsed(file->bytes);
     if (!json.is_object() || text_at(json, "format") != "covaria-results")
-        return fail(ErrorCode::bad_input, "what the report carries as results.json is none of Covaria");
+        return fail(ErrorCode::bad_input,
+                    tell<"what the report carries as results.json is none of Covaria">());
     CarriedResults results{json.contains("project") ? text_at(json["project"], "covariaVersion") : "", {}};
     const auto add = [&](const std::string& id) {
         auto& ids = results.analyses;

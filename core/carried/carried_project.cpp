@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-tl::unexpected<Error> refused(const fs::path& report, const std::string& message) {
+tl::unexpected<Error> refused(const fs::path& report, const Message& message) {
     return fail(Error{ErrorCode::bad_input, message, {}, report.string(), 0});
 }
 
@@ -33,8 +33,8 @@ public:
         const fs::path base = fs::temp_directory_path(failure);
         std::string name = ((failure ? fs::path("/tmp") : base) / "covaria-report-XXXXXX").string();
         if (!mkdtemp(name.data()))
-            return fail(ErrorCode::io, "no folder could be made in " + base.string() + ": " +
-                                           std::system_category().message(errno));
+            return fail(ErrorCode::io, tell<"no folder could be made in %1: %2">(
+                                           base.string(), std::system_category().message(errno)));
         return TemporaryFolder(name);
     }
     TemporaryFolder(TemporaryFolder&& other) noexcept : folder(std::exchange(other.folder, {})) {}
@@ -67,15 +67,17 @@ const AttachedFile* find(const std::vector<AttachedFile>& files, const std::stri
 Result<void> take_out(const std::vector<AttachedFile>& files, const fs::path& folder) {
     for (const AttachedFile& file : files)
         if (!stays_within(file.name))
-            return fail(ErrorCode::bad_input, "the attached file " + in_quotes(plain_name(file.name)) +
-                                                  " would leave its folder; nothing was taken out");
+            return fail(ErrorCode::bad_input,
+                        tell<"the attached file %1 would leave its folder; nothing was taken out">(
+                            in_quotes(plain_name(file.name))));
     for (const AttachedFile& file : files) {
         const fs::path path = folder / fs::path(file.name).lexically_normal();
         std::error_code failure;
         fs::create_directories(path.parent_path(), failure);
         if (failure || fs::is_directory(path, failure))
-            return fail(ErrorCode::bad_input, "the attached file " + in_quotes(plain_name(file.name)) +
-                                                  " cannot be taken out: another one is in its way");
+            return fail(ErrorCode::bad_input,
+                        tell<"the attached file %1 cannot be taken out: another one is in its way">(
+                            in_quotes(plain_name(file.name))));
         if (auto written = write_file_atomically(path, file.bytes); !written) return written;
     }
     return {};
@@ -96,13 +98,12 @@ bool is_pdf(std::string_view beginning) {
 Result<std::vector<AttachedFile>> carried_files(const fs::path& report) {
     const auto bytes = read_file(report);
     if (!bytes) return fail(bytes.error());
-    if (!is_pdf(*bytes)) return refused(report, "it is no PDF");
+    if (!is_pdf(*bytes)) return refused(report, tell<"it is no PDF">());
     auto files = files_in_pdf(*bytes);
     if (!files) return refused(report, files.error().message);
     if (!find(*files, carried::project))
-        return refused(report,
-                       "it carries no project: it is no report of Covaria, or one of a version before "
-                       "0.2.0, or another program has written it anew");
+        return refused(report, tell<"it carries no project: it is no report of Covaria, or one of a version "
+                                    "before 0.2.0, or another program has written it anew">());
     return files;
 }
 

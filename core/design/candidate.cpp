@@ -77,12 +77,12 @@ Judged CandidateJudge::result_of(const Candidate& candidate) {
 Judged CandidateJudge::judge_one(const Candidate& candidate, Constraints constraints) {
     auto judged = guarded([&]() -> Judged {
         const auto changed = model_of(candidate);
-        if (!changed) return infeasible(changed.error().message);
+        if (!changed) return infeasible(changed.error().message.english());
         Judged of_model = judge_model(*changed, constraints);
         if (constraints == Constraints::kept && of_model.feasible()) price(candidate, of_model);
         return of_model;
     });
-    return judged ? *std::move(judged) : infeasible(judged.error().message);
+    return judged ? *std::move(judged) : infeasible(judged.error().message.english());
 }
 
 /// The objective is the largest ratio until here.
@@ -134,7 +134,7 @@ Judged CandidateJudge::judge_model(const ChangedModel& changed, Constraints cons
     }
     const auto summary =
         evaluate_summary(model, changed.inputs, indices, options_, [](std::uint64_t) { return true; });
-    if (!summary) return infeasible(summary.error().message);
+    if (!summary) return infeasible(summary.error().message.english());
     Judged judged;
     judged.standard.assign(summary->standard_uncertainty.begin(), summary->standard_uncertainty.end());
     for (const double U : summary->expanded_uncertainty) {

@@ -156,7 +156,7 @@ std::shared_ptr<const PreparedDesign> prepare_design(const MadeProject::Pointer&
     const auto design = std::find_if(entry.designs.begin(), entry.designs.end(),
                                      [&](const Design& candidate) { return candidate.id == design_id; });
     if (design == entry.designs.end()) {
-        problems.error(path, "the analysis has no design '" + design_id + "'");
+        problems.error(path, tell<"the analysis has no design '%1'">(design_id));
         return nullptr;
     }
     const Problems found = problems_of(*made, *analysis, *design);

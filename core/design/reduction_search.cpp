@@ -81,8 +81,8 @@ private:
             const Eigen::VectorXd difference = (variances(*found) - predicted(factors)).cwiseAbs();
             if ((difference.array() > same_variance * whole.array()).any())
                 return fail(ErrorCode::bad_input,
-                            "the variances are not a sum over what is reduced: some of it is correlated, or "
-                            "changes more than a component of uncertainty");
+                            tell<"the variances are not a sum over what is reduced: some of it is "
+                                 "correlated, or changes more than a component of uncertainty">());
         }
         return {};
     }

@@ -176,7 +176,7 @@ private:
                                       : Result<UncertaintyResult>(fail(changed.error()));
         if (!verified && verified.error().code == ErrorCode::cancelled) throw Stopped{};
         if (!verified) {
-            result_.not_verified = verified.error().message;
+            result_.not_verified = verified.error().message.english();
             return;
         }
         result_.trials = verified->trials;
@@ -249,26 +249,27 @@ private:
         const Judged now = CandidateJudge(design_, {}).result_of(chosen_);
         for (std::size_t k = 0; k < now.expanded.size(); ++k) result_.goals[k].before = now.expanded[k];
         if (design_.outputs.empty())
-            return fail(ErrorCode::bad_input, "the analysis has no measurand that a design could look at");
+            return fail(ErrorCode::bad_input,
+                        tell<"the analysis has no measurand that a design could look at">());
         References references;
         for (std::size_t k = 0; k < design_.outputs.size(); ++k) {
             const auto& target = design_.outputs[k].target;
             if (!target && now.expanded.empty())
                 return fail(ErrorCode::bad_input,
-                            "without target uncertainties U is looked at relative to that of the present "
-                            "design, which has no result (" +
-                                now.reason + "): state requirements");
+                            tell<"without target uncertainties U is looked at relative to that of the "
+                                 "present design, which has no result (%1): state requirements">(now.reason));
             references.push_back(target ? *target : now.expanded[k]);
             if (!(references.back() > 0.0))
-                return fail(ErrorCode::bad_input, "U of '" + design_.outputs[k].quantity.symbol +
-                                                      "' is zero now: choose the outputs to look at");
+                return fail(ErrorCode::bad_input,
+                            tell<"U of '%1' is zero now: choose the outputs to look at">(
+                                design_.outputs[k].quantity.symbol));
         }
         return references;
     }
 
     Result<void> check_constraints() const {
         const PreparedAnalysis& analysis = *design_.numbers.analysis;
-        const std::string objection =
+        const Message objection =
             why_not_judged(analysis.model->layout(estimates_of(analysis.inputs)), design_.design);
         if (objection.empty()) return {};
         return fail(ErrorCode::bad_input, objection);
@@ -293,7 +294,7 @@ private:
         for (const DesignedOutput& output : design_.outputs)
             if (!output.target)
                 return fail(ErrorCode::bad_input,
-                            "the cheapest reductions need target uncertainties: state requirements");
+                            tell<"the cheapest reductions need target uncertainties: state requirements">());
         const auto found = find_reductions(book);
         if (!found) return fail(found.error());
         result_.found = true;
@@ -308,7 +309,7 @@ private:
     Result<void> choose_cheapest(SearchBook& book) {
         if (!has_targets())
             return fail(ErrorCode::bad_input,
-                        "the cheapest rows need target uncertainties: state requirements");
+                        tell<"the cheapest rows need target uncertainties: state requirements">());
         CostSearch::Found found = CostSearch(book, chosen_.values).find();
         chosen_.rows = std::move(found.rows);
         result_.found = found.has_result;
@@ -362,7 +363,7 @@ Result<DesignResult> run_design(const PreparedDesign& design, const RunControl& 
     try {
         return DesignRun(design, control).run();
     } catch (const Stopped&) {
-        return fail(ErrorCode::cancelled, "the design was stopped");
+        return fail(ErrorCode::cancelled, tell<"the design was stopped">());
     }
 }
 

@@ -92,9 +92,9 @@ private:
             const UncertaintyComponent& component = inputs.components[share.component];
             if (share.factor != 1.0 || !quantity.analysis.empty() || uses_of(share.component) != 1)
                 return fail(ErrorCode::bad_input,
-                            "the component '" + component.id +
-                                "' is not of one input quantity alone: change it where it comes from (" +
-                                (component.origin.empty() ? "the set-up" : component.origin) + ")");
+                            tell<"the component '%1' is not of one input quantity alone: change it where it "
+                                 "comes from (%2)">(
+                                component.id, (component.origin.empty() ? "the set-up" : component.origin)));
             edits.push_back(to_edit(component));
             if (only != InputSet::npos && only != share.component) continue;
             const auto stated = distribution_of(edits.back());

@@ -108,20 +108,19 @@ Kind any_kind() {
     return any;
 }
 
-std::string unknown_symbol(const std::string& name) {
-    return "'" + name +
-           "' is neither defined nor one of the quantities: give it a row in the table of quantities";
+Message unknown_symbol(const std::string& name) {
+    return tell<
+        "'%1' is neither defined nor one of the quantities: give it a row in the table of quantities">(name);
 }
 
 /// Of temperatures: sums, and differences that are wanted in degC.
-std::string output_objection(const WantedOutput& wanted, const Kind& kind) {
+Message output_objection(const WantedOutput& wanted, const Kind& kind) {
     const std::string name = "'" + wanted.name + "'";
-    if (const std::string sum = sum_objection({kind, std::nullopt, name}); !sum.empty()) return sum;
+    if (const Message sum = sum_objection({kind, std::nullopt, name}); !sum.empty()) return sum;
     if (!wanted.unit || !wanted.unit->has_offset() || !kind.zeros || kind.zeros->count == 1.0) return {};
-    return name +
-           (kind.zeros->count == 0.0 ? " is a difference of temperatures: its unit is K, not "
-                                     : " is a multiple of a temperature: its unit is K, not ") +
-           wanted.unit->text();
+    return kind.zeros->count == 0.0
+               ? tell<"%1 is a difference of temperatures: its unit is K, not %2">(name, wanted.unit->text())
+               : tell<"%1 is a multiple of a temperature: its unit is K, not %2">(name, wanted.unit->text());
 }
 
 class Compiler {
@@ -149,7 +148,7 @@ public:
     }
 
 private:
-    void refuse(const Place& place, std::string message) {
+    void refuse(const Place& place, Message message) {
         if (problems_.size() < most_dimension_problems) problems_.push_back({place, std::move(message)});
     }
     int& at(int node) { return registers_[static_cast<std::size_t>(node)]; }
@@ -162,7 +161,7 @@ private:
         nodes(s.first_node, s.last_node);
         const Definition& d = s.defined.front();
         if (emitter_.kind(at(d.root)).condition)
-            refuse(d.place, "'" + d.name + "' would be a condition: a definition must give a number");
+            refuse(d.place, tell<"'%1' would be a condition: a definition must give a number">(d.name));
         defined_[d.name] = at(d.root);
     }
 
@@ -192,9 +191,9 @@ private:
         const Operand left = operand(r.left), right = operand(r.right);
         const KindOfResult result = kind_of(Operation::subtract, left, right, {});
         if (!result.objection.empty())
-            refuse(r.place, left.text + " is " + kind_words(left.kind) + ", " + right.text + " is " +
-                                kind_words(right.kind) + ": they cannot be equal");
-        else if (const std::string objection = zeros_objection(left, right); !objection.empty())
+            refuse(r.place, tell<"%1 is %2, %3 is %4: they cannot be equal">(
+                                left.text, kind_words(left.kind), right.text, kind_words(right.kind)));
+        else if (const Message objection = zeros_objection(left, right); !objection.empty())
             refuse(r.place, objection);
         return emitter_.operation(Operation::subtract, at(r.left), at(r.right), -1, result.kind);
     }
@@ -206,12 +205,13 @@ private:
             for (std::size_t r = 0; r < n; ++r) occurs = occurs || made.jacobian[r * n + k] >= 0;
             if (!occurs)
                 refuse(s.defined[k].place,
-                       "the equations do not depend on the unknown '" + s.defined[k].name + "'");
+                       tell<"the equations do not depend on the unknown '%1'">(s.defined[k].name));
         }
         for (std::size_t r = 0; r < n; ++r) {
             bool depends = false;
             for (std::size_t k = 0; k < n; ++k) depends = depends || made.jacobian[r * n + k] >= 0;
-            if (!depends) refuse(s.equations[r].place, "this equation does not depend on any unknown");
+            if (!depends)
+                refuse(s.equations[r].place, tell<"this equation does not depend on any unknown">());
         }
     }
 
@@ -238,7 +238,8 @@ private:
         const auto value = emitter_.value(made);
         const bool may_be_left_out = in_branch_[static_cast<std::size_t>(&node - parsed_.nodes.data())];
         if (value && !std::isfinite(*value) && !may_be_left_out)
-            refuse(node.sign, "this constant has no value (division by zero, or root of a negative number)");
+            refuse(node.sign,
+                   tell<"this constant has no value (division by zero, or root of a negative number)">());
         return made;
     }
 
@@ -258,17 +259,17 @@ private:
 
     void add_output(const WantedOutput& wanted) {
         const auto defined = defined_.find(wanted.name);
-        if (defined == defined_.end()) return refuse({}, "no equation defines '" + wanted.name + "'");
+        if (defined == defined_.end()) return refuse({}, tell<"no equation defines '%1'">(wanted.name));
         const Kind& kind = emitter_.kind(defined->second);
         const Place place = parsed_.find(wanted.name)->place;
         const std::string coherent = coherent_unit(kind);
         if (wanted.unit && !kind.same_dimension(Kind::of(*wanted.unit)))
-            refuse(place, "'" + wanted.name + "' is to be given in " + wanted.unit->text() + ", but is " +
-                              kind_words(kind));
-        const std::string meaning = output_objection(wanted, kind);
+            refuse(place, tell<"'%1' is to be given in %2, but is %3">(wanted.name, wanted.unit->text(),
+                                                                       kind_words(kind)));
+        const Message meaning = output_objection(wanted, kind);
         if (!meaning.empty()) refuse(place, meaning);
         if (!wanted.unit && coherent.empty())
-            refuse(place, "'" + wanted.name + "' is " + kind_words(kind) + ", which has no unit of its own");
+            refuse(place, tell<"'%1' is %2, which has no unit of its own">(wanted.name, kind_words(kind)));
         compiled_.program.outputs.push_back(defined->second);
         compiled_.output_units.push_back(wanted.unit ? *wanted.unit : Unit::parse(coherent).value_or(Unit{}));
     }

@@ -47,25 +47,25 @@ std::string product_words(const Kind& kind) {
     return text;
 }
 
-std::string both(const Operand& a, const Operand& b) {
-    return a.text + " is " + kind_words(a.kind) + ", " + b.text + " is " + kind_words(b.kind);
+Message both(const Operand& a, const Operand& b) {
+    return tell<"%1 is %2, %3 is %4">(a.text, kind_words(a.kind), b.text, kind_words(b.kind));
 }
 
-KindOfResult refused(std::string objection) {
+KindOfResult refused(Message objection) {
     return {{}, std::move(objection)};
 }
 
 /// Of two operands that must be alike: the one that is not the literal 0.
-KindOfResult alike(const Operand& a, const Operand& b, const std::string& what) {
+KindOfResult alike(const Operand& a, const Operand& b, const Message& what) {
     if (!a.kind.same_dimension(b.kind)) return refused(both(a, b) + ": " + what);
     return {a.kind.any ? b.kind : a.kind};
 }
 
 /// Likewise, and with the same zero of temperature.
-KindOfResult alike_to_the_zero(const Operand& a, const Operand& b, const std::string& what) {
+KindOfResult alike_to_the_zero(const Operand& a, const Operand& b, const Message& what) {
     KindOfResult result = alike(a, b, what);
     if (!result.objection.empty()) return result;
-    if (const std::string objection = zeros_objection(a, b); !objection.empty()) return refused(objection);
+    if (const Message objection = zeros_objection(a, b); !objection.empty()) return refused(objection);
     result.kind.zeros = a.kind.zeros ? a.kind.zeros : b.kind.zeros;
     return result;
 }
@@ -76,7 +76,8 @@ std::optional<CelsiusZeros> multiplied(std::optional<CelsiusZeros> zeros, double
 }
 
 KindOfResult of_sum(const Operand& a, const Operand& b, double sign) {
-    KindOfResult result = alike(a, b, sign > 0.0 ? "they cannot be added" : "they cannot be subtracted");
+    KindOfResult result =
+        alike(a, b, sign > 0.0 ? tell<"they cannot be added">() : tell<"they cannot be subtracted">());
     if (!result.objection.empty() || !(a.kind.zeros || b.kind.zeros)) return result;
     const CelsiusZeros first = a.kind.zeros.value_or(CelsiusZeros{});
     const CelsiusZeros second = b.kind.zeros.value_or(CelsiusZeros{});
@@ -102,19 +103,19 @@ KindOfResult of_product(const Operand& a, const Operand& b, double exponent) {
     return result;
 }
 
-KindOfResult of_number(const Operand& a, const std::string& what, const Kind& result) {
-    if (!a.kind.is_number()) return refused(a.text + " is " + kind_words(a.kind) + ": " + what);
+KindOfResult of_number(const Operand& a, const Message& what, const Kind& result) {
+    if (!a.kind.is_number()) return refused(tell<"%1 is %2: %3">(a.text, kind_words(a.kind), what));
     return {result};
 }
 
 KindOfResult of_power(const Operand& base, const Operand& exponent) {
     if (!exponent.kind.is_number())
-        return refused("the exponent " + exponent.text + " is " + kind_words(exponent.kind) +
-                       ": an exponent must be a pure number");
+        return refused(tell<"the exponent %1 is %2: an exponent must be a pure number">(
+            exponent.text, kind_words(exponent.kind)));
     if (base.kind.is_number()) return {Kind{}};
     if (!exponent.constant)
-        return refused(base.text + " is " + kind_words(base.kind) +
-                       ": its exponent must be a constant, or the dimension would vary");
+        return refused(tell<"%1 is %2: its exponent must be a constant, or the dimension would vary">(
+            base.text, kind_words(base.kind)));
     return {base.kind.raised(*exponent.constant)};
 }
 
@@ -131,11 +132,11 @@ KindOfResult of_arithmetic(Operation operation, const Operand& a, const Operand&
         case O::power:
             return of_power(a, b);
         case O::arc_tangent_2: {
-            const KindOfResult result = alike(a, b, "atan2 needs two quantities of one kind");
+            const KindOfResult result = alike(a, b, tell<"atan2 needs two quantities of one kind">());
             return result.objection.empty() ? KindOfResult{plane_angle()} : result;
         }
         default:  // hypot, min, max
-            return alike_to_the_zero(a, b, "a function of both needs quantities of one kind");
+            return alike_to_the_zero(a, b, tell<"a function of both needs quantities of one kind">());
     }
 }
 
@@ -157,26 +158,27 @@ KindOfResult of_function(Operation operation, const Operand& a) {
         case O::sine:
         case O::cosine:
         case O::tangent:
-            return of_number(a, "sin, cos and tan need an angle or a pure number", Kind{});
+            return of_number(a, tell<"sin, cos and tan need an angle or a pure number">(), Kind{});
         case O::arc_sine:
         case O::arc_cosine:
         case O::arc_tangent:
-            return of_number(a, "an inverse function of an angle needs a pure number", plane_angle());
+            return of_number(a, tell<"an inverse function of an angle needs a pure number">(), plane_angle());
         default:
-            return of_number(a, "this function needs a pure number: divide by a quantity of the same kind",
-                             Kind{});
+            return of_number(
+                a, tell<"this function needs a pure number: divide by a quantity of the same kind">(),
+                Kind{});
     }
 }
 
 KindOfResult of_condition(Operation operation, const Operand& a, const Operand& b) {
     if (is_comparison(operation)) {
-        KindOfResult result = alike_to_the_zero(a, b, "they cannot be compared");
+        KindOfResult result = alike_to_the_zero(a, b, tell<"they cannot be compared">());
         if (result.objection.empty()) result.kind = Kind::of_condition();
         return result;
     }
     for (const Operand* operand : {&a, &b})
         if (!(operation == O::logical_not && operand == &b) && !operand->kind.condition)
-            return refused(operand->text + " is not a condition: write a comparison, as in x > 0");
+            return refused(tell<"%1 is not a condition: write a comparison, as in x > 0">(operand->text));
     return {Kind::of_condition()};
 }
 
@@ -232,52 +234,52 @@ std::string coherent_unit(const Kind& kind) {
     return product.empty() ? "rad" + power_words(kind.exponents[angle]) : product;
 }
 
-std::string kind_words(const Kind& kind) {
-    if (kind.condition) return "a condition";
-    if (kind.is_number()) return "a pure number";
+Message kind_words(const Kind& kind) {
+    if (kind.condition) return tell<"a condition">();
+    if (kind.is_number()) return tell<"a pure number">();
     Kind without_angle = kind;
     without_angle.exponents[angle] = 0.0;
     const std::string unit = coherent_unit(without_angle);
-    return "measured in " + (unit.empty() ? product_words(kind) : unit);
+    return tell<"measured in %1">((unit.empty() ? product_words(kind) : unit));
 }
 
 bool CelsiusZeros::is_meaningful() const {
     return !of_a_sum || equal(count, 0.0) || equal(count, 1.0);
 }
 
-std::string zeros_objection(const Operand& a, const Operand& b) {
+Message zeros_objection(const Operand& a, const Operand& b) {
     if ((a.kind.is_celsius() && b.kind.is_difference()) || (a.kind.is_difference() && b.kind.is_celsius())) {
         const bool first = a.kind.is_celsius();
-        return (first ? a : b).text + " is a temperature in degC, " + (first ? b : a).text +
-               " a difference of temperatures: give differences in K";
+        return tell<"%1 is a temperature in degC, %2 a difference of temperatures: give differences in K">(
+            (first ? a : b).text, (first ? b : a).text);
     }
     const auto bare_zero = [](const Operand& o) { return o.kind.any && o.constant; };
     if ((a.kind.is_celsius() && bare_zero(b)) || (b.kind.is_celsius() && bare_zero(a)))
-        return (a.kind.is_celsius() ? a : b).text +
-               " is a temperature in degC, and 0 has no unit: write 0 [degC], or 0 [K] for absolute zero";
+        return tell<
+            "%1 is a temperature in degC, and 0 has no unit: write 0 [degC], or 0 [K] for absolute zero">(
+            (a.kind.is_celsius() ? a : b).text);
     return {};
 }
 
-std::string sum_objection(const Operand& a) {
+Message sum_objection(const Operand& a) {
     if (!a.kind.zeros || a.kind.zeros->is_meaningful()) return {};
-    return a.text +
-           " is a sum of temperatures in degC, which means nothing: give differences in K, or divide the sum "
-           "by "
-           "the number of temperatures for their mean";
+    return tell<
+        "%1 is a sum of temperatures in degC, which means nothing: give differences in K, or divide the sum "
+        "by the number of temperatures for their mean">(a.text);
 }
 
 KindOfResult kind_of(Operation operation, const Operand& a, const Operand& b, const Operand& c) {
     if (is_condition(operation)) return of_condition(operation, a, b);
     if (operation == O::select) {
         if (!a.kind.condition)
-            return refused(a.text + " is not a condition: write a comparison, as in if(x > 0, x, 0)");
+            return refused(tell<"%1 is not a condition: write a comparison, as in if(x > 0, x, 0)">(a.text));
         if (b.kind.condition || c.kind.condition)
-            return refused("both values of 'if' must be numbers, not conditions");
-        return alike_to_the_zero(b, c, "both values of 'if' must be of one kind");
+            return refused(tell<"both values of 'if' must be numbers, not conditions">());
+        return alike_to_the_zero(b, c, tell<"both values of 'if' must be of one kind">());
     }
     for (const Operand* operand : {&a, &b})
         if (operand->kind.condition)
-            return refused(operand->text + " is a condition: use it as the first argument of if(...)");
+            return refused(tell<"%1 is a condition: use it as the first argument of if(...)">(operand->text));
     const bool one = operands_of(operation) == 1;
     KindOfResult result = one ? of_function(operation, a) : of_arithmetic(operation, a, b);
     if ((one || operation == O::power) && result.objection.empty() && !result.kind.zeros)

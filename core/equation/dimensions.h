@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/message.h"
 #include "core/base/unit.h"
 #include "core/equation/operations.h"
 
@@ -40,7 +41,7 @@ struct Kind {
 /// The coherent SI unit: "m", "N", "kg*m^2"; empty if an exponent is not whole.
 std::string coherent_unit(const Kind& kind);
 /// For messages: "m", "a pure number", "a condition".
-std::string kind_words(const Kind& kind);
+Message kind_words(const Kind& kind);
 
 struct Operand {
     Kind kind;
@@ -51,13 +52,13 @@ struct Operand {
 /// Kind of the result; or what is wrong, in words.
 struct KindOfResult {
     Kind kind;
-    std::string objection = {};
+    Message objection = {};
 };
 KindOfResult kind_of(Operation operation, const Operand& a, const Operand& b, const Operand& c);
 /// Why two operands of one dimension cannot be equal, compared or chosen between: one a temperature in degC,
 /// the other a difference or the number 0. Empty if they can.
-std::string zeros_objection(const Operand& a, const Operand& b);
+Message zeros_objection(const Operand& a, const Operand& b);
 /// Why a value means nothing by itself: a sum of temperatures in degC. Empty if it does.
-std::string sum_objection(const Operand& a);
+Message sum_objection(const Operand& a);
 
 }  // namespace covaria::equation

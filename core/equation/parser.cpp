@@ -62,7 +62,7 @@ public:
     }
 
     /// Only the first mistake of a statement is noted.
-    int refuse(const Place& place, const std::string& message) {
+    int refuse(const Place& place, const Message& message) {
         if (!failed_) problems_.push_back({place, message});
         failed_ = true;
         return nothing;
@@ -181,7 +181,7 @@ private:
     int signed_factor() {
         if (is_sign(in_.now(), "+")) {
             in_.next();
-            if (is_sign(in_.now(), "+")) return in_.refuse(in_.now().place, "'+' stands here twice");
+            if (is_sign(in_.now(), "+")) return in_.refuse(in_.now().place, tell<"'+' stands here twice">());
             return signed_factor();
         }
         if (!is_sign(in_.now(), "-")) return power();
@@ -211,8 +211,9 @@ private:
 
     bool descend() {
         if (++depth_ <= deepest) return true;
-        in_.refuse(in_.now().place, "the expression is nested more than " + std::to_string(deepest) +
-                                        " levels deep: split it into definitions");
+        in_.refuse(
+            in_.now().place,
+            tell<"the expression is nested more than %1 levels deep: split it into definitions">(deepest));
         return false;
     }
 
@@ -223,9 +224,9 @@ private:
         if (token.kind == TokenKind::name) return name();
         if (is_sign(token, "(")) return parenthesis();
         if (token.kind == TokenKind::unit)
-            return in_.refuse(token.place, "a unit in brackets belongs behind a number: 20 [degC]");
+            return in_.refuse(token.place, tell<"a unit in brackets belongs behind a number: 20 [degC]">());
         return in_.refuse(token.place,
-                          "a number, a name or a parenthesis is expected here, not " + shown(token));
+                          tell<"a number, a name or a parenthesis is expected here, not %1">(shown(token)));
     }
 
     int parenthesis() {
@@ -235,7 +236,7 @@ private:
         const int inside = expression();
         --depth_;
         if (in_.failed()) return nothing;
-        if (!is_sign(in_.now(), ")")) return in_.refuse(open, "this parenthesis is not closed");
+        if (!is_sign(in_.now(), ")")) return in_.refuse(open, tell<"this parenthesis is not closed">());
         node(inside).place = joined(open, in_.now().place);
         in_.next();
         return inside;
@@ -261,9 +262,9 @@ private:
         if (token.text == "pi") return leaf(Operation::constant, pi, token);
         if (find_function(token.text))
             return in_.refuse(token.place,
-                              "'" + token.text + "' is a function: its argument follows in parentheses");
+                              tell<"'%1' is a function: its argument follows in parentheses">(token.text));
         if (is_reserved(token.text))
-            return in_.refuse(token.place, "the word '" + token.text + "' is not expected here");
+            return in_.refuse(token.place, tell<"the word '%1' is not expected here">(token.text));
         return leaf(Operation::symbol, 0.0, token);
     }
 
@@ -281,9 +282,10 @@ private:
         if (in_.failed()) return nothing;
         if (!is_sign(in_.now(), ")"))
             return in_.now().kind == TokenKind::end_of_statement
-                       ? in_.refuse(open, "this parenthesis is not closed")
-                       : in_.refuse(in_.now().place,
-                                    "an operator, a comma or ')' is expected here, not " + shown(in_.now()));
+                       ? in_.refuse(open, tell<"this parenthesis is not closed">())
+                       : in_.refuse(
+                             in_.now().place,
+                             tell<"an operator, a comma or ')' is expected here, not %1">(shown(in_.now())));
         const Place close = in_.next().place;
         return applied(*function, arguments, name.place, joined(name.place, close));
     }
@@ -341,24 +343,22 @@ private:
         const bool operand = in_.now().kind == TokenKind::name || in_.now().kind == TokenKind::number ||
                              is_sign(in_.now(), "(");
         if (is_sign(in_.now(), ")"))
-            in_.refuse(in_.now().place, "this parenthesis closes nothing");
+            in_.refuse(in_.now().place, tell<"this parenthesis closes nothing">());
         else if (is_sign(in_.now(), "="))
-            in_.refuse(
-                in_.now().place,
-                "an equation defines one name: write 'y = ...'; to compare, write '=='; an equation that "
-                "is to "
-                "be solved starts with 'solve'");
+            in_.refuse(in_.now().place,
+                       tell<"an equation defines one name: write 'y = ...'; to compare, write '=='; an "
+                            "equation that is to be solved starts with 'solve'">());
         else if (operand)
-            in_.refuse(in_.now().place, "an operator is missing before " + shown(in_.now()));
+            in_.refuse(in_.now().place, tell<"an operator is missing before %1">(shown(in_.now())));
         else if (in_.now().kind == TokenKind::unit)
-            in_.refuse(in_.now().place, "a unit in brackets belongs behind a number: 20 [degC]");
+            in_.refuse(in_.now().place, tell<"a unit in brackets belongs behind a number: 20 [degC]">());
         else
-            in_.refuse(in_.now().place, shown(in_.now()) + " is not expected here");
+            in_.refuse(in_.now().place, tell<"%1 is not expected here">(shown(in_.now())));
     }
 
     void definition(Statement& made) {
         if (in_.now().kind != TokenKind::name || !is_sign(in_.following(), "=")) {
-            in_.refuse(in_.now().place, "an equation starts with the name that it defines: y = ...");
+            in_.refuse(in_.now().place, tell<"an equation starts with the name that it defines: y = ...">());
             return;
         }
         define(made);
@@ -367,7 +367,7 @@ private:
     /// name = expression
     void define(Statement& made) {
         if (in_.now().kind != TokenKind::name || !is_sign(in_.following(), "=")) {
-            in_.refuse(in_.now().place, "a name with its starting value is expected here: y = 1");
+            in_.refuse(in_.now().place, tell<"a name with its starting value is expected here: y = 1">());
             return;
         }
         Definition defined{in_.now().text, in_.now().place, nothing};
@@ -381,11 +381,11 @@ private:
     void check_name(const Definition& defined) {
         if (is_reserved(defined.name))
             in_.refuse(defined.place,
-                       "'" + defined.name + "' is " +
-                           (find_function(defined.name) ? "a function" : "a word of the language") +
-                           ": choose another name");
+                       tell<"'%1' is %2: choose another name">(
+                           defined.name, (find_function(defined.name) ? tell<"a function">()
+                                                                      : tell<"a word of the language">())));
         else if (!names_.insert(defined.name).second)
-            in_.refuse(defined.place, "'" + defined.name + "' is defined twice");
+            in_.refuse(defined.place, tell<"'%1' is defined twice">(defined.name));
     }
 
     void system(Statement& made) {
@@ -396,16 +396,15 @@ private:
         made.first_of_equations = parsed_.nodes.size();
         if (!in_.failed() && !in_.taken(":"))
             in_.refuse(in_.now().place,
-                       "a colon is expected before the equations to be solved: solve y = 1: y^2 = x");
+                       tell<"a colon is expected before the equations to be solved: solve y = 1: y^2 = x">());
         if (in_.failed()) return;
         do residual(made);
         while (!in_.failed() && in_.taken_word("and"));
         if (!in_.failed() && made.equations.size() != made.defined.size())
-            in_.refuse(place, std::to_string(made.defined.size()) +
-                                  " unknowns need as many equations; there are " +
-                                  std::to_string(made.equations.size()));
+            in_.refuse(place, tell<"%1 unknowns need as many equations; there are %2">(
+                                  made.defined.size(), made.equations.size()));
         if (!in_.failed() && made.defined.size() > 6)
-            in_.refuse(place, "at most six unknowns can be solved together");
+            in_.refuse(place, tell<"at most six unknowns can be solved together">());
     }
 
     void residual(Statement& made) {
@@ -413,7 +412,7 @@ private:
         equation.left = ExpressionParser(in_, parsed_.nodes).sum();
         equation.place = in_.now().place;
         if (!in_.failed() && !in_.taken("=") && !in_.taken("=="))
-            in_.refuse(in_.now().place, "an equals sign is expected in an equation to be solved");
+            in_.refuse(in_.now().place, tell<"an equals sign is expected in an equation to be solved">());
         if (in_.failed()) return;
         equation.right = ExpressionParser(in_, parsed_.nodes).sum();
         made.equations.push_back(equation);

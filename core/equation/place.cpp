@@ -8,13 +8,9 @@ Place joined(const Place& first, const Place& last) {
     return {first.line, first.column, end - first.column};
 }
 
-std::string place_words(const Place& place) {
-    std::string words = "line " + std::to_string(place.line) + ", column";
-    if (place.length > 1)
-        words += "s " + std::to_string(place.column) + "-" + std::to_string(place.column + place.length - 1);
-    else
-        words += " " + std::to_string(place.column);
-    return words + ": ";
+Message place_words(const Place& place) {
+    if (place.length <= 1) return tell<"line %1, column %2: ">(place.line, place.column);
+    return tell<"line %1, columns %2-%3: ">(place.line, place.column, place.column + place.length - 1);
 }
 
 }  // namespace covaria::equation

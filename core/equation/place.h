@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace covaria::equation {
 
 /// A part of one line. Columns count characters, not bytes.
@@ -19,11 +21,11 @@ Place joined(const Place& first, const Place& last);
 
 struct TextProblem {
     Place place;
-    std::string message;  ///< without the place
+    Message message;  ///< without the place
 };
 using TextProblems = std::vector<TextProblem>;
 
 /// "line 2, columns 14-16: ".
-std::string place_words(const Place& place);
+Message place_words(const Place& place);
 
 }  // namespace covaria::equation

@@ -68,7 +68,7 @@ private:
         column_ += characters;
     }
 
-    void stop(const std::string& message, std::size_t characters = 1) {
+    void stop(const Message& message, std::size_t characters = 1) {
         problems_.push_back({{line_, column_, characters}, message});
         readable_ = false;
     }
@@ -114,7 +114,7 @@ private:
         const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
         const auto length = static_cast<std::size_t>(end - (text_.data() + at_));
         if (error == std::errc::result_out_of_range || !std::isfinite(value))
-            return stop("this number is too large or too small to compute with",
+            return stop(tell<"this number is too large or too small to compute with">(),
                         std::max<std::size_t>(length, 1));
         push(TokenKind::number, std::string(rest().substr(0, length)), length, value);
         at_ += length;
@@ -140,7 +140,7 @@ private:
     void unit() {
         const std::size_t close = text_.find_first_of("]\n", at_);
         if (close == std::string_view::npos || text_[close] == '\n')
-            return stop("the bracket of a unit is not closed: write ']' behind the unit");
+            return stop(tell<"the bracket of a unit is not closed: write ']' behind the unit">());
         const std::string_view inside = text_.substr(at_ + 1, close - at_ - 1);
         const auto continuations = std::count_if(inside.begin(), inside.end(), is_continuation);
         push(TokenKind::unit, std::string(inside),
@@ -157,8 +157,8 @@ private:
             if (rest().starts_with(s)) return take_sign(s);
         std::size_t end = at_ + 1;
         while (end < text_.size() && is_continuation(text_[end])) ++end;
-        stop("the character '" + std::string(text_.substr(at_, end - at_)) +
-             "' does not belong in an equation");
+        stop(tell<"the character '%1' does not belong in an equation">(
+            std::string(text_.substr(at_, end - at_))));
     }
 
     void take_sign(std::string_view s) {

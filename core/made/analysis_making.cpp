@@ -42,9 +42,8 @@ void check_options(const EvaluationOptions& options, Problems& problems) {
 void warn_without_uncertainty(const InputSet& inputs, Problems& problems) {
     for (std::size_t i = 0; i < inputs.quantities.size(); ++i)
         if (standard_uncertainty_of(inputs, i) > 0.0) return;
-    problems.warning("/inputs",
-                     "no input quantity has an uncertainty, so that U is 0 everywhere: state the "
-                     "uncertainties of what the analysis uses");
+    problems.warning("/inputs", tell<"no input quantity has an uncertainty, so that U is 0 everywhere: state "
+                                     "the uncertainties of what the analysis uses">());
 }
 
 // How many trials an adaptive run needs, in words; a run that would end at its cap is warned of.
@@ -53,10 +52,9 @@ std::string forecast_trials(const PropagatedModel& model, const EvaluationOption
     if (options.method != Method::adaptive || !model.propagation()) return {};
     const auto forecast = forecast_adaptive(*model.model(), *model.propagation(), options);
     if (forecast && forecast->trials > static_cast<double>(options.maximum_trials))
-        problems.warning(
-            "/options/tolerance",
-            forecast->words() + "; the run is to end at " + std::to_string(options.maximum_trials) +
-                " trials and will not be stable then. Choose a larger tolerance or fewer digits");
+        problems.warning("/options/tolerance",
+                         tell<"%1; the run is to end at %2 trials and will not be stable then. Choose a "
+                              "larger tolerance or fewer digits">(forecast->words(), options.maximum_trials));
     return forecast ? forecast->words() : std::string();
 }
 

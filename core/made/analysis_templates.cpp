@@ -217,10 +217,11 @@ Result<Project> template_project(const AnalysisTemplate& wanted) {
     const std::filesystem::path file = data_directory() / "projects" / (wanted.example + ".covaria");
     LoadedProject loaded = load_project(file);
     if (loaded.problems.has_errors())
-        return fail(ErrorCode::io, file.string() + ": " + first_error(loaded.problems, "it cannot be read"));
+        return fail(ErrorCode::io,
+                    file.string() + ": " + first_error(loaded.problems, tell<"it cannot be read">()));
     const AnalysisEntry* analysis = loaded.project.find_analysis(wanted.analysis);
     if (!analysis)
-        return fail(ErrorCode::not_found, file.string() + " has no analysis \"" + wanted.analysis + '"');
+        return fail(ErrorCode::not_found, tell<"%1 has no analysis \"%2\"">(file.string(), wanted.analysis));
     Project whole = loaded.project;
     whole.analyses.push_back(*analysis);  // last, which is what is merged
     const Project nothing;

@@ -85,7 +85,7 @@ Library load_library() {
 Result<void> add_to_own_library(const AssetEntry& asset) {
     if (refers_to_others(asset))
         return fail(ErrorCode::bad_input,
-                    asset.name + " refers to other assets of the project and cannot be kept alone");
+                    tell<"%1 refers to other assets of the project and cannot be kept alone">(asset.name));
     const fs::path file = own_library_folder() / "my-library.covaria";
     Project project;
     project.title = "My library";
@@ -94,7 +94,7 @@ Result<void> add_to_own_library(const AssetEntry& asset) {
         LoadedProject loaded = load_project(file);
         if (loaded.problems.has_errors())
             return fail(ErrorCode::bad_input,
-                        file.string() + " has errors; open it and repair it before adding to it");
+                        tell<"%1 has errors; open it and repair it before adding to it">(file.string()));
         project = std::move(loaded.project);
     }
     std::erase_if(project.assets, [&](const AssetEntry& known) {

@@ -20,9 +20,10 @@ void check_ids(const std::vector<Entry>& entries, const std::string& place, Prob
         const std::string path = place + "/" + std::to_string(i) + "/id";
         const std::string& id = entries[i].id;
         if (!is_project_id(id))
-            problems.error(path, "the id " + in_quotes(id) + " must be made of letters, digits, '-' and '_'");
+            problems.error(path,
+                           tell<"the id %1 must be made of letters, digits, '-' and '_'">(in_quotes(id)));
         else if (!known.insert(id).second)
-            problems.error(path, "the id " + in_quotes(id) + " is used twice");
+            problems.error(path, tell<"the id %1 is used twice">(in_quotes(id)));
     }
 }
 
@@ -84,12 +85,12 @@ Problems MadeProject::problems_of_analysis(const std::string& id) const {
     }
     std::vector<std::string> ids;
     for (const AnalysisEntry& analysis : project_->analyses) ids.push_back(analysis.id);
-    found.error("", "there is no analysis " + in_quotes(id) + did_you_mean(id, ids));
+    found.error("", tell<"there is no analysis %1%2">(in_quotes(id), did_you_mean(id, ids)));
     return found;
 }
 
-std::vector<std::string> MadeProject::warnings_of(const std::string& analysis) const {
-    std::vector<std::string> warnings;
+std::vector<Message> MadeProject::warnings_of(const std::string& analysis) const {
+    std::vector<Message> warnings;
     const AnalysisEntry* entry = project_->find_analysis(analysis);
     if (!entry) return warnings;
     const auto add = [&](const Problems& problems, const std::string& of) {
@@ -103,7 +104,7 @@ std::vector<std::string> MadeProject::warnings_of(const std::string& analysis) c
     return warnings;
 }
 
-std::string first_error(const Problems& problems, const std::string& otherwise) {
+Message first_error(const Problems& problems, const Message& otherwise) {
     for (const Problem& problem : problems.items())
         if (problem.severity == Severity::error) return problem.message;
     return otherwise;

@@ -46,7 +46,7 @@ public:
     Problems problems_of_analysis(const std::string& id) const;
     /// All that is to be said beside the results of an analysis: warnings of the assets that it uses ("asset
     /// ID: ..."), then its own.
-    std::vector<std::string> warnings_of(const std::string& analysis) const;
+    std::vector<Message> warnings_of(const std::string& analysis) const;
     const MakingCounts& counts() const { return counts_; }
 
 private:
@@ -65,6 +65,6 @@ private:
 };
 
 /// The message of the first error; `otherwise` where there is none.
-std::string first_error(const Problems& problems, const std::string& otherwise);
+Message first_error(const Problems& problems, const Message& otherwise);
 
 }  // namespace covaria

@@ -17,9 +17,10 @@ std::string path_in_setup(const EntryReference& reference) {
     return reference.path.substr(setup.size());
 }
 
-std::string words_of(const EntryReference& reference) {
-    return "'" + reference.title + "' refers to the " + (reference.to_analysis ? "analysis" : "asset") +
-           " '" + reference.id + "'";
+Message words_of(const EntryReference& reference) {
+    const Message title = Message::declared(reference.title);
+    return reference.to_analysis ? tell<"'%1' refers to the analysis '%2'">(title, reference.id)
+                                 : tell<"'%1' refers to the asset '%2'">(title, reference.id);
 }
 
 bool fits(const std::vector<std::string>& offered, const std::vector<std::string>& wanted) {
@@ -40,22 +41,23 @@ void check_use(const EntryReference& reference, const AnalysisEntry& entry, cons
                Problems& problems) {
     const ModelDescriptor* model = find_model(entry.model);
     if (!model || model->capabilities.empty() || !fits(model->capabilities, reference.capabilities))
-        return problems.error(path_in_setup(reference), words_of(reference) + ", which does not offer " +
-                                                            listed(reference.capabilities));
+        return problems.error(
+            path_in_setup(reference),
+            tell<"%1, which does not offer %2">(words_of(reference), listed(reference.capabilities)));
     if (!used.model)
         problems.error(path_in_setup(reference),
-                       "the analysis '" + reference.id +
-                           "' has errors of its own: " + first_error(used.of_own, "it cannot be made"));
+                       tell<"the analysis '%1' has errors of its own: %2">(
+                           reference.id, first_error(used.of_own, tell<"it cannot be made">())));
 }
 
 void check_use(const EntryReference& reference, const AssetLibrary::Entry& used, Problems& problems) {
     if (!used.asset)
         return problems.error(path_in_setup(reference),
-                              words_of(reference) + ", which has errors of its own");
+                              tell<"%1, which has errors of its own">(words_of(reference)));
     if (!fits(used.descriptor->capabilities, reference.capabilities))
-        problems.error(path_in_setup(reference), words_of(reference) + ", which is of the kind '" +
-                                                     used.descriptor->title + "' and does not offer " +
-                                                     listed(reference.capabilities));
+        problems.error(path_in_setup(reference),
+                       tell<"%1, which is of the kind '%2' and does not offer %3">(
+                           words_of(reference), used.descriptor->title, listed(reference.capabilities)));
 }
 
 }  // namespace
@@ -69,8 +71,8 @@ void refuse_circles(const std::vector<EntryReference>& references, Problems& pro
         if (reference.circle.empty()) continue;
         std::string way;
         for (const std::string& id : reference.circle) way += id + " → ";
-        problems.error(path_in_setup(reference), words_of(reference) + ", which refers back to this one: " +
-                                                     way + reference.circle.front());
+        problems.error(path_in_setup(reference), tell<"%1, which refers back to this one: %2%3">(
+                                                     words_of(reference), way, reference.circle.front()));
     }
 }
 
@@ -88,13 +90,14 @@ void check_uses(const Project& project, const std::vector<EntryReference>& refer
         }
         if (references[i].to_analysis) {
             problems.error(path_in_setup(references[i]),
-                           words_of(references[i]) + ": only analyses take something from analyses");
+                           tell<"%1: only analyses take something from analyses">(words_of(references[i])));
             continue;
         }
         std::vector<std::string> ids;
         for (const AssetEntry& asset : project.assets) ids.push_back(asset.id);
-        problems.error(path_in_setup(references[i]), words_of(references[i]) + ", which does not exist" +
-                                                         did_you_mean(references[i].id, ids));
+        problems.error(
+            path_in_setup(references[i]),
+            tell<"%1, which does not exist%2">(words_of(references[i]), did_you_mean(references[i].id, ids)));
     }
 }
 

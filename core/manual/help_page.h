@@ -1,5 +1,5 @@
 // The pages of help: those of resources/help, of every model and asset with its fields from the registries,
-// of the options, and the glossary. Window and manual show the same blocks.
+// of the options, and the glossary. Window and manual show the same blocks, each in its language.
 #pragma once
 
 #include <string>
@@ -7,6 +7,7 @@
 
 #include "core/model/model_descriptor.h"
 #include "core/report/report_document.h"
+#include "core/text/document_language.h"
 
 namespace covaria {
 
@@ -16,18 +17,12 @@ struct HelpPage {
     std::vector<ReportBlock> blocks;
 };
 
-/// Error{not_found}: the file of the page is missing.
-Result<HelpPage> help_page(const ModelDescriptor& model);
-HelpPage help_page(const AssetDescriptor& asset);
-/// The options of the evaluation.
-HelpPage options_page();
-/// The texts of a certificate.
-HelpPage certificate_page();
-/// A file of resources/help, its id without ".md".
-Result<HelpPage> shipped_page(const std::string& id);
+/// A file of resources/help, its id without ".md"; of the folder of the language, where it has the file.
+/// Error {not_found}: there is none.
+Result<HelpPage> shipped_page(const std::string& id, const DocumentLanguage& in = {});
 
-/// In the order of the manual.
-Result<std::vector<HelpPage>> help_pages();
+/// In the order of the manual. Error{not_found}: the file of a page is missing.
+Result<std::vector<HelpPage>> help_pages(const DocumentLanguage& in = {});
 
 /// Where the help of a field, or of a column of a table, is on a page.
 std::string field_anchor(const std::string& page, const std::string& field, const std::string& column = {});

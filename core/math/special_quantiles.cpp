@@ -72,9 +72,9 @@ double f_upper_tail(double ratio, double nu1, double nu2) {
 
 Result<double> coverage_factor(double probability, double nu) {
     if (!is_probability(probability))
-        return fail(ErrorCode::bad_input, "the coverage probability must lie between 0 and 1.");
+        return fail(ErrorCode::bad_input, tell<"the coverage probability must lie between 0 and 1.">());
     if (!(nu > 0.0))
-        return fail(ErrorCode::bad_input, "the effective degrees of freedom must be greater than 0.");
+        return fail(ErrorCode::bad_input, tell<"the effective degrees of freedom must be greater than 0.">());
     // From the lower tail: 1 - probability is exact near 1, (1 + probability)/2 is not.
     return -t_quantile(0.5 * (1.0 - probability), nu);
 }

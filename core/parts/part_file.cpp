@@ -58,14 +58,16 @@ Part part_of(const Json& head) {
 
 tl::unexpected<Error> damaged(const std::filesystem::path& file) {
     return fail(ErrorCode::bad_input,
-                file.string() + ": the part is damaged or no part at all: delete it and make it anew");
+                tell<"%1: the part is damaged or no part at all: delete it and make it anew">(file.string()));
 }
 
 tl::unexpected<Error> foreign(const std::filesystem::path& file, const std::string& what,
                               const std::string& theirs, const std::string& ours) {
-    return fail(ErrorCode::bad_input, file.string() + ": the part was made " + what + " " + theirs +
-                                          ", this is " + ours +
-                                          ": the bits of its results would not be those of one run");
+    return fail(
+        ErrorCode::bad_input,
+        tell<
+            "%1: the part was made %2 %3, this is %4: the bits of its results would not be those of one run">(
+            file.string(), what, theirs, ours));
 }
 
 }  // namespace
@@ -81,10 +83,9 @@ Result<void> write_part(const std::filesystem::path& file, const Part& part, con
     sum.put(check_sum(bytes));
     bytes += sum.take();
     if (bytes.size() > largest_file)
-        return fail(ErrorCode::numeric, file.string() + ": the part would have " +
-                                            std::to_string(bytes.size() / 1'000'000) + " MB, more than " +
-                                            std::to_string(largest_file / 1'000'000) +
-                                            ": divide the run into more parts");
+        return fail(ErrorCode::numeric,
+                    tell<"%1: the part would have %2 MB, more than %3: divide the run into more parts">(
+                        file.string(), bytes.size() / 1'000'000, largest_file / 1'000'000));
     return write_file_atomically(file, bytes);
 }
 

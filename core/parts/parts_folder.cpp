@@ -41,15 +41,16 @@ Result<void> PartsFolder::check(const std::vector<UnitWork>& works) const {
         const auto known = std::find_if(works.begin(), works.end(),
                                         [&](const UnitWork& work) { return same_work(work, entry.work); });
         if (known == works.end())
-            return fail(ErrorCode::bad_input,
-                        entry.file.string() + ": the part is of \"" + entry.work.name() +
-                            "\", which is not evaluated here: it is of another project");
+            return fail(
+                ErrorCode::bad_input,
+                tell<"%1: the part is of \"%2\", which is not evaluated here: it is of another project">(
+                    entry.file.string(), entry.work.name()));
         if (known->fingerprint != entry.work.fingerprint || known->units != entry.work.units)
             return fail(ErrorCode::bad_input,
-                        entry.file.string() + ": the part is of \"" + entry.work.name() +
-                            "\" in another project or another state of it (fingerprint " +
-                            entry.work.fingerprint.substr(0, 12) + ", here " +
-                            known->fingerprint.substr(0, 12) + "): make it anew");
+                        tell<"%1: the part is of \"%2\" in another project or another state of it "
+                             "(fingerprint %3, here %4): make it anew">(
+                            entry.file.string(), entry.work.name(), entry.work.fingerprint.substr(0, 12),
+                            known->fingerprint.substr(0, 12)));
     }
     return {};
 }

@@ -227,7 +227,7 @@ Result<std::vector<AttachedFile>> files_in_pdf(const std::string& bytes) {
             if (!stream.isStream()) continue;
             BoundedBytes kept(static_cast<std::size_t>(largest_file) - total);
             if (!stream.pipeStreamData(&kept, 0, qpdf_dl_all, true))
-                return fail(ErrorCode::bad_input, "the attached file '" + plain_text(key) + "' is broken");
+                return fail(ErrorCode::bad_input, tell<"the attached file '%1' is broken">(plain_text(key)));
             total += kept.bytes.size();
             files.push_back({.name = specification->getFilename(),
                              .bytes = std::move(kept.bytes),

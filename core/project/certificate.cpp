@@ -142,7 +142,7 @@ bool is_country(const std::string& text) {
 }
 
 void check_order(const Certificate& certificate, std::string Certificate::*before,
-                 std::string Certificate::*after, const std::string& message, Problems& problems) {
+                 std::string Certificate::*after, const Message& message, Problems& problems) {
     const auto first = period_in(certificate, before), then = period_in(certificate, after);
     if (first && then && then->first < first->first)
         problems.warning(pointer_of(certificate_field(after)), message);
@@ -198,40 +198,39 @@ bool is_missing(const CertificateField& field, const Certificate& certificate) {
            (!field.or_else || is_blank(certificate.*field.or_else));
 }
 
-std::string complaint_about(const CertificateField& field, const std::string& text) {
+Message complaint_about(const CertificateField& field, const std::string& text) {
     if (field.kind == CertificateText::country && !text.empty() && !is_country(text))
-        return "'" + std::string(field.key) + "' must be two capital letters, such as DE; it is '" + text +
-               "'";
+        return tell<"'%1' must be two capital letters, such as DE; it is '%2'">(std::string(field.key), text);
     if (field.kind == CertificateText::language && !text.empty() && !is_language(text))
-        return "'" + std::string(field.key) + "' must be one of " + codes_of_languages() + "; it is '" +
-               text + "'";
+        return tell<"'%1' must be one of %2; it is '%3'">(std::string(field.key), codes_of_languages(), text);
     const bool interval = field.kind == CertificateText::dates;
     const bool dated = interval || field.kind == CertificateText::date;
-    if (!dated || text.empty() || period_of(text, field.kind)) return {};
-    return "'" + std::string(field.key) + "' must be a date of the form 2026-04-17" +
-           (interval ? " or an interval 2026-04-17/2026-04-18" : "") + "; it is '" + text + "'";
+    if (!dated || text.empty() || period_of(text, field.kind)) return Message{};
+    return interval ? tell<
+                          "'%1' must be a date of the form 2026-04-17 or an interval 2026-04-17/2026-04-18; "
+                          "it is '%2'">(field.key, text)
+                    : tell<"'%1' must be a date of the form 2026-04-17; it is '%2'">(field.key, text);
 }
 
 void check_certificate(const Certificate& certificate, Problems& problems) {
     for (const CertificateField& field : certificate_fields())
-        if (const std::string complaint = complaint_about(field, certificate.*field.member);
-            !complaint.empty())
+        if (const Message complaint = complaint_about(field, certificate.*field.member); !complaint.empty())
             problems.add({field.kind == CertificateText::country ? Severity::warning : Severity::error,
                           pointer_of(field), complaint});
     check_order(certificate, &C::received, &C::calibrated,
-                "the item cannot have been calibrated before it was received", problems);
+                tell<"the item cannot have been calibrated before it was received">(), problems);
     check_order(certificate, &C::calibrated, &C::issued,
-                "the certificate cannot have been issued before the calibration", problems);
+                tell<"the certificate cannot have been issued before the calibration">(), problems);
 }
 
 Problems missing_in(const Certificate& certificate) {
     Problems missing;
     for (const CertificateField& field : certificate_fields()) {
         if (!is_missing(field, certificate)) continue;
-        const std::string other =
-            field.or_else ? std::string(" (or ") + certificate_field(field.or_else).key + ")" : "";
-        missing.error(pointer_of(field), "'" + std::string(field.title) + "'" + other +
-                                             " must be stated (ISO/IEC 17025 " + field.clause + ")");
+        const Message other =
+            field.or_else ? tell<" (or %1)">(certificate_field(field.or_else).key) : Message();
+        missing.error(pointer_of(field), tell<"'%1'%2 must be stated (ISO/IEC 17025 %3)">(
+                                             Message::declared(field.title), other, field.clause));
     }
     return missing;
 }
@@ -240,9 +239,9 @@ Problems missing_in_digital(const Certificate& certificate) {
     Problems missing = missing_in(certificate);
     const CertificateField& country = certificate_field(&Certificate::country);
     if (is_blank(certificate.country))
-        missing.error(pointer_of(country), "'" + std::string(country.title) +
-                                               "' must be stated (Digital Calibration Certificate)");
-    else if (const std::string complaint = complaint_about(country, certificate.country); !complaint.empty())
+        missing.error(pointer_of(country), tell<"'%1' must be stated (Digital Calibration Certificate)">(
+                                               Message::declared(country.title)));
+    else if (const Message complaint = complaint_about(country, certificate.country); !complaint.empty())
         missing.error(pointer_of(country), complaint);
     return missing;
 }

@@ -74,7 +74,7 @@ bool is_blank(const std::string& text);
 bool is_missing(const CertificateField& field, const Certificate& certificate);
 
 /// Why a text cannot stand in a field (a date or country that is none); empty where it can.
-std::string complaint_about(const CertificateField& field, const std::string& text);
+Message complaint_about(const CertificateField& field, const std::string& text);
 /// An error for texts that cannot stand there, a warning for dates in the wrong order and for a country that
 /// only a digital certificate needs; paths from the root of the project.
 void check_certificate(const Certificate& certificate, Problems& problems);

@@ -43,7 +43,7 @@ bool has_text(const FieldRun& run, const Certificate& certificate) {
 
 Certificate certificate_from_json(const Json& value, const std::string& path, Problems& problems) {
     Certificate certificate;
-    ObjectReader reader(value, path, "the certificate", problems);
+    ObjectReader reader(value, path, tell<"the certificate">(), problems);
     for (const FieldRun& run : field_runs()) {
         if (run.group.empty()) {
             read_fields(reader, run, certificate);

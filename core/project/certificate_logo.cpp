@@ -21,18 +21,18 @@ Result<LogoPicture> certificate_logo(const Project& project) {
     const std::filesystem::path file = project.directory / std::filesystem::path(name);
     std::error_code error;
     if (const auto size = std::filesystem::file_size(file, error); !error && size > largest_logo)
-        return fail(ErrorCode::bad_input, name + " has more than 2 MB, too much for a logo");
+        return fail(ErrorCode::bad_input, tell<"%1 has more than 2 MB, too much for a logo">(name));
     auto bytes = read_file(file);
     if (!bytes) return fail(bytes.error());
     std::string type = media_type_of(*bytes);
-    if (type.empty()) return fail(ErrorCode::bad_input, name + " is neither a PNG nor a JPEG picture");
+    if (type.empty()) return fail(ErrorCode::bad_input, tell<"%1 is neither a PNG nor a JPEG picture">(name));
     return LogoPicture{std::move(*bytes), std::move(type)};
 }
 
 void check_certificate_logo(const Project& project, Problems& problems) {
     if (const auto logo = certificate_logo(project); !logo)
         problems.warning(pointer_of(certificate_field(&Certificate::logo)),
-                         "The certificate has no logo: " + logo.error().message);
+                         tell<"The certificate has no logo: %1">(logo.error().message));
 }
 
 }  // namespace covaria

@@ -10,7 +10,7 @@ namespace covaria {
 
 namespace {
 
-Error error_at(int line, std::string message) {
+Error error_at(int line, Message message) {
     return {ErrorCode::bad_input, std::move(message), {}, {}, line};
 }
 
@@ -52,8 +52,7 @@ private:
             auto cell = read_cell();
             if (!cell) return fail(cell.error());
             if (row.cells.size() == most_csv_columns)
-                return fail(error_at(
-                    row.line, "more than " + std::to_string(most_csv_columns) + " columns are not read"));
+                return fail(error_at(row.line, tell<"more than %1 columns are not read">(most_csv_columns)));
             row.cells.push_back(std::move(*cell));
             if (at_ >= text_.size()) return {};
             const char stop = text_[at_++];
@@ -90,13 +89,14 @@ private:
                 break;
         }
         if (at_ >= text_.size())
-            return fail(error_at(begin_line, "the quote that begins here is not closed"));
+            return fail(error_at(begin_line, tell<"the quote that begins here is not closed">()));
         ++at_;
         while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\r')) ++at_;
         if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n')
-            return fail(error_at(line_,
-                                 "text follows the closing quote of a cell; write a quote inside a "
-                                 "quoted cell twice"));
+            return fail(error_at(
+                line_,
+                tell<
+                    "text follows the closing quote of a cell; write a quote inside a quoted cell twice">()));
         return cell;
     }
 
@@ -130,12 +130,12 @@ char csv_separator(std::string_view text) {
 
 Result<void> scan_csv(std::string_view text, char separator, const TakeCsvRow& take) {
     if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF")
-        return fail(error_at(1, "the text is encoded as UTF-16; save it as UTF-8"));
+        return fail(error_at(1, tell<"the text is encoded as UTF-16; save it as UTF-8">()));
     text = without_byte_order_mark(text);
     if (const std::size_t valid = valid_utf8(text); valid < text.size()) {
         const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(valid), '\n');
-        return fail(
-            error_at(1 + static_cast<int>(lines), "the text is not encoded as UTF-8; save it as UTF-8"));
+        return fail(error_at(1 + static_cast<int>(lines),
+                             tell<"the text is not encoded as UTF-8; save it as UTF-8">()));
     }
     return CsvScanner(text, separator, take).run();
 }

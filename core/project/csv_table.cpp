@@ -13,7 +13,7 @@ namespace covaria {
 
 namespace {
 
-Problem problem_at(int line, std::string message) {
+Problem problem_at(int line, Message message) {
     return {Severity::error, {}, std::move(message), {}, line};
 }
 
@@ -39,8 +39,8 @@ public:
 
     void read_row(const CsvRow& row) {
         if (row.cells.size() != target_.size() && !only_empty_beyond(row))
-            report(row.line, "this row has " + std::to_string(row.cells.size()) + " cells; there are " +
-                                 std::to_string(target_.size()) + " columns");
+            report(row.line,
+                   tell<"this row has %1 cells; there are %2 columns">(row.cells.size(), target_.size()));
         std::vector<SetupCell> cells(field_.columns.size());
         for (std::size_t i = 0; i < std::min(row.cells.size(), target_.size()); ++i)
             if (target_[i] != SetupSchema::npos)
@@ -62,19 +62,19 @@ private:
         if (text.empty()) return {};
         if (column.kind == FieldKind::number || column.kind == FieldKind::integer) {
             if (const auto number = csv_number(text, decimal_comma_)) return *number;
-            report(line, "column '" + column.key + "': '" + text + "' is not a number");
+            report(line, tell<"column '%1': '%2' is not a number">(column.key, text));
             return {};
         }
         if (column.kind == FieldKind::flag) {
             if (const auto flag = csv_flag(text)) return *flag;
-            report(line, "column '" + column.key + "': '" + text + "' is neither true nor false");
+            report(line, tell<"column '%1': '%2' is neither true nor false">(column.key, text));
             return {};
         }
         return column.kind == FieldKind::choice ? choice_key(column, text) : text;
     }
 
     // A file of wrong cells must not become a memory of messages: the last one counts the rest.
-    void report(int line, std::string message) {
+    void report(int line, Message message) {
         if (++reported_ < most_of_a_kind)
             out_.problems.add(problem_at(line, std::move(message)));
         else if (reported_ == most_of_a_kind)
@@ -95,8 +95,8 @@ std::vector<std::string> renamed_headers(const std::vector<std::string>& headers
                                          std::vector<std::size_t>& read, Problems& problems) {
     for (const auto& [header, column] : renamed)
         if (std::find(headers.begin(), headers.end(), header) == headers.end())
-            problems.error({}, "the file has no column '" + header + "'" + did_you_mean(header, headers) +
-                                   "; its columns are " + listed(headers));
+            problems.error({}, tell<"the file has no column '%1'%2; its columns are %3">(
+                                   header, did_you_mean(header, headers), listed(headers)));
     std::vector<std::string> kept;
     for (std::size_t i = 0; i < headers.size(); ++i) {
         const auto found = std::find_if(renamed.begin(), renamed.end(),

@@ -31,7 +31,7 @@ TablePlace place_of_table(const Project& project, const AnalysisEntry& analysis,
         const AssetEntry* asset = project.find_asset(choice.asset);
         if (!asset) {
             problems.error(choice_fields().place(&DesignChoice::asset),
-                           "there is no asset " + in_quotes(choice.asset));
+                           tell<"there is no asset %1">(in_quotes(choice.asset)));
             return place;
         }
         place.schema = schema_of(*asset);
@@ -43,8 +43,9 @@ TablePlace place_of_table(const Project& project, const AnalysisEntry& analysis,
     if (text.size() > head.size() + tail.size() && text.starts_with(head) && text.ends_with(tail))
         place.found.key = text.substr(head.size(), text.size() - head.size() - tail.size());
     else
-        problems.error(choice_fields().place(&DesignChoice::table),
-                       "a table to choose from is written as \"/setup/KEY/rows\"; it is " + in_quotes(text));
+        problems.error(
+            choice_fields().place(&DesignChoice::table),
+            tell<"a table to choose from is written as \"/setup/KEY/rows\"; it is %1">(in_quotes(text)));
     return place;
 }
 
@@ -90,26 +91,23 @@ public:
         path_ = path;
         if (!is_project_id(design.id))
             error(at(&Design::id),
-                  "the id " + in_quotes(design.id) + " must be made of letters, digits, '-' and '_'");
+                  tell<"the id %1 must be made of letters, digits, '-' and '_'">(in_quotes(design.id)));
         if (design.variables.empty() && !design.choose && design.reductions.empty())
-            error("", "a design needs 'variables', a table to 'choose' from, or 'reductions'");
+            error("", tell<"a design needs 'variables', a table to 'choose' from, or 'reductions'">());
         if (!design.reductions.empty() && (design.choose || !design.variables.empty()))
             error(at(&Design::reductions),
-                  "the cheapest reductions are a design of their own, without variables and rows");
+                  tell<"the cheapest reductions are a design of their own, without variables and rows">());
         if (design.reductions.size() > most_design_variables)
-            error(at(&Design::reductions),
-                  "a design has at most " + std::to_string(most_design_variables) + " reductions");
+            error(at(&Design::reductions), tell<"a design has at most %1 reductions">(most_design_variables));
         for (std::size_t i = 0; i < design.reductions.size(); ++i) check_reduction(design, i);
         if (design.variables.size() > most_design_variables)
-            error(at(&Design::variables),
-                  "a design has at most " + std::to_string(most_design_variables) + " variables");
+            error(at(&Design::variables), tell<"a design has at most %1 variables">(most_design_variables));
         for (std::size_t i = 0; i < design.variables.size(); ++i) check_variable(design, i);
         if (design.choose) check_choice(*design.choose);
         if (design.objective == DesignObjective::cost && design.reductions.empty() &&
             (!design.choose || design.choose->prices.empty() || !design.variables.empty()))
-            error(at(&Design::objective),
-                  "the cost is that of rows with 'prices': it needs a table to choose from, "
-                  "and no variables");
+            error(at(&Design::objective), tell<"the cost is that of rows with 'prices': it needs a table to "
+                                               "choose from, and no variables">());
         for (std::size_t i = 0; i < design.outputs.size(); ++i)
             check_study_output(outputs_, design.outputs[i], path_ + at(&Design::outputs, i), problems_);
         check_space(design);
@@ -117,9 +115,7 @@ public:
     }
 
 private:
-    void error(const std::string& below, const std::string& message) {
-        problems_.error(path_ + below, message);
-    }
+    void error(const std::string& below, const Message& message) { problems_.error(path_ + below, message); }
 
     void check_variable(const Design& design, std::size_t i) {
         const DesignVariable& variable = design.variables[i];
@@ -127,17 +123,17 @@ private:
         check_study_axis(project_, analysis_, inputs_, variable.number, path_ + below, problems_);
         if (!(variable.tolerance >= 0.0) || !std::isfinite(variable.tolerance))
             error(below + variable_fields().place(&DesignVariable::tolerance),
-                  "a tolerance must not be negative");
+                  tell<"a tolerance must not be negative">());
         const auto target = find_study_target(project_, analysis_, inputs_, variable.number);
         if (target && target->whole)
             error(below + reduced_number_fields().place(&StudyAxis::target),
-                  "'" + to_unicode(target->title) +
-                      "' takes whole numbers: a study shows what each of them gives");
+                  tell<"'%1' takes whole numbers: a study shows what each of them gives">(
+                      to_unicode(target->title)));
         for (std::size_t j = 0; j < i; ++j)
             if (design.variables[j].number.asset == variable.number.asset &&
                 design.variables[j].number.target == variable.number.target)
                 error(below + reduced_number_fields().place(&StudyAxis::target),
-                      in_quotes(variable.number.target) + " is chosen by two variables");
+                      tell<"%1 is chosen by two variables">(in_quotes(variable.number.target)));
     }
 
     void check_reduction(const Design& design, std::size_t i) {
@@ -147,14 +143,15 @@ private:
         if (!target) error(below + target.error().path, target.error().message);
         if (!(reduction.number.from > 0.0) || !(reduction.number.from < 1.0))
             error(below + reduced_number_fields().place(&StudyAxis::from),
-                  "the smallest factor is between 0 and 1");
+                  tell<"the smallest factor is between 0 and 1">());
         if (!(reduction.price >= 0.0) || !std::isfinite(reduction.price))
-            error(below + reduction_fields().place(&DesignReduction::price), "a price must not be negative");
+            error(below + reduction_fields().place(&DesignReduction::price),
+                  tell<"a price must not be negative">());
         for (std::size_t j = 0; j < i; ++j)
             if (design.reductions[j].number.asset == reduction.number.asset &&
                 design.reductions[j].number.target == reduction.number.target)
                 error(below + reduced_number_fields().place(&StudyAxis::target),
-                      in_quotes(reduction.number.target) + " is reduced twice");
+                      tell<"%1 is reduced twice">(in_quotes(reduction.number.target)));
     }
 
     void check_choice(const DesignChoice& choice) {
@@ -164,46 +161,46 @@ private:
         if (!table) return;
         const std::size_t rows = table->rows.rows.size();
         if (choice.keep < std::max<std::size_t>(1, table->least) || choice.keep > rows)
-            error(at(&DesignChoice::keep), "of " + std::to_string(rows) + " rows, " +
-                                               std::to_string(std::max<std::size_t>(1, table->least)) +
-                                               " to " + std::to_string(rows) + " can be kept; it is " +
-                                               std::to_string(choice.keep));
+            error(at(&DesignChoice::keep),
+                  tell<"of %1 rows, %2 to %3 can be kept; it is %4">(
+                      rows, std::max<std::size_t>(1, table->least), rows, choice.keep));
         std::set<std::size_t> seen;
         for (std::size_t i = 0; i < choice.fixed.size(); ++i) {
             const std::string below = at(&DesignChoice::fixed) + "/" + std::to_string(i);
             if (choice.fixed[i] >= rows)
-                error(below, "there are " + std::to_string(rows) + " rows, counted from 0");
+                error(below, tell<"there are %1 rows, counted from 0">(rows));
             else if (!seen.insert(choice.fixed[i]).second)
-                error(below, "row " + std::to_string(choice.fixed[i]) + " is fixed twice");
+                error(below, tell<"row %1 is fixed twice">(choice.fixed[i]));
         }
         if (choice.fixed.size() > choice.keep)
-            error(at(&DesignChoice::fixed), "more rows are fixed than kept");
+            error(at(&DesignChoice::fixed), tell<"more rows are fixed than kept">());
         if (choice.prices.size() > 1 && choice.prices.size() != rows)
-            error(at(&DesignChoice::prices), "there is one price for all rows, or one for each of the " +
-                                                 std::to_string(rows) + "; there are " +
-                                                 std::to_string(choice.prices.size()));
+            error(at(&DesignChoice::prices),
+                  tell<"there is one price for all rows, or one for each of the %1; there are %2">(
+                      rows, choice.prices.size()));
         for (std::size_t i = 0; i < choice.prices.size(); ++i)
             if (!(choice.prices[i] >= 0.0) || !std::isfinite(choice.prices[i]))
-                error(at(&DesignChoice::prices) + "/" + std::to_string(i), "a price must not be negative");
+                error(at(&DesignChoice::prices) + "/" + std::to_string(i),
+                      tell<"a price must not be negative">());
     }
 
     void check_box(const DesignBox& box, const std::string& below) {
-        const std::string objection = unit_objection("a box", {0.0, box.unit}, Unit::of("mm"));
+        const Message objection = unit_objection("a box", {0.0, box.unit}, Unit::of("mm"));
         if (!objection.empty()) return error(below + box_fields().place(&DesignBox::unit), objection);
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (!std::isfinite(box.from[axis]) || !(box.from[axis] < box.to[axis]))
                 return error(below + box_fields().place(&DesignBox::to),
-                             "every coordinate of 'to' must be greater than that of 'from'");
+                             tell<"every coordinate of 'to' must be greater than that of 'from'">());
     }
 
     void check_space(const Design& design) {
         if (design.least_distance) {
-            const std::string objection =
+            const Message objection =
                 unit_objection("the least distance", *design.least_distance, Unit::of("mm"));
             if (!objection.empty())
                 error(at(&Design::least_distance), objection);
             else if (!(design.least_distance->value > 0.0))
-                error(at(&Design::least_distance), "the least distance must be greater than zero");
+                error(at(&Design::least_distance), tell<"the least distance must be greater than zero">());
         }
         for (std::size_t i = 0; i < design.keep_out.size(); ++i)
             check_box(design.keep_out[i], at(&Design::keep_out, i));
@@ -213,10 +210,10 @@ private:
 
     void check_search(const Design& design) {
         if (design.starts < 1 || design.starts > most_design_starts)
-            error(at(&Design::starts), "there are 1 to " + std::to_string(most_design_starts) + " starts");
+            error(at(&Design::starts), tell<"there are 1 to %1 starts">(most_design_starts));
         if (design.most_evaluations < 1)
-            error(at(&Design::most_evaluations), "at least one evaluation is needed");
-        if (design.trials == 1) error(at(&Design::trials), "Monte Carlo needs at least two trials");
+            error(at(&Design::most_evaluations), tell<"at least one evaluation is needed">());
+        if (design.trials == 1) error(at(&Design::trials), tell<"Monte Carlo needs at least two trials">());
     }
 
     const Project& project_;
@@ -243,9 +240,10 @@ std::optional<DesignTable> find_design_table(const Project& project, const Analy
     DesignTable& table = place.found;
     const FieldSpec* field = place.schema && !table.key.empty() ? place.schema->find(table.key) : nullptr;
     if (!own.has_errors() && (!field || field->kind != FieldKind::table))
-        own.error(choice_fields().place(&DesignChoice::table),
-                  "the set-up has no table " + in_quotes(table.key) +
-                      (place.schema ? did_you_mean(table.key, place.schema->keys()) : ""));
+        own.error(
+            choice_fields().place(&DesignChoice::table),
+            tell<"the set-up has no table %1%2">(
+                in_quotes(table.key), (place.schema ? did_you_mean(table.key, place.schema->keys()) : "")));
     if (!own.has_errors()) {
         table.title = field->title;
         table.least = field->min_rows;
@@ -294,7 +292,7 @@ void check_designs(const Project& project, const AnalysisEntry& analysis, const 
         const std::string path = analysis_fields().place(&AnalysisEntry::designs, i);
         if (!ids.insert(analysis.designs[i].id).second)
             problems.error(path + at(&Design::id),
-                           "the id " + in_quotes(analysis.designs[i].id) + " is used twice");
+                           tell<"the id %1 is used twice">(in_quotes(analysis.designs[i].id)));
         check.check(analysis.designs[i], path);
     }
 }

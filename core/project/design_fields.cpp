@@ -17,7 +17,7 @@ struct SeedText {
             member = *number;
         else if (!text.empty())
             reader.problems().error(reader.path_of(key),
-                                    "'" + key + "' must be " + seed_words + "; it is '" + text + "'");
+                                    tell<"'%1' must be %2; it is '%3'">(key, seed_words(), text));
     }
     void write(JsonWriter& out, std::uint64_t member) const { out.text(std::to_string(member)); }
 };

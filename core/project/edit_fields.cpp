@@ -30,8 +30,7 @@ void read_lists(ObjectReader& reader, std::vector<double>& parameters) {
             if ((*list)[i].is_number())
                 parameters.push_back((*list)[i].get<double>());
             else
-                reader.problems().error(reader.path_of(key),
-                                        std::string("'") + key + "' must be a list of numbers");
+                reader.problems().error(reader.path_of(key), tell<"'%1' must be a list of numbers">(key));
         }
     }
 }
@@ -39,7 +38,7 @@ void read_lists(ObjectReader& reader, std::vector<double>& parameters) {
 std::vector<double> read_parameters(const Json& value, const DistributionKindInfo& kind,
                                     const std::string& path, Problems& problems) {
     std::vector<double> parameters;
-    ObjectReader reader(value, path, "the parameters of '" + std::string(kind.key) + "'", problems);
+    ObjectReader reader(value, path, tell<"the parameters of '%1'">(kind.key), problems);
     if (kind.parameters.empty()) read_lists(reader, parameters);
     for (const DistributionParameterInfo& parameter : kind.parameters) {
         const std::string key(parameter.key);
@@ -86,12 +85,13 @@ JsonFields<ComponentEdit> stated_distribution() {
                 const Json* parameters = reader.find(key);
                 const DistributionKindInfo* kind = find_distribution_kind(to.distribution);
                 if (!kind && !to.distribution.empty())
-                    reader.problems().error(reader.path_of("distribution"),
-                                            "there is no distribution '" + to.distribution + "'" +
-                                                did_you_mean(to.distribution, distribution_keys()) +
-                                                "; known are " + listed(distribution_keys()));
+                    reader.problems().error(
+                        reader.path_of("distribution"),
+                        tell<"there is no distribution '%1'%2; known are %3">(
+                            to.distribution, did_you_mean(to.distribution, distribution_keys()),
+                            listed(distribution_keys())));
                 if (kind && !parameters)
-                    reader.problems().error(reader.path_of(key), "'" + key + "' is missing in a component");
+                    reader.problems().error(reader.path_of(key), tell<"'%1' is missing in a component">(key));
                 if (kind && parameters)
                     to.parameters =
                         read_parameters(*parameters, *kind, reader.path_of(key), reader.problems());

@@ -57,7 +57,7 @@ public:
 
 private:
     void set_estimate() {
-        const std::string objection = unit_objection(edit_.symbol, *edit_.estimate, quantity_.unit);
+        const Message objection = unit_objection(edit_.symbol, *edit_.estimate, quantity_.unit);
         if (!objection.empty())
             return problems_.error(path_ + input_edit_fields().place(&InputEdit::estimate), objection);
         quantity_.offset += edit_.estimate->si() - estimate_of(inputs_, index_);
@@ -75,12 +75,12 @@ private:
         const std::string place =
             path_ + input_edit_fields().place(&InputEdit::components) + "/" + std::to_string(i);
         const std::string name = edit.name.empty() ? "component " + std::to_string(i + 1) : edit.name;
-        const std::string what = in_quotes(name) + " of " + in_quotes(edit_.symbol);
+        const Message what = tell<"%1 of %2">(in_quotes(name), in_quotes(edit_.symbol));
         if (edit.unit.dimension() != quantity_.unit.dimension())
             problems_.error(place + component_fields().place(&ComponentEdit::unit),
-                            in_quotes(edit_.symbol) + " is " + dimension_words(quantity_.unit) +
-                                "; the unit " + in_quotes(edit.unit.text()) + " of " + in_quotes(name) +
-                                " is the unit of " + dimension_words(edit.unit));
+                            tell<"%1 is %2; the unit %3 of %4 is the unit of %5">(
+                                in_quotes(edit_.symbol), dimension_words(quantity_.unit),
+                                in_quotes(edit.unit.text()), in_quotes(name), dimension_words(edit.unit)));
         const auto distribution = distribution_of(edit);
         if (!distribution)
             problems_.error(place + component_fields().place(&ComponentEdit::parameters),
@@ -91,7 +91,7 @@ private:
         made.degrees_of_freedom = edit.degrees_of_freedom.value_or(made.distribution.degrees_of_freedom());
         if (!(made.degrees_of_freedom > 0))
             problems_.error(place + component_fields().place(&ComponentEdit::degrees_of_freedom),
-                            what + ": the degrees of freedom must be greater than zero");
+                            tell<"%1: the degrees of freedom must be greater than zero">(what));
         made.origin = edit.origin;
         return made;
     }
@@ -163,15 +163,15 @@ void hold_component(InputSet& inputs, const InputEdit& edit, const std::string& 
             known.insert(known.end(), ids.begin(), ids.end());
         }
         problems.error(path + input_edit_fields().place(&InputEdit::symbol),
-                       "the model has no input quantity " + in_quotes(edit.symbol) +
-                           did_you_mean(plain_symbol(edit.symbol), known));
+                       tell<"the model has no input quantity %1%2">(
+                           in_quotes(edit.symbol), did_you_mean(plain_symbol(edit.symbol), known)));
         return;
     }
     if (edit.estimate || edit.components || edit.combination)
-        problems.error(path + input_edit_fields().place(&InputEdit::symbol),
-                       in_quotes(edit.symbol) +
-                           " is a component, not an input quantity: it can be "
-                           "held, but not be edited otherwise");
+        problems.error(
+            path + input_edit_fields().place(&InputEdit::symbol),
+            tell<"%1 is a component, not an input quantity: it can be held, but not be edited otherwise">(
+                in_quotes(edit.symbol)));
     else
         inputs.components[component].held = edit.held;
 }
@@ -184,12 +184,14 @@ std::vector<Share> correlated_parts(const InputSet& inputs, const std::string& n
         return {{found, 1.0}};
     if (const std::size_t found = inputs.find(name); found != InputSet::npos) {
         std::vector<Share> parts = detail::correlations_with_total(inputs, found);
-        if (parts.empty()) problems.error(path, in_quotes(name) + " has no uncertainty to be correlated");
+        if (parts.empty())
+            problems.error(path, tell<"%1 has no uncertainty to be correlated">(in_quotes(name)));
         return parts;
     }
     std::vector<std::string> known = component_ids(inputs);
     for (const InputQuantity& quantity : inputs.quantities) known.push_back(quantity.symbol);
-    problems.error(path, "there is no component or quantity " + in_quotes(name) + did_you_mean(name, known));
+    problems.error(
+        path, tell<"there is no component or quantity %1%2">(in_quotes(name), did_you_mean(name, known)));
     return {};
 }
 
@@ -211,19 +213,19 @@ void apply_correlation(InputSet& inputs, const CorrelationEdit& edit, const std:
     if (problems.items().size() > before) return;
     if (edit.first == edit.second)
         return problems.error(path + correlation_fields().place(&CorrelationEdit::second),
-                              in_quotes(edit.first) + " cannot be correlated with itself");
+                              tell<"%1 cannot be correlated with itself">(in_quotes(edit.first)));
     if (!(std::abs(edit.coefficient) <= 1.0))
         return problems.error(path + correlation_fields().place(&CorrelationEdit::coefficient),
-                              "a correlation coefficient must lie between -1 and 1; it is " +
-                                  readable_number(edit.coefficient));
+                              tell<"a correlation coefficient must lie between -1 and 1; it is %1">(
+                                  readable_number(edit.coefficient)));
     for (const Share& a : first)
         for (const Share& b : second)
             if (a.component == b.component)
-                return problems.error(path, in_quotes(edit.first) + " and " + in_quotes(edit.second) +
-                                                " have the component " +
-                                                in_quotes(inputs.components[a.component].id) +
-                                                " in common, which correlates them; state the correlation of "
-                                                "other components instead");
+                return problems.error(path,
+                                      tell<"%1 and %2 have the component %3 in common, which correlates "
+                                           "them; state the correlation of other components instead">(
+                                          in_quotes(edit.first), in_quotes(edit.second),
+                                          in_quotes(inputs.components[a.component].id)));
     // The covariance of the totals is then the coefficient times their standard uncertainties.
     for (const Share& a : first)
         for (const Share& b : second)
@@ -237,7 +239,7 @@ void apply_inputs(InputSet& inputs, const AnalysisEntry& analysis, Problems& pro
         const std::string path = analysis_fields().place(&AnalysisEntry::inputs, i);
         if (!edited.insert(edit.symbol).second)
             problems.error(path + input_edit_fields().place(&InputEdit::symbol),
-                           in_quotes(edit.symbol) + " is edited twice");
+                           tell<"%1 is edited twice">(in_quotes(edit.symbol)));
         else if (const std::size_t quantity = inputs.find(edit.symbol); quantity != InputSet::npos)
             QuantityEdit(inputs, quantity, edit, path, problems).apply();
         else
@@ -254,8 +256,8 @@ void apply_correlations(InputSet& inputs, const std::vector<CorrelationEdit>& ed
         if (pairs.insert(std::minmax(edits[i].first, edits[i].second)).second)
             apply_correlation(inputs, edits[i], path, problems);
         else
-            problems.error(path, "the correlation of " + in_quotes(edits[i].first) + " and " +
-                                     in_quotes(edits[i].second) + " is given twice");
+            problems.error(path, tell<"the correlation of %1 and %2 is given twice">(
+                                     in_quotes(edits[i].first), in_quotes(edits[i].second)));
     }
 }
 

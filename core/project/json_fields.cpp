@@ -8,7 +8,7 @@ void JsonValue<std::array<double, 3>>::read(ObjectReader& reader, const std::str
     const auto is_number = [](const Json& item) { return item.is_number(); };
     if (!list) return;
     if (list->size() != 3 || !std::all_of(list->begin(), list->end(), is_number))
-        return reader.problems().error(reader.path_of(key), "'" + key + "' must be three numbers: x, y, z");
+        return reader.problems().error(reader.path_of(key), tell<"'%1' must be three numbers: x, y, z">(key));
     for (std::size_t i = 0; i < 3; ++i) member[i] = (*list)[i].get<double>();
 }
 
@@ -27,7 +27,7 @@ void JsonValue<std::vector<std::string>>::read(ObjectReader& reader, const std::
             member.push_back(item.get<std::string>());
         else
             reader.problems().error(reader.path_of(key) + "/" + std::to_string(i),
-                                    "a text is needed here, not " + json_words(item));
+                                    tell<"a text is needed here, not %1">(json_words(item)));
     }
 }
 

@@ -149,9 +149,9 @@ struct OneOf {
             known.emplace_back(word.key);
         }
         if (std::find(known.begin(), known.end(), text) == known.end())
-            reader.problems().error(reader.path_of(key), "'" + key + "' must be one of " + listed(known) +
-                                                             "; it is '" + text + "'" +
-                                                             did_you_mean(text, known));
+            reader.problems().error(reader.path_of(key),
+                                    tell<"'%1' must be one of %2; it is '%3'%4">(key, listed(known), text,
+                                                                                 did_you_mean(text, known)));
     }
     void write(JsonWriter& out, E member) const {
         for (const Word<E>& word : words)

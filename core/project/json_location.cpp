@@ -78,11 +78,11 @@ public:
 
     Result<void> run() {
         skip_space();
-        if (at_end()) return fail(ErrorCode::bad_input, "the file is empty");
+        if (at_end()) return fail(ErrorCode::bad_input, tell<"the file is empty">());
         if (!value("", 0)) return tl::unexpected<Error>(error_);
         skip_space();
         if (at_end()) return {};
-        refuse("the project ends before this: nothing may follow its closing '}'");
+        refuse(tell<"the project ends before this: nothing may follow its closing '}'">());
         return tl::unexpected<Error>(error_);
     }
 
@@ -99,7 +99,7 @@ private:
         }
     }
 
-    bool refuse(const std::string& message) {
+    bool refuse(const Message& message) {
         const std::string_view before = text_.substr(line_begin_, at_ - line_begin_);
         const auto characters =
             std::count_if(before.begin(), before.end(), [](char c) { return (c & 0xC0) != 0x80; });
@@ -121,7 +121,7 @@ private:
     }
 
     bool value(const std::string& pointer, int depth) {
-        if (depth > deepest) return refuse("lists and objects are nested too deeply");
+        if (depth > deepest) return refuse(tell<"lists and objects are nested too deeply">());
         skip_space();
         if (at_end()) return refuse_end("where a value is expected");
         line_at_[static_cast<std::size_t>(depth)] = line_;
@@ -160,7 +160,7 @@ private:
 bool JsonScanner::check_word(const std::string& word, std::size_t end) {
     const bool number = is_json_number(word);
     if (number && std::isinf(std::strtod(word.c_str(), nullptr)))
-        return refuse("'" + word + "' is too large a number");
+        return refuse(tell<"'%1' is too large a number">(word));
     if (number || word == "true" || word == "false" || word == "null") {
         at_ = end;
         return true;
@@ -169,21 +169,20 @@ bool JsonScanner::check_word(const std::string& word, std::size_t end) {
         return refuse_end("in the middle of a value");
     if (word.empty())
         return refuse(
-            std::string("a value is expected here (a number, a text in quotes, a list or an object), not '") +
-            text_[at_] + "'");
+            tell<"a value is expected here (a number, a text in quotes, a list or an object), not '%1'">(
+                text_[at_]));
     if (is_not_finite(word))
-        return refuse("'" + word +
-                      "' is not a number that a project file can hold: give a finite number, or null where "
-                      "infinity is meant");
-    return refuse("'" + word +
-                  "' is not a value: texts stand in double quotes, numbers are written like -12.5e-3");
+        return refuse(tell<"'%1' is not a number that a project file can hold: give a finite number, or null "
+                           "where infinity is meant">(word));
+    return refuse(
+        tell<"'%1' is not a value: texts stand in double quotes, numbers are written like -12.5e-3">(word));
 }
 
 bool JsonScanner::string() {
     ++at_;
     while (!at_end() && text_[at_] != '"') {
         if (static_cast<unsigned char>(text_[at_]) < 0x20)
-            return refuse("the text that begins here is not closed by a double quote on its line");
+            return refuse(tell<"the text that begins here is not closed by a double quote on its line">());
         at_ += text_[at_] == '\\' ? 2 : 1;
     }
     if (at_end()) return refuse_end("in the middle of a text");
@@ -203,7 +202,7 @@ JsonScanner::Next JsonScanner::next(char close, const std::string& inside) {
         ++at_;
         return c == close ? Next::closed : Next::another;
     }
-    refuse(std::string("',' or '") + close + "' is expected here, inside " + inside + ", not '" + c + "'");
+    refuse(tell<"',' or '%1' is expected here, inside %2, not '%3'">(close, inside, c));
     return Next::wrong;
 }
 
@@ -225,22 +224,22 @@ bool JsonScanner::object(const std::string& pointer, int depth) {
 bool JsonScanner::member(const std::string& pointer, int depth, std::set<std::string>& keys) {
     skip_space();
     if (at_end()) return refuse_end("inside an object");
-    if (text_[at_] != '"') return refuse("a key in double quotes is expected here");
+    if (text_[at_] != '"') return refuse(tell<"a key in double quotes is expected here">());
     const std::size_t begin = at_;
     const int key_line = line_;
     if (!string()) return false;
     const auto key = nlohmann::json::parse(text_.substr(begin, at_ - begin), nullptr, false);
-    if (!key.is_string()) return refuse("the key before this is not a valid text");
+    if (!key.is_string()) return refuse(tell<"the key before this is not a valid text">());
     const std::string place = pointer + "/" + pointer_token(key.get<std::string>());
     if (!keys.insert(key.get<std::string>()).second)
         found_.duplicate_keys_.add({Severity::error,
                                     place,
-                                    "'" + key.get<std::string>() + "' is given twice in the same object",
+                                    tell<"'%1' is given twice in the same object">(key.get<std::string>()),
                                     {},
                                     key_line});
     skip_space();
     if (at_end()) return refuse_end("after the key '" + key.get<std::string>() + "'");
-    if (text_[at_] != ':') return refuse("':' is expected after the key '" + key.get<std::string>() + "'");
+    if (text_[at_] != ':') return refuse(tell<"':' is expected after the key '%1'">(key.get<std::string>()));
     ++at_;
     return value(place, depth + 1);
 }

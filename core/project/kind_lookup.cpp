@@ -5,15 +5,6 @@
 
 namespace covaria {
 
-namespace {
-
-std::string unknown(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
-    return "there is no " + what + " '" + name + "'" + did_you_mean(name, known) + "; known are " +
-           listed(known);
-}
-
-}  // namespace
-
 const SetupSchema* schema_of(const AssetEntry& asset) {
     const AssetDescriptor* kind = find_asset_kind(asset.kind);
     return kind ? &kind->schema : nullptr;
@@ -24,16 +15,18 @@ const SetupSchema* schema_of(const AnalysisEntry& analysis) {
     return model ? &model->schema : nullptr;
 }
 
-std::string unknown_kind(const AssetEntry& asset) {
+Message unknown_kind(const AssetEntry& asset) {
     std::vector<std::string> known;
     for (const AssetDescriptor& kind : asset_registry()) known.push_back(kind.kind);
-    return unknown("kind of asset", asset.kind, known);
+    return tell<"there is no kind of asset '%1'%2; known are %3">(asset.kind, did_you_mean(asset.kind, known),
+                                                                  listed(known));
 }
 
-std::string unknown_model(const AnalysisEntry& analysis) {
+Message unknown_model(const AnalysisEntry& analysis) {
     std::vector<std::string> known;
     for (const ModelDescriptor& model : model_registry()) known.push_back(model.id);
-    return unknown("measurement model", analysis.model, known);
+    return tell<"there is no measurement model '%1'%2; known are %3">(
+        analysis.model, did_you_mean(analysis.model, known), listed(known));
 }
 
 }  // namespace covaria

@@ -11,7 +11,7 @@ namespace covaria {
 const SetupSchema* schema_of(const AssetEntry& asset);        ///< null: unknown kind
 const SetupSchema* schema_of(const AnalysisEntry& analysis);  ///< null: unknown model
 /// "there is no kind of asset 'robto' (did you mean 'robot'?); known are ..."
-std::string unknown_kind(const AssetEntry& asset);
-std::string unknown_model(const AnalysisEntry& analysis);
+Message unknown_kind(const AssetEntry& asset);
+Message unknown_model(const AnalysisEntry& analysis);
 
 }  // namespace covaria

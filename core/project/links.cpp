@@ -65,9 +65,8 @@ void refuse_idle_edits(const AnalysisEntry& entry, const InputSet& inputs, Probl
         for (std::size_t c = 0; c < inputs.components.size(); ++c)
             if (only_in_linked(inputs, c, linked)) names.insert(inputs.components[c].id);
         if (names.contains(symbol))
-            problems.error(path, in_quotes(symbol) +
-                                     " is taken from another analysis, with all its uncertainty: remove "
-                                     "either this or the link");
+            problems.error(path, tell<"%1 is taken from another analysis, with all its uncertainty: remove "
+                                      "either this or the link">(in_quotes(symbol)));
     };
     for (std::size_t i = 0; i < entry.inputs.size(); ++i)
         refuse(entry.inputs[i].symbol, analysis_fields().place(&AnalysisEntry::inputs, i) +
@@ -79,7 +78,7 @@ void refuse_idle_edits(const AnalysisEntry& entry, const InputSet& inputs, Probl
     }
 }
 
-std::string objection_to(const std::string& id, const Problems& found) {
+Message objection_to(const std::string& id, const Problems& found) {
     for (const Problem& problem : found.items())
         if (problem.severity == Severity::error)
             return "the analysis " + in_quotes(id) + " has errors of its own: " + problem.message;
@@ -99,9 +98,8 @@ public:
         auto chain = std::make_shared<ComposedModel>(std::move(parts_));
         for (const std::string& id : chain->kept_apart())
             problems.warning(analysis_fields().place(&AnalysisEntry::links),
-                             "the component " + in_quotes(id) +
-                                 " is not stated alike (held, or edited) by all analyses of the "
-                                 "chain: they are taken as independent");
+                             tell<"the component %1 is not stated alike (held, or edited) by all analyses of "
+                                  "the chain: they are taken as independent">(in_quotes(id)));
         InputSet inputs = chain->inputs();
         if (const auto resolved = resolved_correlations(inputs); !resolved)
             problems.error(analysis_fields().place(&AnalysisEntry::links), resolved.error().message);
@@ -120,7 +118,7 @@ private:
         for (const PlacedLink& placed : links_of(entry, own.inputs)) {
             if (!linked.insert(placed.link.input).second)
                 problems.error(placed.path + link_fields().place(&InputLink::input),
-                               in_quotes(placed.link.input) + " is linked twice");
+                               tell<"%1 is linked twice">(in_quotes(placed.link.input)));
             else if (const auto link = resolve(placed, own.inputs, problems))
                 part.links.push_back(*link);
         }
@@ -136,9 +134,9 @@ private:
         if (input == InputSet::npos) {
             std::vector<std::string> known;
             for (const InputQuantity& quantity : inputs.quantities) known.push_back(quantity.symbol);
-            problems.error(
-                placed.path + link_fields().place(&InputLink::input),
-                "the model has no input quantity " + in_quotes(link.input) + did_you_mean(link.input, known));
+            problems.error(placed.path + link_fields().place(&InputLink::input),
+                           tell<"the model has no input quantity %1%2">(in_quotes(link.input),
+                                                                        did_you_mean(link.input, known)));
             return {};
         }
         const Index part = upstream(placed, problems);
@@ -149,9 +147,9 @@ private:
         const Unit& to = inputs.quantities[input].unit;
         if (from.dimension() != to.dimension()) {
             problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
-                           in_quotes(link.input) + " is " + dimension_words(to) + "; " +
-                               in_quotes(link.output.symbol) + " of " + in_quotes(link.output.analysis) +
-                               " is " + dimension_words(from));
+                           tell<"%1 is %2; %3 of %4 is %5">(
+                               in_quotes(link.input), dimension_words(to), in_quotes(link.output.symbol),
+                               in_quotes(link.output.analysis), dimension_words(from)));
             return {};
         }
         return ModelLink{input, *part, *output};
@@ -164,7 +162,7 @@ private:
             std::vector<std::string> ids;
             for (const AnalysisEntry& analysis : project_.analyses) ids.push_back(analysis.id);
             problems.error(placed.path + output_reference_fields().place(&OutputReference::analysis),
-                           "there is no analysis " + in_quotes(id) + did_you_mean(id, ids));
+                           tell<"there is no analysis %1%2">(in_quotes(id), did_you_mean(id, ids)));
             return {};
         }
         if (const auto first = std::find(path_.begin(), path_.end(), id); first != path_.end()) {
@@ -172,13 +170,12 @@ private:
             for (auto step = first; step != path_.end(); ++step) circle += *step + " ← ";
             problems.error(
                 placed.path + output_reference_fields().place(&OutputReference::analysis),
-                "the analysis " + in_quotes(path_.back()) + " would be made of itself: " + circle + id);
+                tell<"the analysis %1 would be made of itself: %2%3">(in_quotes(path_.back()), circle, id));
             return {};
         }
         if (path_.size() >= deepest_chain) {
-            problems.error(
-                placed.path + output_reference_fields().place(&OutputReference::analysis),
-                "more than " + std::to_string(deepest_chain) + " analyses feed each other in a row");
+            problems.error(placed.path + output_reference_fields().place(&OutputReference::analysis),
+                           tell<"more than %1 analyses feed each other in a row">(deepest_chain));
             return {};
         }
         const auto key = std::make_pair(id, placed.link.linearised);
@@ -219,8 +216,8 @@ private:
         }
         const std::string words = words_of(wanted.group, wanted.symbol);
         problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
-                       "the analysis " + in_quotes(wanted.analysis) + " has no output " + in_quotes(words) +
-                           did_you_mean(words, known));
+                       tell<"the analysis %1 has no output %2%3">(
+                           in_quotes(wanted.analysis), in_quotes(words), did_you_mean(words, known)));
         return {};
     }
 

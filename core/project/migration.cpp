@@ -29,15 +29,14 @@ constexpr std::array<Step, project_schema_version> steps{from_0_to_1};  // steps
 
 Result<Document> migrate_project(Document document) {
     const auto version = document.find("schemaVersion");
-    if (version == document.end()) return fail(ErrorCode::bad_input, "'schemaVersion' is missing");
+    if (version == document.end()) return fail(ErrorCode::bad_input, tell<"'schemaVersion' is missing">());
     if (!version->is_number_unsigned())
-        return fail(ErrorCode::bad_input, "'schemaVersion' must be a whole number", "/schemaVersion");
+        return fail(ErrorCode::bad_input, tell<"'schemaVersion' must be a whole number">(), "/schemaVersion");
     const std::uint64_t number = version->get<std::uint64_t>();
     if (number > steps.size())
         return fail(ErrorCode::bad_input,
-                    "written by a newer version of Covaria (schema " + std::to_string(number) +
-                        ", this program reads up to " + std::to_string(project_schema_version) +
-                        "); nothing was changed",
+                    tell<"written by a newer version of Covaria (schema %1, this program reads up to %2); "
+                         "nothing was changed">(number, project_schema_version),
                     "/schemaVersion");
     for (std::size_t v = number; v < steps.size(); ++v) document = steps[v](std::move(document));
     document["schemaVersion"] = project_schema_version;

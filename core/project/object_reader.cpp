@@ -7,12 +7,12 @@
 
 namespace covaria {
 
-std::string json_words(const Json& value) {
-    if (value.is_string()) return "the text '" + value.get<std::string>() + "'";
-    if (value.is_number()) return "the number " + readable_number(value.get<double>());
+Message json_words(const Json& value) {
+    if (value.is_string()) return tell<"the text '%1'">(value.get<std::string>());
+    if (value.is_number()) return tell<"the number %1">(readable_number(value.get<double>()));
     if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
-    if (value.is_array()) return "a list";
-    return value.is_object() ? "an object" : "null";
+    if (value.is_array()) return tell<"a list">();
+    return value.is_object() ? tell<"an object">() : Message("null");
 }
 
 Unit unit_from(const std::string& text, const std::string& path, Problems& problems) {
@@ -22,10 +22,10 @@ Unit unit_from(const std::string& text, const std::string& path, Problems& probl
     return {};
 }
 
-ObjectReader::ObjectReader(const Json& value, std::string path, std::string what, Problems& problems)
+ObjectReader::ObjectReader(const Json& value, std::string path, Message what, Problems& problems)
     : value_(value), path_(std::move(path)), what_(std::move(what)), problems_(problems) {
     if (!value_.is_object())
-        problems_.error(path_, what_ + " must be an object in braces, not " + json_words(value_));
+        problems_.error(path_, tell<"%1 must be an object in braces, not %2">(what_, json_words(value_)));
 }
 
 const Json* ObjectReader::find(const std::string& key) {
@@ -40,23 +40,23 @@ std::string ObjectReader::path_of(const std::string& key) const {
 const Json* ObjectReader::require(const std::string& key, bool required) {
     const Json* found = find(key);
     if (!found && required && value_.is_object())
-        problems_.error(path_of(key), "'" + key + "' is missing in " + what_);
+        problems_.error(path_of(key), tell<"'%1' is missing in %2">(key, what_));
     return found;
 }
 
-void ObjectReader::wrong_kind(const std::string& key, const std::string& expected, const Json& found) {
-    problems_.error(path_of(key), "'" + key + "' must be " + expected + ", not " + json_words(found));
+void ObjectReader::wrong_kind(const std::string& key, const Message& expected, const Json& found) {
+    problems_.error(path_of(key), tell<"'%1' must be %2, not %3">(key, expected, json_words(found)));
 }
 
 std::string ObjectReader::text(const std::string& key, bool required) {
     const Json* found = require(key, required);
-    if (found && !found->is_string()) wrong_kind(key, "a text in quotes", *found);
+    if (found && !found->is_string()) wrong_kind(key, tell<"a text in quotes">(), *found);
     return found && found->is_string() ? found->get<std::string>() : std::string{};
 }
 
 std::optional<double> ObjectReader::number(const std::string& key, bool required) {
     const Json* found = require(key, required);
-    if (found && !found->is_number()) wrong_kind(key, "a number", *found);
+    if (found && !found->is_number()) wrong_kind(key, tell<"a number">(), *found);
     return found && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
 }
 
@@ -70,7 +70,7 @@ std::optional<double> ObjectReader::number_or_infinity(const std::string& key) {
 
 std::optional<bool> ObjectReader::flag(const std::string& key) {
     const Json* found = find(key);
-    if (found && !found->is_boolean()) wrong_kind(key, "true or false", *found);
+    if (found && !found->is_boolean()) wrong_kind(key, tell<"true or false">(), *found);
     return found && found->is_boolean() ? std::optional(found->get<bool>()) : std::nullopt;
 }
 
@@ -81,7 +81,7 @@ std::optional<Quantity> ObjectReader::quantity(const std::string& key) {
 
 const Json* ObjectReader::list(const std::string& key, bool required) {
     const Json* found = require(key, required);
-    if (found && !found->is_array()) wrong_kind(key, "a list in brackets", *found);
+    if (found && !found->is_array()) wrong_kind(key, tell<"a list in brackets">(), *found);
     return found && found->is_array() ? found : nullptr;
 }
 
@@ -90,12 +90,12 @@ void ObjectReader::refuse_unknown_keys() {
     for (const auto& [key, value] : value_.items())
         if (std::find(known_.begin(), known_.end(), key) == known_.end())
             problems_.error(path_of(key),
-                            "there is no '" + key + "' in " + what_ + did_you_mean(key, known_));
+                            tell<"there is no '%1' in %2%3">(key, what_, did_you_mean(key, known_)));
 }
 
 std::optional<Quantity> quantity_from(const Json& value, const std::string& path, Problems& problems) {
     const std::size_t before = problems.items().size();
-    ObjectReader reader(value, path, "a number with its unit", problems);
+    ObjectReader reader(value, path, tell<"a number with its unit">(), problems);
     const bool infinite = reader.has("value") && value.at("value").is_null();
     const std::optional<double> number =
         infinite ? reader.number_or_infinity("value") : reader.number("value", true);

@@ -14,7 +14,7 @@ namespace covaria {
 using Json = nlohmann::ordered_json;
 
 /// "the text 'abc'", "the number 3", "a list" ...
-std::string json_words(const Json& value);
+Message json_words(const Json& value);
 /// The unit that a text names; Unit{} after reporting a problem.
 Unit unit_from(const std::string& text, const std::string& path, Problems& problems);
 
@@ -22,7 +22,7 @@ Unit unit_from(const std::string& text, const std::string& path, Problems& probl
 class ObjectReader {
 public:
     /// `what` names the object in messages ("an analysis"). Reports a value that is not an object.
-    ObjectReader(const Json& value, std::string path, std::string what, Problems& problems);
+    ObjectReader(const Json& value, std::string path, Message what, Problems& problems);
 
     const Json* find(const std::string& key);  ///< null if absent
     bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
@@ -44,10 +44,11 @@ public:
 
 private:
     const Json* require(const std::string& key, bool required);
-    void wrong_kind(const std::string& key, const std::string& expected, const Json& found);
+    void wrong_kind(const std::string& key, const Message& expected, const Json& found);
 
     const Json& value_;
-    std::string path_, what_;
+    std::string path_;
+    Message what_;
     Problems& problems_;
     std::vector<std::string> known_;
 };

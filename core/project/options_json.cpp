@@ -28,9 +28,9 @@ struct OptionReader {
     const OptionField& field;
     EvaluationOptions& options;
 
-    void refuse(const std::string& demand, const std::string& given) {
+    void refuse(const Message& demand, const Message& given) {
         reader.problems().error(reader.path_of(field.key),
-                                "'" + std::string(field.key) + "' must be " + demand + "; it is " + given);
+                                tell<"'%1' must be %2; it is %3">(field.key, demand, given));
     }
 
     bool is_text() { return reader.has(field.key) && value.at(field.key).is_string(); }
@@ -43,7 +43,7 @@ struct OptionReader {
         if (std::find(keys.begin(), keys.end(), given) != keys.end())
             member.set(options, given);
         else
-            refuse("one of " + listed(keys), "'" + given + "'" + did_you_mean(given, keys));
+            refuse(tell<"one of %1">(listed(keys)), "'" + given + "'" + did_you_mean(given, keys));
     }
 
     void operator()(const SeedOption& seed) {
@@ -52,7 +52,7 @@ struct OptionReader {
         if (const auto number = seed_from(text))
             options.*seed.member = *number;
         else
-            refuse(seed_words, "'" + text + "'");
+            refuse(seed_words(), "'" + text + "'");
     }
 
     void operator()(std::uint64_t EvaluationOptions::*member) {
@@ -62,7 +62,7 @@ struct OptionReader {
             *number == static_cast<double>(static_cast<std::uint64_t>(*number)))
             options.*member = static_cast<std::uint64_t>(*number);
         else
-            refuse("a whole number that is not negative", readable_number(*number));
+            refuse(tell<"a whole number that is not negative">(), readable_number(*number));
     }
 
     void operator()(int EvaluationOptions::*member) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/message.h"
 #include "core/project/json_writer.h"
 #include "core/project/object_reader.h"
 #include "core/propagation/options.h"
@@ -17,6 +18,8 @@ void write_options(JsonWriter& out, const EvaluationOptions& options);
 
 /// Seeds are texts, because they may need 64 bits; empty: the text is no seed.
 std::optional<std::uint64_t> seed_from(const std::string& text);
-inline constexpr const char* seed_words = "a whole number from 0 to 18446744073709551615, in quotes";
+inline Message seed_words() {
+    return tell<"a whole number from 0 to 18446744073709551615, in quotes">();
+}
 
 }  // namespace covaria

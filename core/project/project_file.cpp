@@ -33,8 +33,11 @@ Result<Json> parse_json(const std::string& text) {
     } catch (const Json::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         const int line = 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-        return fail(Error{
-            ErrorCode::bad_input, "a text here is not valid UTF-8 or has a wrong \\ sequence", {}, {}, line});
+        return fail(Error{ErrorCode::bad_input,
+                          tell<"a text here is not valid UTF-8 or has a wrong \\ sequence">(),
+                          {},
+                          {},
+                          line});
     }
 }
 
@@ -81,7 +84,7 @@ private:
     }
 
     void read_entry(const Json& value, const std::string& path, AssetEntry& asset) {
-        ObjectReader reader(value, path, "an asset", context_.problems);
+        ObjectReader reader(value, path, tell<"an asset">(), context_.problems);
         asset.id = reader.text("id", true);
         asset.kind = reader.text("kind", true);
         asset.name = reader.text("name");
@@ -91,7 +94,7 @@ private:
     }
 
     void read_entry(const Json& value, const std::string& path, AnalysisEntry& analysis) {
-        ObjectReader reader(value, path, "an analysis", context_.problems);
+        ObjectReader reader(value, path, tell<"an analysis">(), context_.problems);
         analysis.id = reader.text("id", true);
         analysis.model = reader.text("model", true);
         analysis.name = reader.text("name");
@@ -146,18 +149,19 @@ Result<Json> project_document(const std::string& text) {
     const bool is_project =
         document->is_object() && document->contains("format") && (*document)["format"] == "covaria";
     if (!is_project)
-        return fail(ErrorCode::bad_input,
-                    "this is not a project of Covaria: it does not begin with \"format\": \"covaria\"",
-                    "/format");
+        return fail(
+            ErrorCode::bad_input,
+            tell<"this is not a project of Covaria: it does not begin with \"format\": \"covaria\"">(),
+            "/format");
     return migrate_project(std::move(*document));
 }
 
 }  // namespace
 
-std::string too_large(std::size_t bytes) {
-    return "it has " + std::to_string(bytes / 1'000'000) + " MB, and projects of up to " +
-           std::to_string(largest_project / 1'000'000) +
-           " MB are read: put its long tables into CSV files beside it";
+Message too_large(std::size_t bytes) {
+    return tell<
+        "it has %1 MB, and projects of up to %2 MB are read: put its long tables into CSV files beside it">(
+        bytes / 1'000'000, largest_project / 1'000'000);
 }
 
 ReadProject read_project(const std::string& text, const fs::path& directory, const std::string& name) {
@@ -194,16 +198,16 @@ fs::path project_folder(const fs::path& file) {
 Result<void> save_project(const Project& project, const fs::path& file) {
     const WrittenProject written = write_project(project);
     if (!written.complete)
-        return fail(
-            Error{ErrorCode::bad_input,
-                  "the project was not saved: it holds a number that is not finite, or fields that belong to "
-                  "no known kind of asset or model",
-                  {},
-                  file.string(),
-                  0});
+        return fail(Error{
+            ErrorCode::bad_input,
+            tell<"the project was not saved: it holds a number that is not finite, or fields that belong to "
+                 "no known kind of asset or model">(),
+            {},
+            file.string(),
+            0});
     if (written.text.size() > largest_project)
         return fail(Error{ErrorCode::bad_input,
-                          "the project was not saved: " + too_large(written.text.size()),
+                          tell<"the project was not saved: %1">(too_large(written.text.size())),
                           {},
                           file.string(),
                           0});

@@ -25,7 +25,7 @@ struct ReadProject {
 /// its size.
 inline constexpr std::size_t largest_project = 40'000'000;
 /// What is wrong with a project of more.
-std::string too_large(std::size_t bytes);
+Message too_large(std::size_t bytes);
 
 /// Reads, migrates older versions, reads referenced CSV files; an unknown key, a newer version is an error.
 /// What is read is checked when it is made (core/made/load_project.h). `directory` is where CSV files are

@@ -10,7 +10,8 @@ void read_units(ObjectReader& reader, DisplayUnits& units) {
         const std::string path = reader.path_of("units") + "/" + std::to_string(i);
         const Json& item = (*list)[i];
         if (!item.is_string()) {
-            reader.problems().error(path, "a unit is needed here, such as \"mm\", not " + json_words(item));
+            reader.problems().error(path,
+                                    tell<"a unit is needed here, such as \"mm\", not %1">(json_words(item)));
             continue;
         }
         const std::size_t before = reader.problems().items().size();
@@ -18,10 +19,11 @@ void read_units(ObjectReader& reader, DisplayUnits& units) {
         if (reader.problems().items().size() > before) continue;
         if (unit.dimension().is_one())
             reader.problems().error(path,
-                                    "a unit with a dimension is needed here, not '" + unit.text() + "'");
+                                    tell<"a unit with a dimension is needed here, not '%1'">(unit.text()));
         else if (has_unit(units, unit.dimension()))
             reader.problems().error(
-                path, "'" + unit.text() + "' is of the same dimension as a unit before it; give one of each");
+                path,
+                tell<"'%1' is of the same dimension as a unit before it; give one of each">(unit.text()));
         else
             units.choose(unit);
     }
@@ -37,15 +39,15 @@ ProjectResults project_results_from_json(const Json& value, const std::string& p
         if (*digits == 1.0 || *digits == 2.0)
             results.style.digits = static_cast<int>(*digits);
         else
-            problems.error(reader.path_of("digits"), "'digits' must be 1 or 2 (JCGM 100 7.2.6)");
+            problems.error(reader.path_of("digits"), tell<"'digits' must be 1 or 2 (JCGM 100 7.2.6)">());
     }
     if (const auto k = reader.number("coverageFactor")) {
         if (*k > 0.0)
             results.coverage_factor = *k;
         else
             problems.error(reader.path_of("coverageFactor"),
-                           "the coverage factor must be greater than zero; without one, k follows from the "
-                           "degrees of freedom or the coverage interval");
+                           tell<"the coverage factor must be greater than zero; without one, k follows from "
+                                "the degrees of freedom or the coverage interval">());
     }
     reader.refuse_unknown_keys();
     return results;

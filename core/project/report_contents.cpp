@@ -61,11 +61,11 @@ void check_report_contents(const ReportContents& contents, const std::vector<std
     for (std::size_t i = 0; i < contents.without_chapters.size(); ++i)
         if (const std::string& key = contents.without_chapters[i]; !contains(keys, key))
             problems.error("/report/withoutChapters/" + std::to_string(i),
-                           "a report has no chapter " + in_quotes(key) + did_you_mean(key, keys));
+                           tell<"a report has no chapter %1%2">(in_quotes(key), did_you_mean(key, keys)));
     for (std::size_t i = 0; i < contents.without_analyses.size(); ++i)
         if (const std::string& id = contents.without_analyses[i]; !contains(analyses, id))
             problems.warning("/report/withoutAnalyses/" + std::to_string(i),
-                             "there is no analysis " + in_quotes(id) + did_you_mean(id, analyses));
+                             tell<"there is no analysis %1%2">(in_quotes(id), did_you_mean(id, analyses)));
 }
 
 }  // namespace covaria

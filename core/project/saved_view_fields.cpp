@@ -13,8 +13,8 @@ void read_length_unit(ObjectReader& reader, const std::string& key, SavedView& v
     Unit unit = Unit::of("m");
     JsonValue<Unit>::read(reader, key, true, unit);
     if (unit.dimension() != Unit::of("m").dimension())
-        return reader.problems().error(reader.path_of(key),
-                                       "a unit of length is needed here, not " + in_quotes(unit.text()));
+        return reader.problems().error(
+            reader.path_of(key), tell<"a unit of length is needed here, not %1">(in_quotes(unit.text())));
     for (double& x : view.centre) x = unit.interval_to_si(x);
     view.width = unit.interval_to_si(view.width);
     view.height = unit.interval_to_si(view.height);
@@ -23,11 +23,12 @@ void read_length_unit(ObjectReader& reader, const std::string& key, SavedView& v
 void check(const SavedView& view, const std::string& path, Problems& problems) {
     const auto place = [&](auto member) { return path + saved_view_fields().place(member); };
     for (const auto size : {&SavedView::width, &SavedView::height})
-        if (!(view.*size > 0.0)) problems.error(place(size), "the size of a view must be greater than zero");
+        if (!(view.*size > 0.0))
+            problems.error(place(size), tell<"the size of a view must be greater than zero">());
     const Eigen::Map<const Eigen::Vector3d> direction(view.direction.data()), up(view.up.data());
     if (!(direction.cross(up).norm() > 1e-6 * direction.norm() * up.norm()))
         problems.error(place(&SavedView::up),
-                       "'direction' and 'up' must be two different directions, not of length zero");
+                       tell<"'direction' and 'up' must be two different directions, not of length zero">());
 }
 
 }  // namespace
@@ -59,10 +60,10 @@ void SavedViewList::read(ObjectReader& reader, const std::string& key, bool requ
         check(member[i], path, reader.problems());
         if (std::ranges::find(taken, name) != taken.end())
             reader.problems().error(path + saved_view_fields().place(&SavedView::name),
-                                    in_quotes(name) + " is the name of a standard view");
+                                    tell<"%1 is the name of a standard view">(in_quotes(name)));
         else if (find_view(member, name) != &member[i])
             reader.problems().error(path + saved_view_fields().place(&SavedView::name),
-                                    "the name " + in_quotes(name) + " is used twice");
+                                    tell<"the name %1 is used twice">(in_quotes(name)));
     }
 }
 

@@ -106,7 +106,7 @@ Result<void> put(const Json& value, Json& place, const ValueAt& asked) {
         return {};
     }
     if (place.is_structured() && !quantity)
-        return fail(ErrorCode::bad_input, "there is no single value here, but a list or a group",
+        return fail(ErrorCode::bad_input, tell<"there is no single value here, but a list or a group">(),
                     asked.pointer);
     place = value;
     return {};
@@ -117,7 +117,8 @@ Result<void> set_certificate(Json& document, const std::vector<std::string>& nam
     Json* place = &document;
     for (const std::string& name : names) {
         if (!place->is_object() && !place->is_null())
-            return fail(ErrorCode::bad_input, "there is nothing called '" + name + "' to set", asked.pointer);
+            return fail(ErrorCode::bad_input, tell<"there is nothing called '%1' to set">(name),
+                        asked.pointer);
         place = &(*place)[name];
     }
     const Json read = json_of(asked.value);
@@ -133,8 +134,8 @@ Result<void> set(Json& document, const ValueAt& asked) {
         place = walk.enter(names[i], i + 1 == names.size());
         if (!place)
             return fail(ErrorCode::bad_input,
-                        "there is nothing called '" + names[i] + "' to set" +
-                            did_you_mean(names[i], walk.candidates()),
+                        tell<"there is nothing called '%1' to set%2">(
+                            names[i], did_you_mean(names[i], walk.candidates())),
                         asked.pointer);
     }
     return put(json_of(asked.value), *place, asked);
@@ -145,7 +146,7 @@ Result<void> set(Json& document, const ValueAt& asked) {
 Result<ValueAt> value_at(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (text.empty() || text[0] != '/' || equals == std::string::npos)
-        return fail(ErrorCode::usage, "'" + text + "' is not of the form /PLACE/IN/THE/PROJECT=VALUE");
+        return fail(ErrorCode::usage, tell<"'%1' is not of the form /PLACE/IN/THE/PROJECT=VALUE">(text));
     return ValueAt{text.substr(0, equals), text.substr(equals + 1)};
 }
 

@@ -21,11 +21,11 @@ public:
         : field_(field), path_(std::move(path)), context_(context) {}
 
 protected:
-    SetupValue refuse(const std::string& message, const std::string& below = {}) {
+    SetupValue refuse(const Message& message, const std::string& below = {}) {
         context_.problems.error(path_ + below, message);
         return {};
     }
-    std::string title() const { return "'" + field_.title + "'"; }
+    Message title() const { return in_quotes(Message::declared(field_.title)); }
 
     const FieldSpec& field_;
     std::string path_;
@@ -51,8 +51,9 @@ public:
         const Json* rows = reader.list("rows");
         reader.refuse_unknown_keys();
         if (!reader.has("columns") || !reader.has("rows"))
-            return refuse(title() +
-                          " is a table: it needs \"columns\" and \"rows\", or the name of a \"csv\" file");
+            return refuse(
+                tell<"%1 is a table: it needs \"columns\" and \"rows\", or the name of a \"csv\" file">(
+                    title()));
         return columns && rows ? inline_table(*columns, *rows) : SetupValue{};
     }
 
@@ -61,7 +62,7 @@ private:
         std::vector<std::string> headers;
         for (const Json& column : columns) {
             if (!column.is_string())
-                return refuse("the columns of " + title() + " must be texts in quotes", "/columns");
+                return refuse(tell<"the columns of %1 must be texts in quotes">(title()), "/columns");
             headers.push_back(column.get<std::string>());
         }
         Problems found;
@@ -79,11 +80,12 @@ private:
     std::vector<SetupCell> read_row(const Json& row, std::size_t index, const TableColumns& columns) {
         const std::string place = "/rows/" + std::to_string(index);
         std::vector<SetupCell> cells(field_.columns.size());
-        const std::string name = "row " + std::to_string(index + 1) + " of " + title();
+
         if (!row.is_array() || row.size() != columns.target.size()) {
-            refuse(name + (row.is_array() ? " has " + std::to_string(row.size()) + " cells; there are " +
-                                                std::to_string(columns.target.size()) + " columns"
-                                          : " must be a list in brackets, not " + json_words(row)),
+            refuse(row.is_array() ? tell<"row %1 of %2 has %3 cells; there are %4 columns">(
+                                        index + 1, title(), row.size(), columns.target.size())
+                                  : tell<"row %1 of %2 must be a list in brackets, not %3">(
+                                        index + 1, title(), json_words(row)),
                    place);
             return cells;
         }
@@ -92,8 +94,8 @@ private:
             if (auto cell = read_cell(row[i], column.kind))
                 cells[columns.target[i]] = *cell;
             else
-                refuse("'" + column.key + "' in " + name + " must be " + cell_words(column.kind) + ", not " +
-                           json_words(row[i]),
+                refuse(tell<"'%1' in row %2 of %3 must be %4, not %5">(
+                           column.key, index + 1, title(), cell_words(column.kind), json_words(row[i])),
                        place + "/" + column.key);
         }
         return cells;
@@ -108,22 +110,24 @@ private:
         return value.is_string() ? std::optional<SetupCell>(value.get<std::string>()) : std::nullopt;
     }
 
-    static std::string cell_words(FieldKind kind) {
-        if (kind == FieldKind::number || kind == FieldKind::integer) return "a number";
-        return kind == FieldKind::flag ? "true or false" : "a text in quotes";
+    static Message cell_words(FieldKind kind) {
+        if (kind == FieldKind::number || kind == FieldKind::integer) return tell<"a number">();
+        return kind == FieldKind::flag ? tell<"true or false">() : tell<"a text in quotes">();
     }
 
     bool read_csv_columns(const Json& columns, CsvColumns& renamed) {
         if (!columns.is_object()) {
-            refuse("the columns of the CSV file of " + title() +
-                       " must be an object in braces: a header of the file and the column it stands for",
-                   "/columns");
+            refuse(
+                tell<
+                    "the columns of the CSV file of %1 must be an object in braces: a header of the file and "
+                    "the column it stands for">(title()),
+                "/columns");
             return false;
         }
         for (const auto& [header, column] : columns.items()) {
             if (!column.is_string()) {
-                refuse("'" + header + "' must stand for a column of " + title() +
-                           " (a text), or for none (an empty text)",
+                refuse(tell<"'%1' must stand for a column of %2 (a text), or for none (an empty text)">(
+                           header, title()),
                        "/columns/" + header);
                 return false;
             }
@@ -135,14 +139,15 @@ private:
     SetupValue csv_table(const std::string& name, CsvColumns renamed) {
         const fs::path relative = fs::path(name).lexically_normal();
         if (name.empty() || relative.is_absolute() || *relative.begin() == "..")
-            return refuse("the CSV file '" + name + "' of " + title() +
-                              " must be named relative to the project's folder and lie in it",
-                          "/csv");
+            return refuse(
+                tell<"the CSV file '%1' of %2 must be named relative to the project's folder and lie in it">(
+                    name, title()),
+                "/csv");
         const fs::path file = context_.directory / relative;
         std::error_code ignored;
         if (!fs::exists(file, ignored))
-            return refuse(
-                "the CSV file of " + title() + " does not exist: looked for '" + file.string() + "'", "/csv");
+            return refuse(tell<"the CSV file of %1 does not exist: looked for '%2'">(title(), file.string()),
+                          "/csv");
         CsvTable read = table_from_csv_file(file, field_, renamed);
         for (Problem& problem : read.problems.items()) {
             problem.path = path_;
@@ -185,12 +190,13 @@ private:
             return Quantity{value.get<double>(), Unit{}};
         if (field_.unit.dimension().is_one() && value.is_null()) return Quantity{infinity, Unit{}};
         if (field_.kind == FieldKind::integer)
-            return refuse(title() + " must be a whole number, not " + json_words(value));
+            return refuse(tell<"%1 must be a whole number, not %2">(title(), json_words(value)));
         if (value.is_number())
-            return refuse(title() + " is " + dimension_words(field_.unit) +
-                          "; its unit is missing: write {\"value\": " + shortest_number(value.get<double>()) +
-                          ", \"unit\": \"" + field_.unit.text() + "\"}");
-        if (!value.is_object()) return refuse(title() + " must be a number, not " + json_words(value));
+            return refuse(tell<"%1 is %2; its unit is missing: write {\"value\": %3, \"unit\": \"%4\"}">(
+                title(), dimension_words(field_.unit), shortest_number(value.get<double>()),
+                field_.unit.text()));
+        if (!value.is_object())
+            return refuse(tell<"%1 must be a number, not %2">(title(), json_words(value)));
         const auto quantity = quantity_from(value, path_, context_.problems);
         return quantity ? SetupValue(*quantity) : SetupValue{};
     }
@@ -198,7 +204,7 @@ private:
     SetupValue text(const Json& value) {
         if (field_.several_lines && value.is_array()) return lines(value);
         if (!value.is_string())
-            return refuse(title() + " must be a text in quotes, not " + json_words(value));
+            return refuse(tell<"%1 must be a text in quotes, not %2">(title(), json_words(value)));
         return value.get<std::string>();
     }
 
@@ -206,7 +212,7 @@ private:
         std::string text;
         for (std::size_t i = 0; i < list.size(); ++i) {
             if (!list[i].is_string() || list[i].get<std::string>().find('\n') != std::string::npos)
-                return refuse("the lines of " + title() + " must be texts in quotes, each one line",
+                return refuse(tell<"the lines of %1 must be texts in quotes, each one line">(title()),
                               "/" + std::to_string(i));
             text += (i == 0 ? "" : "\n") + list[i].get<std::string>();
         }
@@ -214,7 +220,8 @@ private:
     }
 
     SetupValue flag(const Json& value) {
-        if (!value.is_boolean()) return refuse(title() + " must be true or false, not " + json_words(value));
+        if (!value.is_boolean())
+            return refuse(tell<"%1 must be true or false, not %2">(title(), json_words(value)));
         return value.get<bool>();
     }
 
@@ -237,7 +244,7 @@ private:
             if (right) numbers[i] = (*list)[i].get<double>();
         }
         if (!right)
-            refuse("'" + key + "' of " + title() + " must be a list of three numbers", list ? "/" + key : "");
+            refuse(tell<"'%1' of %2 must be a list of three numbers">(key, title()), list ? "/" + key : "");
     }
 
     Unit unit(ObjectReader& reader, const std::string& key) {

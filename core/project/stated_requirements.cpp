@@ -23,17 +23,17 @@ public:
 
     void read(OutputRequirement& made) {
         made.guard_factor = typed_.guard_factor;
-        made.target_uncertainty = interval(&Requirement::target_uncertainty, "target uncertainty");
-        made.lower_limit = value(&Requirement::lower_limit, "lower limit");
-        made.upper_limit = value(&Requirement::upper_limit, "upper limit");
-        made.prior_mean = value(&Requirement::prior_mean, "mean of the prior");
+        made.target_uncertainty = interval(&Requirement::target_uncertainty, tell<"target uncertainty">());
+        made.lower_limit = value(&Requirement::lower_limit, tell<"lower limit">());
+        made.upper_limit = value(&Requirement::upper_limit, tell<"upper limit">());
+        made.prior_mean = value(&Requirement::prior_mean, tell<"mean of the prior">());
         made.prior_standard_deviation =
-            interval(&Requirement::prior_standard_deviation, "standard deviation of the prior");
+            interval(&Requirement::prior_standard_deviation, tell<"standard deviation of the prior">());
         check(made);
     }
 
 private:
-    std::string title(const std::string& what) const { return what + " of " + output_.symbol; }
+    Message title(const Message& what) const { return tell<"%1 of %2">(what, output_.symbol); }
 
     template <class M>
     std::string place(M Requirement::*member) const {
@@ -43,21 +43,21 @@ private:
     using Figure = std::optional<Quantity> Requirement::*;
 
     /// A width, greater than zero; the unit of a temperature may be K or degC.
-    std::optional<double> interval(Figure figure, const std::string& what) {
+    std::optional<double> interval(Figure figure, const Message& what) {
         const std::optional<Quantity>& typed = typed_.*figure;
         if (!typed) return std::nullopt;
-        const std::string objection = unit_objection(title(what), *typed, output_.unit);
+        const Message objection = unit_objection(title(what), *typed, output_.unit);
         if (!objection.empty())
             problems_.error(place(figure), objection);
         else if (!(typed->value > 0))
-            problems_.error(place(figure), "the " + title(what) + " must be greater than zero");
+            problems_.error(place(figure), tell<"the %1 must be greater than zero">(title(what)));
         return typed->unit.interval_to_si(typed->value);
     }
 
-    std::optional<double> value(Figure figure, const std::string& what) {
+    std::optional<double> value(Figure figure, const Message& what) {
         const std::optional<Quantity>& typed = typed_.*figure;
         if (!typed) return std::nullopt;
-        const std::string objection = unit_objection(title(what), *typed, output_.unit);
+        const Message objection = unit_objection(title(what), *typed, output_.unit);
         if (!objection.empty()) problems_.error(place(figure), objection);
         return typed->si();
     }
@@ -65,17 +65,17 @@ private:
     void check(const OutputRequirement& made) {
         if (made.lower_limit && made.upper_limit && !(*made.lower_limit < *made.upper_limit))
             problems_.error(place(&Requirement::upper_limit),
-                            "the " + title("upper limit") + " must be above the lower limit");
+                            tell<"the %1 must be above the lower limit">(title(tell<"upper limit">())));
         if (!std::isfinite(made.guard_factor) || std::abs(made.guard_factor) > 10.0)
             problems_.error(place(&Requirement::guard_factor),
-                            "the guard factor of " + output_.symbol +
-                                " must lie between -10 and 10; 1 is a guard band of U, 0 simple acceptance");
+                            tell<"the guard factor of %1 must lie between -10 and 10; 1 is a guard band of "
+                                 "U, 0 simple acceptance">(output_.symbol));
         if (made.prior_mean.has_value() != made.prior_standard_deviation.has_value())
-            problems_.error(path_,
-                            "the prior of " + output_.symbol + " needs both a mean and a standard deviation");
+            problems_.error(
+                path_, tell<"the prior of %1 needs both a mean and a standard deviation">(output_.symbol));
         if (made.prior_mean && !made.lower_limit && !made.upper_limit)
             problems_.error(
-                path_, "the prior of " + output_.symbol + " is of use only with a tolerance: give a limit");
+                path_, tell<"the prior of %1 is of use only with a tolerance: give a limit">(output_.symbol));
     }
 
     const Requirement& typed_;
@@ -123,11 +123,12 @@ std::vector<OutputRequirement> read_requirements(const AnalysisEntry& entry,
                 return candidate.group == typed.group && candidate.symbol == typed.symbol;
             });
         if (output == outputs.end()) {
-            const std::string where = typed.group.empty() ? "" : " in " + in_quotes(typed.group);
+            const Message where = typed.group.empty() ? Message() : tell<" in %1">(in_quotes(typed.group));
             std::vector<std::string> known;
             for (const OutputQuantity& candidate : outputs) known.push_back(candidate.symbol);
-            problems.error(path, "the model has no output quantity " + in_quotes(typed.symbol) + where +
-                                     did_you_mean(plain_symbol(typed.symbol), known));
+            problems.error(
+                path, tell<"the model has no output quantity %1%2%3">(
+                          in_quotes(typed.symbol), where, did_you_mean(plain_symbol(typed.symbol), known)));
             continue;
         }
         OutputRequirement made;

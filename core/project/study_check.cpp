@@ -38,37 +38,39 @@ public:
             path_ = analysis_fields().place(&AnalysisEntry::studies, i);
             const std::string& id = analysis_.studies[i].id;
             if (!ids.insert(id).second)
-                problems_.error(path_ + at(&Study::id), "the id " + in_quotes(id) + " is used twice");
+                problems_.error(path_ + at(&Study::id), tell<"the id %1 is used twice">(in_quotes(id)));
             check(analysis_.studies[i]);
         }
     }
 
     void check_axis(const StudyAxis& axis, const std::string& path) {
         if (axis.values < 2)
-            problems_.error(path + at(&StudyAxis::values), "an axis needs at least two values");
+            problems_.error(path + at(&StudyAxis::values), tell<"an axis needs at least two values">());
         if (!std::isfinite(axis.from) || !std::isfinite(axis.to) || axis.from == axis.to)
-            problems_.error(path + at(&StudyAxis::to), "'from' and 'to' must be two different numbers");
+            problems_.error(path + at(&StudyAxis::to),
+                            tell<"'from' and 'to' must be two different numbers">());
         if (axis.spacing == StudySpacing::logarithmic && !(axis.from > 0 && axis.to > 0))
             problems_.error(path + at(&StudyAxis::spacing),
-                            "with logarithmic spacing both ends must be greater than zero");
+                            tell<"with logarithmic spacing both ends must be greater than zero">());
         const auto target = find_study_target(project_, analysis_, inputs_, axis);
         if (!target) return problems_.error(path + target.error().path, target.error().message);
         check_change(axis, *target, path);
         if (target->whole && axis.change == StudyChange::value &&
             std::abs(axis.to - axis.from) + 1.0 < static_cast<double>(axis.values))
             problems_.error(path + at(&StudyAxis::values),
-                            "'" + to_unicode(target->title) + "' takes whole numbers: there are fewer than " +
-                                std::to_string(axis.values) + " between the ends");
+                            tell<"'%1' takes whole numbers: there are fewer than %2 between the ends">(
+                                to_unicode(target->title), axis.values));
     }
 
 private:
     void check(const Study& study) {
         if (!is_project_id(study.id))
-            problems_.error(path_ + at(&Study::id), "the id " + in_quotes(study.id) +
-                                                        " must be made of letters, digits, '-' and '_'");
+            problems_.error(
+                path_ + at(&Study::id),
+                tell<"the id %1 must be made of letters, digits, '-' and '_'">(in_quotes(study.id)));
         if (study.axes.empty() || study.axes.size() > 3)
-            problems_.error(path_ + at(&Study::axes), "a study has one to three axes; this one has " +
-                                                          std::to_string(study.axes.size()));
+            problems_.error(path_ + at(&Study::axes),
+                            tell<"a study has one to three axes; this one has %1">(study.axes.size()));
         check_size(study);
         for (std::size_t i = 0; i < study.axes.size(); ++i) {
             check_axis(study.axes[i], path_ + study_fields().place(&Study::axes, i));
@@ -76,46 +78,48 @@ private:
                 if (study.axes[j].asset == study.axes[i].asset &&
                     study.axes[j].target == study.axes[i].target)
                     problems_.error(path_ + study_fields().place(&Study::axes, i) + at(&StudyAxis::target),
-                                    in_quotes(study.axes[i].target) + " is varied by two axes");
+                                    tell<"%1 is varied by two axes">(in_quotes(study.axes[i].target)));
         }
         for (std::size_t i = 0; i < study.outputs.size(); ++i)
             check_study_output(outputs_, study.outputs[i], path_ + study_fields().place(&Study::outputs, i),
                                problems_);
         if (study.method == Method::monte_carlo && study.trials < 2)
-            problems_.error(path_ + at(&Study::trials), "Monte Carlo needs at least two trials");
+            problems_.error(path_ + at(&Study::trials), tell<"Monte Carlo needs at least two trials">());
     }
 
     void check_size(const Study& study) {
         double points = 1.0;
         for (const StudyAxis& axis : study.axes) points *= static_cast<double>(axis.values);
         if (points > static_cast<double>(most_study_points))
-            problems_.error(path_ + at(&Study::axes), "the grid has " + readable_number(points) +
-                                                          " points; a study may have " +
-                                                          std::to_string(most_study_points));
+            problems_.error(path_ + at(&Study::axes), tell<"the grid has %1 points; a study may have %2">(
+                                                          readable_number(points), most_study_points));
     }
 
     void check_change(const StudyAxis& axis, const StudyTarget& target, const std::string& path) {
         using Kind = StudyTarget::Kind;
         const bool factor_only = target.kind == Kind::components || target.kind == Kind::component;
         if (factor_only && axis.change != StudyChange::factor)
-            return problems_.error(path + at(&StudyAxis::change),
-                                   "the uncertainty of an input quantity can be varied by a factor only");
+            return problems_.error(
+                path + at(&StudyAxis::change),
+                tell<"the uncertainty of an input quantity can be varied by a factor only">());
         if (axis.change == StudyChange::factor) {
             if (!axis.unit.dimension().is_one())
-                problems_.error(path + at(&StudyAxis::unit), "a factor has no unit");
+                problems_.error(path + at(&StudyAxis::unit), tell<"a factor has no unit">());
             else if (factor_only && (axis.from < 0 || axis.to < 0))
                 problems_.error(path + at(&StudyAxis::from),
-                                "a factor of an uncertainty must not be negative");
+                                tell<"a factor of an uncertainty must not be negative">());
             if (target.unit.has_offset())
-                problems_.error(path + at(&StudyAxis::change),
-                                "a temperature in " + target.unit.text() +
-                                    " cannot be multiplied; add to it, or give its values");
+                problems_.error(
+                    path + at(&StudyAxis::change),
+                    tell<"a temperature in %1 cannot be multiplied; add to it, or give its values">(
+                        target.unit.text()));
             return;
         }
         if (target.kind == Kind::estimate && !inputs_) return;
         if (axis.change == StudyChange::added && axis.unit.has_offset())
-            return problems_.error(path + at(&StudyAxis::unit), "a difference of temperatures is given in K");
-        const std::string objection =
+            return problems_.error(path + at(&StudyAxis::unit),
+                                   tell<"a difference of temperatures is given in K">());
+        const Message objection =
             unit_objection(to_unicode(target.title), {axis.from, axis.unit}, target.unit);
         if (!objection.empty() && std::isfinite(axis.from))
             problems_.error(path + at(&StudyAxis::unit), objection);
@@ -237,9 +241,9 @@ void check_study_output(const std::vector<OutputQuantity>* outputs, const StudyO
         if (output.group == wanted.group && output.symbol == wanted.symbol) return;
         symbols.push_back(output.symbol);
     }
-    const std::string where = wanted.group.empty() ? "" : " in " + in_quotes(wanted.group);
-    problems.error(path, "the model has no output quantity " + in_quotes(wanted.symbol) + where +
-                             did_you_mean(wanted.symbol, symbols));
+    const Message where = wanted.group.empty() ? Message() : tell<" in %1">(in_quotes(wanted.group));
+    problems.error(path, tell<"the model has no output quantity %1%2%3">(
+                             in_quotes(wanted.symbol), where, did_you_mean(wanted.symbol, symbols)));
 }
 
 std::vector<StudyTargetChoice> study_targets(const Project& project, const AnalysisEntry& analysis,

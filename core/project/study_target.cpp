@@ -54,17 +54,17 @@ public:
 
     Result<StudyTarget> find() {
         if (tokens_.size() >= 2 && tokens_[0] == "setup") return in_setup();
-        if (!axis_.asset.empty()) return no("only numbers of the set-up of an asset can be varied");
+        if (!axis_.asset.empty()) return no(tell<"only numbers of the set-up of an asset can be varied">());
         if (tokens_.size() == 3 && tokens_[0] == "inputs") return quantity();
         if (tokens_.size() == 2 && tokens_[0] == "components") return component();
-        return no(
-            "a target is written as \"/setup/KEY\", \"/setup/KEY/rows/0/COLUMN\", "
-            "\"/inputs/SYMBOL/estimate\" or \"/inputs/SYMBOL/components\"");
+        return no(tell<"a target is written as \"/setup/KEY\", \"/setup/KEY/rows/0/COLUMN\", "
+                       "\"/inputs/SYMBOL/estimate\" or \"/inputs/SYMBOL/components\"">());
     }
 
 private:
-    tl::unexpected<Error> no(const std::string& why) const {
-        return fail(ErrorCode::bad_input, in_quotes(axis_.target) + " cannot be varied: " + why, "/target");
+    tl::unexpected<Error> no(const Message& why) const {
+        return fail(ErrorCode::bad_input, tell<"%1 cannot be varied: %2">(in_quotes(axis_.target), why),
+                    "/target");
     }
 
     Result<StudyTarget> in_setup() {
@@ -73,19 +73,21 @@ private:
         if (!axis_.asset.empty()) {
             const AssetEntry* asset = project_.find_asset(axis_.asset);
             if (!asset)
-                return fail(ErrorCode::bad_input, "there is no asset " + in_quotes(axis_.asset), "/asset");
+                return fail(ErrorCode::bad_input, tell<"there is no asset %1">(in_quotes(axis_.asset)),
+                            "/asset");
             schema = schema_of(*asset);
             setup_ = &asset->setup;
             target_.asset = static_cast<std::size_t>(asset - project_.assets.data());
             prefix_ = (asset->name.empty() ? asset->id : asset->name) + ": ";
         }
-        if (!schema) return no("the set-up has no schema");
+        if (!schema) return no(tell<"the set-up has no schema">());
         const FieldSpec* field = schema->find(tokens_[1]);
         if (!field)
-            return no("the set-up has no field " + in_quotes(tokens_[1]) +
-                      did_you_mean(tokens_[1], schema->keys()));
+            return no(tell<"the set-up has no field %1%2">(in_quotes(tokens_[1]),
+                                                           did_you_mean(tokens_[1], schema->keys())));
         if (!is_shown(*schema, *field, *setup_))
-            return no("'" + field->title + "' is not used with the present choices of the set-up");
+            return no(tell<"'%1' is not used with the present choices of the set-up">(
+                Message::declared(field->title)));
         target_.key = field->key;
         return of_field(*field, value_of(*field, *setup_));
     }
@@ -94,7 +96,7 @@ private:
         if (field.kind == FieldKind::table) return of_table(field, value);
         if (field.kind == FieldKind::pose) return of_pose(field, value);
         if (!is_numeric(field.kind) || tokens_.size() != 2)
-            return no("'" + field.title + "' is not a number");
+            return no(tell<"'%1' is not a number">(Message::declared(field.title)));
         const auto* number = std::get_if<Quantity>(&value);
         target_.kind = StudyTarget::Kind::field;
         target_.whole = field.kind == FieldKind::integer;
@@ -102,7 +104,8 @@ private:
         target_.current = number ? number->value : 0.0;
         target_.title = prefix_ + field.title;
         if (!number && axis_.change != StudyChange::value)
-            return no("'" + field.title + "' is not given, so there is nothing to change");
+            return no(
+                tell<"'%1' is not given, so there is nothing to change">(Message::declared(field.title)));
         return target_;
     }
 
@@ -111,10 +114,10 @@ private:
         const auto index = tokens_.size() == 4 ? index_from(tokens_[3]) : std::nullopt;
         const bool angle = tokens_.size() == 4 && tokens_[2] == "angles";
         if (!index || *index > 2 || !(angle || tokens_[2] == "position"))
-            return no("a coordinate of the pose '" + field.title + "' is written as \"/setup/" + field.key +
-                      "/position/0\" or \"/setup/" + field.key + "/angles/2\"");
+            return no(tell<"a coordinate of the pose '%1' is written as \"/setup/%2/position/0\" or "
+                           "\"/setup/%3/angles/2\"">(Message::declared(field.title), field.key, field.key));
         const auto* pose = std::get_if<PoseValue>(&value);
-        if (!pose) return no("'" + field.title + "' is not given");
+        if (!pose) return no(tell<"'%1' is not given">(Message::declared(field.title)));
         target_.kind = StudyTarget::Kind::pose;
         target_.column = *index + (angle ? 3 : 0);
         target_.unit = angle ? pose->angle_unit : pose->length_unit;
@@ -128,14 +131,18 @@ private:
         const bool cell = tokens_.size() == 5 && tokens_[2] == "rows";
         const bool column = tokens_.size() == 4 && tokens_[2] == "columns";
         if (!cell && !column)
-            return no("a number of the table '" + field.title + "' is written as \"/setup/" + field.key +
-                      "/rows/0/COLUMN\" or \"/setup/" + field.key + "/columns/COLUMN\"");
+            return no(
+                tell<"a number of the table '%1' is written as \"/setup/%2/rows/0/COLUMN\" or "
+                     "\"/setup/%3/columns/COLUMN\"">(Message::declared(field.title), field.key, field.key));
         const std::size_t index = SetupSchema::column(field, tokens_.back());
         if (index == SetupSchema::npos)
-            return no("the table '" + field.title + "' has no column " + in_quotes(tokens_.back()));
+            return no(tell<"the table '%1' has no column %2">(Message::declared(field.title),
+                                                              in_quotes(tokens_.back())));
         const ColumnSpec& spec = field.columns[index];
-        if (!is_numeric(spec.kind)) return no("the column " + in_quotes(spec.key) + " does not hold numbers");
-        if (!table || table->rows.empty()) return no("the table '" + field.title + "' is empty");
+        if (!is_numeric(spec.kind))
+            return no(tell<"the column %1 does not hold numbers">(in_quotes(spec.key)));
+        if (!table || table->rows.empty())
+            return no(tell<"the table '%1' is empty">(Message::declared(field.title)));
         target_.column = index;
         target_.whole = spec.kind == FieldKind::integer;
         target_.unit = index < table->units.size() ? table->units[index] : spec.unit;
@@ -151,11 +158,11 @@ private:
     Result<StudyTarget> of_cell(const FieldSpec& field, const SetupTable& table, const std::string& name) {
         const auto row = index_from(tokens_[3]);
         if (!row || *row >= table.rows.size())
-            return no("the table '" + field.title + "' has " + std::to_string(table.rows.size()) +
-                      " rows, counted from 0");
+            return no(tell<"the table '%1' has %2 rows, counted from 0">(Message::declared(field.title),
+                                                                         table.rows.size()));
         const double* number = number_at(table, *row, target_.column);
         if (!number && axis_.change != StudyChange::value)
-            return no("the cell is empty, so there is nothing to change");
+            return no(tell<"the cell is empty, so there is nothing to change">());
         target_.kind = StudyTarget::Kind::cell;
         target_.row = *row;
         target_.current = number ? *number : 0.0;
@@ -172,14 +179,14 @@ private:
                 return target_;
             }
         if (axis_.change != StudyChange::value)
-            return no("the column is empty, so there is nothing to change");
+            return no(tell<"the column is empty, so there is nothing to change">());
         return target_;
     }
 
     Result<StudyTarget> quantity() {
         const bool estimate = tokens_[2] == "estimate";
         if (!estimate && tokens_[2] != "components")
-            return no("of an input quantity, \"estimate\" or \"components\" can be varied");
+            return no(tell<"of an input quantity, \"estimate\" or \"components\" can be varied">());
         target_.kind = estimate ? StudyTarget::Kind::estimate : StudyTarget::Kind::components;
         target_.key = tokens_[1];
         target_.title = symbol_text(tokens_[1]) + (estimate ? ": estimate" : ": uncertainty");
@@ -189,8 +196,8 @@ private:
         if (target_.index == InputSet::npos) {
             std::vector<std::string> symbols;
             for (const InputQuantity& q : inputs_->quantities) symbols.push_back(q.symbol);
-            return no("the model has no input quantity " + in_quotes(target_.key) +
-                      did_you_mean(target_.key, symbols));
+            return no(tell<"the model has no input quantity %1%2">(in_quotes(target_.key),
+                                                                   did_you_mean(target_.key, symbols)));
         }
         if (!estimate) return target_;
         target_.unit = inputs_->quantities[target_.index].unit;
@@ -211,7 +218,7 @@ private:
             target_.index = i;
             return target_;
         }
-        return no("there is no component " + in_quotes(target_.key) + did_you_mean(target_.key, ids));
+        return no(tell<"there is no component %1%2">(in_quotes(target_.key), did_you_mean(target_.key, ids)));
     }
 
     const Project& project_;

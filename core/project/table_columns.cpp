@@ -41,15 +41,14 @@ Unit column_unit(const FieldSpec& table, const ColumnSpec& column, const std::st
                  const std::string& path, Problems& problems) {
     if (!is_number(column)) {
         if (!text.empty() && text != "1")
-            problems.error(path, "column '" + column.key + "' of '" + table.title +
-                                     "' has no unit; it is not "
-                                     "a measured number");
+            problems.error(path, tell<"column '%1' of '%2' has no unit; it is not a measured number">(
+                                     column.key, Message::declared(table.title)));
         return {};
     }
     const std::size_t before = problems.items().size();
     const Unit unit = text.empty() ? Unit{} : unit_from(text, path, problems);
     if (problems.items().size() > before) return unit;
-    const std::string objection = column_unit_objection(table, column, unit);
+    const Message objection = column_unit_objection(table, column, unit);
     if (!objection.empty()) problems.error(path, objection);
     return unit;
 }
@@ -58,8 +57,8 @@ void require_columns(const FieldSpec& table, const std::vector<std::size_t>& tar
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const ColumnSpec& column = table.columns[i];
         if (column.optional || std::find(target.begin(), target.end(), i) != target.end()) continue;
-        problems.error("/columns", "column '" + column_header(column, column.unit) + "' of '" + table.title +
-                                       "' is missing");
+        problems.error("/columns", tell<"column '%1' of '%2' is missing">(column_header(column, column.unit),
+                                                                          Message::declared(table.title)));
     }
 }
 
@@ -75,13 +74,15 @@ std::optional<TableColumns> match_columns(const FieldSpec& table, const std::vec
         const Header header = split_header(headers[i]);
         const std::size_t index = find_table_column(table, header.name);
         if (index == SetupSchema::npos) {
-            problems.error(path, "'" + table.title + "' has no column '" + header.name + "'" +
-                                     did_you_mean(header.name, column_keys(table)) + "; its columns are " +
-                                     listed(column_keys(table)));
+            problems.error(path,
+                           tell<"'%1' has no column '%2'%3; its columns are %4">(
+                               Message::declared(table.title), header.name,
+                               did_you_mean(header.name, column_keys(table)), listed(column_keys(table))));
             continue;
         }
         if (std::find(matched.target.begin(), matched.target.end(), index) != matched.target.end())
-            problems.error(path, "column '" + header.name + "' of '" + table.title + "' is given twice");
+            problems.error(path, tell<"column '%1' of '%2' is given twice">(header.name,
+                                                                            Message::declared(table.title)));
         matched.target.push_back(index);
         matched.units[index] = column_unit(table, table.columns[index], header.unit, path, problems);
     }

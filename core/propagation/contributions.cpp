@@ -109,7 +109,7 @@ Result<void> add_one_at_a_time(UncertaintyBudget& budget, const RunContext& cont
         u[c] = trial_uncertainties(alone, trials, context.monitor, nullptr);
     });
     if (end == WorkEnd::cancelled || context.monitor.stopped())
-        return fail(ErrorCode::cancelled, "the evaluation was stopped");
+        return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     for (std::size_t j = 0; j < budget.rows.size(); ++j)
         for (BudgetRow& row : budget.rows[j])
             if (!u[row.component].empty()) row.one_at_a_time = u[row.component][j];

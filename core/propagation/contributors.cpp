@@ -133,7 +133,7 @@ Result<void> add_contributor_trials(std::vector<ContributorResult>& contributors
             trial_uncertainties(source, trials, context.monitor, &uncertainties.failed_trials);
     });
     if (end == WorkEnd::cancelled || context.monitor.stopped())
-        return fail(ErrorCode::cancelled, "the evaluation was stopped");
+        return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     for (std::size_t i = 0; two && i < 2; ++i) {
         contributors[i].alone.monte_carlo = contributors[1 - i].without.monte_carlo;
         contributors[i].alone.failed_trials = contributors[1 - i].without.failed_trials;

@@ -171,7 +171,7 @@ Result<void> fill_monte_carlo_factors(std::vector<CoverageRegion>& regions, cons
             if (!region.singular)
                 region.ellipsoid_monte_carlo = std::sqrt(factor_of(distances[0][i], context.probability));
         });
-    if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, "the evaluation was stopped");
+    if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     return {};
 }
 

@@ -142,15 +142,14 @@ Result<void> Evaluation::add_contributions() {
 Result<void> Evaluation::add_second_order() {
     if (!correlations_.empty()) {
         result_.warnings.push_back(
-            "Second-order terms are left out: the formula of JCGM 100 5.1.2 assumes independent components, "
-            "and "
-            "some of these are correlated.");
+            tell<"Second-order terms are left out: the formula of JCGM 100 5.1.2 assumes independent "
+                 "components, and some of these are correlated.">());
         return {};
     }
     const auto terms = second_order_terms(model_, inputs_, law_, control_.stop);
     if (!terms && terms.error().code == ErrorCode::cancelled) return fail(terms.error());
     if (!terms) {
-        result_.warnings.push_back("Second-order terms are left out: " + terms.error().message + ".");
+        result_.warnings.push_back(tell<"Second-order terms are left out: %1.">(terms.error().message));
         return {};
     }
     for (Eigen::Index j = 0; j < law_.estimate.size(); ++j) {
@@ -240,7 +239,7 @@ void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutpu
 }
 
 void Evaluation::warn_about(const MonteCarloRun& run) {
-    std::vector<std::string>& warnings = result_.warnings;
+    std::vector<Message>& warnings = result_.warnings;
     if (run.failed() > 0) {
         std::ostringstream text;
         text << run.failed() << " of " << run.trials << " trials ("
@@ -254,14 +253,11 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
         warnings.push_back(text.str());
     }
     if (!result_.stabilised)
-        warnings.push_back("The adaptive procedure stopped at " + std::to_string(run.trials) +
-                           " trials before its results were stable: allow more trials, or ask for fewer "
-                           "significant digits.");
+        warnings.push_back(tell<"The adaptive procedure stopped at %1 trials before its results were stable: "
+                                "allow more trials, or ask for fewer significant digits.">(run.trials));
     if (!run.exact)
-        warnings.push_back(
-            "Coverage intervals are interpolated in fine cells: there are too many trials to keep the values "
-            "of "
-            "the tails in memory.");
+        warnings.push_back(tell<"Coverage intervals are interpolated in fine cells: there are too many "
+                                "trials to keep the values of the tails in memory.">());
     if (source_.plan->largest_compromise() > 1e-3) {
         std::ostringstream text;
         text.precision(2);
@@ -274,27 +270,25 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
     for (const OutputResult& output : result_.outputs)
         if (output.quantity.periodic && output.standard_uncertainty > 1.0 &&
             output.first_order.standard_uncertainty <= 1.0)
-            warnings.push_back("The angle " + output.quantity.symbol +
-                               (output.quantity.group.empty() ? "" : " (" + output.quantity.group + ")") +
-                               " is hardly determined: its standard uncertainty exceeds 1 rad.");
+            warnings.push_back(
+                tell<"The angle %1%2 is hardly determined: its standard uncertainty exceeds 1 rad.">(
+                    output.quantity.symbol,
+                    (output.quantity.group.empty() ? "" : " (" + output.quantity.group + ")")));
 }
 
 void Evaluation::warn_about_reduction(const MonteCarloRun& run) {
-    std::vector<std::string>& warnings = result_.warnings;
+    std::vector<Message>& warnings = result_.warnings;
     const std::uint64_t batch = batch_of_run(options_);
     if (run.trials / batch < BatchEstimates::least_batches)
         warnings.push_back(
-            "Nothing is gained by variance reduction, and standard errors are not known: there are "
-            "fewer than " +
-            std::to_string(BatchEstimates::least_batches) + " batches of " + std::to_string(batch) +
-            " trials.");
+            tell<"Nothing is gained by variance reduction, and standard errors are not known: there are "
+                 "fewer than %1 batches of %2 trials.">(BatchEstimates::least_batches, batch));
     else if (options_.variance_reduction == VarianceReduction::control_variate && run.failed() > 0)
-        warnings.push_back(
-            "Control variates are not used: the linear part of the trials that have a value has "
-            "another distribution than that of all trials.");
+        warnings.push_back(tell<"Control variates are not used: the linear part of the trials that have a "
+                                "value has another distribution than that of all trials.">());
     else
         for (const std::string& outputs : reduced_->without_control())
-            warnings.push_back("Without control variate: " + outputs + ".");
+            warnings.push_back(tell<"Without control variate: %1.">(outputs));
 }
 
 /// Student t inputs whose variance, or the variance of whose squares, does not exist.
@@ -309,16 +303,15 @@ void Evaluation::warn_about_tails() {
     }
     if (!without_u.empty())
         result_.warnings.push_back(
-            "The standard uncertainty by Monte Carlo of " + in_a_row(without_u) +
-            " does not exist, because a Student t distribution with two degrees of freedom or fewer has no "
-            "finite standard deviation: it is shown as infinite, and U is half the width of the coverage "
-            "interval.");
+            tell<"The standard uncertainty by Monte Carlo of %1 does not exist, because a Student t "
+                 "distribution with two degrees of freedom or fewer has no finite standard deviation: it is "
+                 "shown as infinite, and U is half the width of the coverage interval.">(
+                in_a_row(without_u)));
     if (!unsettled.empty() && result_.adaptive)
         result_.warnings.push_back(
-            "The standard uncertainty by Monte Carlo of " + in_a_row(unsettled) +
-            " cannot stabilise, because Student t distributions with four degrees of freedom or fewer have "
-            "no "
-            "finite fourth moment: the adaptive procedure judges by the coverage intervals; use these.");
+            tell<"The standard uncertainty by Monte Carlo of %1 cannot stabilise, because Student t "
+                 "distributions with four degrees of freedom or fewer have no finite fourth moment: the "
+                 "adaptive procedure judges by the coverage intervals; use these.">(in_a_row(unsettled)));
 }
 
 Result<void> Evaluation::add_regions() {

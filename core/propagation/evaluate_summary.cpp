@@ -49,7 +49,7 @@ public:
         std::vector<IntervalCollector> collectors(rows,
                                                   IntervalCollector(options_.coverage_probability, bytes));
         if (!run(source, &moments, collectors, advance)) return false;
-        if (moments.count() < 2) return fail(ErrorCode::numeric, "no trial has a value");
+        if (moments.count() < 2) return fail(ErrorCode::numeric, tell<"no trial has a value">());
         std::vector<std::optional<CoverageInterval>> intervals(rows);
         const auto take = [&] {
             for (std::size_t k = 0; k < collectors.size(); ++k)
@@ -163,7 +163,7 @@ Result<EvaluationSummary> evaluate_summary(const MeasurementModel& model, const 
         if (!added) return fail(added.error());
         finished = *added;
     }
-    if (!finished) return fail(ErrorCode::cancelled, "the evaluation was stopped");
+    if (!finished) return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     return maker.take();
 }
 

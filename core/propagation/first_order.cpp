@@ -47,15 +47,14 @@ Result<void> evaluate_at_estimates(const MeasurementModel& model, LawOfPropagati
     law.estimate.setZero();
     if (!model.evaluate(x, y) || !law.estimate.allFinite())
         return fail(ErrorCode::numeric,
-                    "the measurement model has no value at the estimates of its input quantities" +
-                        named_outputs(model, law.estimate.array().isFinite()) +
-                        ": check the nominal geometry and the values entered");
+                    tell<"the measurement model has no value at the estimates of its input quantities%1: "
+                         "check the nominal geometry and the values entered">(
+                        named_outputs(model, law.estimate.array().isFinite())));
     if (!model.sensitivities(x, rows))
         return fail(ErrorCode::numeric,
-                    "the measurement model has no sensitivity coefficients at the estimates of its input "
-                    "quantities" +
-                        named_outputs(model, differentiable_outputs(model, x)) +
-                        ": it is not differentiable there (singular geometry)");
+                    tell<"the measurement model has no sensitivity coefficients at the estimates of its "
+                         "input quantities%1: it is not differentiable there (singular geometry)">(
+                        named_outputs(model, differentiable_outputs(model, x))));
     return {};
 }
 

@@ -28,24 +28,22 @@ bool is_independent(const InputSet& inputs, const IsotropicVector& vector) {
 void warn(const LawOfPropagation& law, UncertaintyResult& result) {
     if (law.degrees_of_freedom_approximate)
         result.warnings.push_back(
-            "Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes "
-            "independent "
-            "components, and correlated components with finite degrees of freedom contribute. The Monte "
-            "Carlo "
-            "coverage interval is the better guide.");
+            tell<"Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes "
+                 "independent components, and correlated components with finite degrees of freedom "
+                 "contribute. The Monte Carlo coverage interval is the better guide.">());
     std::size_t torn = result.inputs.vectors.size() - vectors_of_random_direction(result.inputs).size();
     for (const IsotropicVector& vector : result.inputs.vectors)
         if (is_independent(result.inputs, vector)) --torn;
     if (torn > 0)
         result.warnings.push_back(
-            std::to_string(torn) +
-            (torn == 1 ? " vector of random direction has" : " vectors of random direction have") +
-            " coordinates with different distributions after editing: they are drawn independently.");
+            torn == 1 ? tell<"1 vector of random direction has coordinates with different distributions "
+                             "after editing: they are drawn independently.">()
+                      : tell<"%1 vectors of random direction have coordinates with different distributions "
+                             "after editing: they are drawn independently.">(torn));
     for (const OutputResult& output : result.outputs)
         if (output.quantity.periodic && output.first_order.standard_uncertainty > 1.0)
-            result.warnings.push_back("The angle " + label(output.quantity) +
-                                      " is hardly determined: its standard uncertainty by the law of "
-                                      "propagation exceeds 1 rad.");
+            result.warnings.push_back(tell<"The angle %1 is hardly determined: its standard uncertainty by "
+                                           "the law of propagation exceeds 1 rad.">(label(output.quantity)));
 }
 
 }  // namespace

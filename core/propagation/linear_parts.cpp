@@ -74,7 +74,7 @@ Result<LinearTerm> LinearTermMaker::joint_term(const Active& active) {
     }
     const std::size_t estimate = estimate_of_[first];
     if (estimate == InputSet::npos || !all([&](std::size_t c) { return estimate_of_[c] == estimate; }))
-        return fail(ErrorCode::numeric, "its correlated components are not normally distributed");
+        return fail(ErrorCode::numeric, tell<"its correlated components are not normally distributed">());
     const Distribution t = Distribution::of(StudentT{0.0, u, drawn(first).degrees_of_freedom()});
     return LinearTerm{1.0, t, std::make_shared<const CharacteristicFunction>(t)};
 }
@@ -94,7 +94,7 @@ Result<std::vector<LinearTerm>> LinearTermMaker::make(const std::vector<Propagat
         if (!joint) return fail(joint.error());
         made.push_back(std::move(*joint));
     }
-    if (made.empty()) return fail(ErrorCode::numeric, "its sensitivity coefficients are zero");
+    if (made.empty()) return fail(ErrorCode::numeric, tell<"its sensitivity coefficients are zero">());
     return made;
 }
 

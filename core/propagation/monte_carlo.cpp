@@ -237,7 +237,7 @@ Result<MonteCarloRun> run_monte_carlo(const RunContext& context, Pilot pilot, Ru
     run.tails = std::move(collector.tails());
     if (end != WorkEnd::cancelled && run.moments.count() > 0)
         end = complete_tails(context, size.per_unit, run);
-    if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, "the evaluation was stopped");
+    if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     return run;
 }
 

@@ -46,7 +46,7 @@ Result<std::vector<MonteCarloOutput>> outputs_of(MonteCarloRun& run, double prob
     std::vector<MonteCarloOutput> outputs(run.tails.size());
     const WorkEnd end = run_each(outputs.size(), monitor,
                                  [&](std::uint64_t j) { outputs[j] = output_of(run, j, probability); });
-    if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, "the evaluation was stopped");
+    if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     return outputs;
 }
 

@@ -159,13 +159,14 @@ Result<Pilot> run_pilot(const RunContext& context, std::uint64_t limit) {
          first += unit_trials) {
         const std::uint64_t count = std::min(unit_trials, limit - first);
         if (append_trials(context, first, count, columns) == WorkEnd::cancelled)
-            return fail(ErrorCode::cancelled, "the evaluation was stopped");
+            return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     }
     const std::size_t n = columns.front().size();
     if (n == 0)
-        return fail(ErrorCode::numeric,
-                    "none of the trials has a value: the measurement model cannot be evaluated within the "
-                    "uncertainties of its inputs; check the standard uncertainties and the geometry");
+        return fail(
+            ErrorCode::numeric,
+            tell<"none of the trials has a value: the measurement model cannot be evaluated within the "
+                 "uncertainties of its inputs; check the standard uncertainties and the geometry">());
     Pilot pilot;
     if (n >= enough_values)
         pilot.tail_fraction = tail_fraction_of(n, context.probability, context.settings.tail_margin);

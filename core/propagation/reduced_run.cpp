@@ -89,7 +89,7 @@ void ReducedRun::offer_controls() {
     for (std::size_t j = 0; j < source_.outputs(); ++j) {
         auto terms = maker.make(law_.terms[j]);
         if (!terms) {
-            plain_because_[j] = terms.error().message;
+            plain_because_[j] = terms.error().message.english();
             continue;
         }
         LinearRow row{j, {}};
@@ -130,7 +130,7 @@ Result<void> ReducedRun::choose(Pilot& pilot, RunMonitor& monitor) {
     const WorkEnd end = run_each(controls.size(), monitor, [&](std::uint64_t k) {
         controls[k] = {(*rows_)[k].output, expectations(k)};
     });
-    if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, "the evaluation was stopped");
+    if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     estimates_.emplace(source_.outputs(), controls);
     return {};
 }

@@ -160,10 +160,11 @@ private:
                 units[unit].insert(units[unit].end(), y, y + runner.valid());
             }
         });
-        if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, "the evaluation was stopped");
+        if (end == WorkEnd::cancelled)
+            return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
         std::vector<double> values;
         for (const auto& unit : units) values.insert(values.end(), unit.begin(), unit.end());
-        if (values.size() < 2) return fail(ErrorCode::numeric, "no trial has a value");
+        if (values.size() < 2) return fail(ErrorCode::numeric, tell<"no trial has a value">());
         return result_.fixed_coverage_factor ? *result_.fixed_coverage_factor * standard_deviation(values)
                                              : half_interval(values);
     }

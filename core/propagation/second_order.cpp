@@ -15,9 +15,8 @@ Result<Eigen::MatrixXd> displaced_sensitivity(const MeasurementModel& model, con
     const Eigen::VectorXd x = law.inputs + step * factors.col(k);
     Eigen::MatrixXd jacobian(law.estimate.size(), law.inputs.size());
     if (!model.jacobian({x.data(), static_cast<std::size_t>(x.size())}, jacobian) || !jacobian.allFinite())
-        return fail(ErrorCode::numeric,
-                    "the measurement model has no sensitivity coefficients near the estimates: second-order "
-                    "terms do not exist");
+        return fail(ErrorCode::numeric, tell<"the measurement model has no sensitivity coefficients near the "
+                                             "estimates: second-order terms do not exist">());
     return Eigen::MatrixXd(jacobian * factors);
 }
 
@@ -44,11 +43,11 @@ Result<SecondOrder> second_order_terms(const MeasurementModel& model, const Inpu
                                        const LawOfPropagation& law, const std::stop_token& stop) {
     SecondOrder terms{Eigen::VectorXd::Zero(law.estimate.size()), Eigen::VectorXd::Zero(law.estimate.size())};
     if (law.terms.size() * inputs.components.size() > most_terms)
-        return fail(ErrorCode::bad_input, "there are too many quantities for them");
+        return fail(ErrorCode::bad_input, tell<"there are too many quantities for them">());
     const Eigen::MatrixXd factors = factor_matrix(inputs), sensitivity = sensitivity_matrix(law);
     const Eigen::RowVectorXd squares = law.u.array().square().matrix().transpose();
     for (Eigen::Index j = 0; j < law.u.size(); ++j) {
-        if (stop.stop_requested()) return fail(ErrorCode::cancelled, "the evaluation was stopped");
+        if (stop.stop_requested()) return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
         if (!(law.u(j) > 0)) continue;
         const double step = step_in_u * law.u(j);
         const auto near = differences(model, law, factors, sensitivity, j, step);

@@ -209,7 +209,7 @@ Result<std::vector<std::vector<SobolIndex>>> sobol_indices(const RunContext& con
         for (std::size_t j = 0; j < outputs; ++j) indices[j][f] = run.sums()[j].index(factors[f]);
     });
     if (end == WorkEnd::cancelled || context.monitor.stopped())
-        return fail(ErrorCode::cancelled, "the evaluation was stopped");
+        return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     for (auto& of_output : indices)
         std::stable_sort(of_output.begin(), of_output.end(),
                          [](const SobolIndex& a, const SobolIndex& b) { return a.total > b.total; });

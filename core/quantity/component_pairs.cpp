@@ -53,9 +53,9 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
 
 tl::unexpected<Error> contradiction(const InputSet& inputs, const Pair& pair) {
     return fail(ErrorCode::bad_input,
-                "the components " + quoted(inputs, pair.first) + " and " + quoted(inputs, pair.second) +
-                    " are given two different correlations; a quantity that combines its "
-                    "components arithmetically needs +1 or -1.");
+                tell<"the components %1 and %2 are given two different correlations; a quantity that "
+                     "combines its components arithmetically needs +1 or -1.">(quoted(inputs, pair.first),
+                                                                               quoted(inputs, pair.second)));
 }
 
 /// False if the pair is known with another coefficient.
@@ -68,16 +68,16 @@ Result<Coefficients> declared(const InputSet& inputs) {
     for (const ComponentCorrelation& c : inputs.correlations) {
         const std::size_t count = inputs.components.size();
         if (c.first >= count || c.second >= count)
-            return fail(ErrorCode::bad_input, "a correlation refers to component number " +
-                                                  std::to_string(std::max(c.first, c.second)) + " of " +
-                                                  std::to_string(count) + ".");
+            return fail(ErrorCode::bad_input, tell<"a correlation refers to component number %1 of %2.">(
+                                                  std::max(c.first, c.second), count));
         if (c.first == c.second)
-            return fail(ErrorCode::bad_input, "a correlation is given between the component " +
-                                                  quoted(inputs, c.first) + " and itself.");
+            return fail(
+                ErrorCode::bad_input,
+                tell<"a correlation is given between the component %1 and itself.">(quoted(inputs, c.first)));
         if (!(std::abs(c.coefficient) <= 1.0))
-            return fail(ErrorCode::bad_input, "the correlation of the components " + quoted(inputs, c.first) +
-                                                  " and " + quoted(inputs, c.second) +
-                                                  " must lie between -1 and 1.");
+            return fail(ErrorCode::bad_input,
+                        tell<"the correlation of the components %1 and %2 must lie between -1 and 1.">(
+                            quoted(inputs, c.first), quoted(inputs, c.second)));
         const Pair pair = ordered(c.first, c.second);
         if (!insert(coefficients, pair, c.coefficient)) return contradiction(inputs, pair);
     }
@@ -88,10 +88,9 @@ Result<Coefficients> with_arithmetic(const InputSet& inputs, Coefficients coeffi
     for (const InputQuantity& quantity : inputs.quantities) {
         for (const Share& share : quantity.shares)
             if (share.component >= inputs.components.size())
-                return fail(ErrorCode::bad_input, "the quantity \"" + quantity.symbol +
-                                                      "\" refers to component number " +
-                                                      std::to_string(share.component) + " of " +
-                                                      std::to_string(inputs.components.size()) + ".");
+                return fail(ErrorCode::bad_input,
+                            tell<"the quantity \"%1\" refers to component number %2 of %3.">(
+                                quantity.symbol, share.component, inputs.components.size()));
         if (quantity.combination != Combination::arithmetic) continue;
         std::map<std::size_t, double> factors;
         for (const Share& share : quantity.shares) factors[share.component] += share.factor;

@@ -210,11 +210,11 @@ private:
             return '"' + inputs_.components[component].id + "\" (" + std::string(drawn(component).title()) +
                    ")";
         };
-        return fail(ErrorCode::bad_input,
-                    "the components " + words(pair.first) + " and " + words(pair.second) +
-                        " cannot have the correlation " + short_number(pair.coefficient) +
-                        ": with these distributions it lies between " + short_number(r.lowest()) + " and " +
-                        short_number(r.highest()) + ".");
+        return fail(
+            ErrorCode::bad_input,
+            tell<"the components %1 and %2 cannot have the correlation %3: with these distributions it lies "
+                 "between %4 and %5.">(words(pair.first), words(pair.second), short_number(pair.coefficient),
+                                       short_number(r.lowest()), short_number(r.highest())));
     }
 
     const InputSet& inputs_;

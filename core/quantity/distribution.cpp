@@ -117,16 +117,17 @@ Distribution::Distribution(DistributionParameters parameters, double location, d
 }
 
 Result<Distribution> Distribution::make(DistributionParameters parameters) {
-    std::string problem = detail::distribution_problem(parameters);
+    Message problem = detail::distribution_problem(parameters);
     if (problem.empty()) return Distribution(std::move(parameters));
     const std::string_view name = distribution_kinds()[parameters.index()].title;
-    return fail(ErrorCode::bad_input, std::string(name) + " distribution: " + std::move(problem));
+    return fail(ErrorCode::bad_input,
+                tell<"%1 distribution: %2">(Message::declared(name), std::move(problem)));
 }
 
 Distribution Distribution::of(DistributionParameters parameters) {
     Result<Distribution> made = make(std::move(parameters));
     if (made) return *std::move(made);
-    throw ImpossibleValue(made.error().message);
+    throw ImpossibleValue(made.error().message.english());
 }
 
 Distribution Distribution::normal(double standard_uncertainty) {

@@ -3,11 +3,12 @@
 
 #include <string>
 
+#include "core/base/message.h"
 #include "core/quantity/distribution.h"
 
 namespace covaria::detail {
 
 /// What is wrong with the parameters, naming the first bad one; empty if nothing is.
-std::string distribution_problem(const DistributionParameters& parameters);
+Message distribution_problem(const DistributionParameters& parameters);
 
 }  // namespace covaria::detail

@@ -51,7 +51,7 @@ auto members(T& p) {
 Result<Discrete> discrete_from(std::span<const double> numbers) {
     if (numbers.size() % 2 != 0)
         return fail(ErrorCode::bad_input,
-                    "discrete distribution: there must be as many probabilities as values.");
+                    tell<"discrete distribution: there must be as many probabilities as values.">());
     const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
     return Discrete{{numbers.begin(), middle}, {middle, numbers.end()}};
 }
@@ -122,15 +122,15 @@ Result<Distribution> distribution_from(std::string_view kind, std::span<const do
         const std::size_t wanted = kinds[i].parameters.size();
         if (wanted != 0 && wanted != parameters.size())
             return fail(ErrorCode::bad_input,
-                        std::string(kinds[i].title) + " distribution: " + std::to_string(wanted) +
-                            " parameters are needed, " + std::to_string(parameters.size()) + " are given.");
+                        tell<"%1 distribution: %2 parameters are needed, %3 are given.">(
+                            Message::declared(kinds[i].title), wanted, parameters.size()));
         return with_values(i, parameters).and_then(&Distribution::make);
     }
     std::string known;
     for (const DistributionKindInfo& info : kinds)
         known += (known.empty() ? "" : ", ") + std::string(info.key);
-    return fail(ErrorCode::bad_input, "the distribution \"" + std::string(kind) +
-                                          "\" is not known. Known distributions: " + known + ".");
+    return fail(ErrorCode::bad_input, tell<"the distribution \"%1\" is not known. Known distributions: %2.">(
+                                          std::string(kind), known));
 }
 
 std::vector<double> distribution_parameters(const Distribution& distribution) {

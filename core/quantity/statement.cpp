@@ -12,7 +12,7 @@ namespace {
 
 using Made = Result<StatedComponent>;
 
-tl::unexpected<Error> refused(std::string message) {
+tl::unexpected<Error> refused(Message message) {
     return fail(ErrorCode::bad_input, std::move(message));
 }
 
@@ -37,13 +37,14 @@ Made of_standard_uncertainty(const Statement& s, double u) {
 }
 
 Made certificate_with_k(const Statement& s) {
-    if (!(*s.b > 0.0)) return refused("the coverage factor k must be greater than zero");
+    if (!(*s.b > 0.0)) return refused(tell<"the coverage factor k must be greater than zero">());
     return of_standard_uncertainty(s, *s.a / *s.b);
 }
 
 Made certificate_with_p(const Statement& s) {
     const double p = *s.b / 100.0;
-    if (!(p > 0.0 && p < 1.0)) return refused("the coverage probability must lie between 0 and 100 %");
+    if (!(p > 0.0 && p < 1.0))
+        return refused(tell<"the coverage probability must lie between 0 and 100 %">());
     const double nu = degrees_of(s);
     const double q = 0.5 * (1.0 + p);
     return of_standard_uncertainty(s, *s.a / t_quantile(q, nu));
@@ -51,9 +52,9 @@ Made certificate_with_p(const Statement& s) {
 
 Made rectangular_limits(const Statement& s) {
     if (s.estimate)
-        return refused("the limits give the estimate: leave the value empty, or state a half-width");
+        return refused(tell<"the limits give the estimate: leave the value empty, or state a half-width">());
     const double middle = 0.5 * (*s.a + *s.b), half = 0.5 * (*s.b - *s.a);
-    if (half < 0.0) return refused("the lower limit is above the upper limit");
+    if (half < 0.0) return refused(tell<"the lower limit is above the upper limit">());
     Made made = of_distribution(s, Rectangular{-half, half});
     if (made) made->estimate = middle;
     return made;
@@ -62,14 +63,14 @@ Made rectangular_limits(const Statement& s) {
 Made maximum_permissible_error(const Statement& s) {
     const double relative = s.b.value_or(0.0) / 100.0;
     if (relative != 0.0 && !s.estimate)
-        return refused("a relative part of the permissible error needs the value of the quantity");
+        return refused(tell<"a relative part of the permissible error needs the value of the quantity">());
     const double half = *s.a + std::abs(relative * s.estimate.value_or(0.0));
     return of_distribution(s, Rectangular{-half, half});
 }
 
 Made exponential(const Statement& s) {
     if (!s.estimate || !(*s.estimate > 0.0))
-        return refused("an exponential distribution needs an estimate greater than zero");
+        return refused(tell<"an exponential distribution needs an estimate greater than zero">());
     return of_distribution(s, Exponential{*s.estimate}).map([&](StatedComponent c) {
         c.distribution = c.distribution.shifted(-*s.estimate);
         return c;
@@ -77,8 +78,9 @@ Made exponential(const Statement& s) {
 }
 
 Made counts(const Statement& s) {
-    if (!(*s.a >= 0.0) || *s.a != std::round(*s.a)) return refused("the number of counts must be whole");
-    if (s.estimate) return refused("the counts give the estimate: leave the value empty");
+    if (!(*s.a >= 0.0) || *s.a != std::round(*s.a))
+        return refused(tell<"the number of counts must be whole">());
+    if (s.estimate) return refused(tell<"the counts give the estimate: leave the value empty">());
     const double shape = *s.a + 1.0;
     return of_distribution(s, Gamma{shape, 1.0}).map([&](StatedComponent c) {
         c.distribution = c.distribution.shifted(-shape);
@@ -158,7 +160,7 @@ const StatementKind* find_statement(std::string_view key) {
 
 Result<StatedComponent> stated_component(const Statement& statement) {
     const StatementKind* kind = find_statement(statement.kind);
-    if (!kind) return refused("there is no statement '" + statement.kind + "'");
+    if (!kind) return refused(tell<"there is no statement '%1'">(statement.kind));
     if (const std::string problem = problem_of(statement, *kind); !problem.empty()) return refused(problem);
     Made made = make(statement);
     if (made) made->words = std::string(kind->title);

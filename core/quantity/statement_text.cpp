@@ -43,7 +43,7 @@ const std::vector<Notation>& notations() {
     return all;
 }
 
-tl::unexpected<Error> not_read(std::string message) {
+tl::unexpected<Error> not_read(Message message) {
     return fail(ErrorCode::bad_input, std::move(message));
 }
 

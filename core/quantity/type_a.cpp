@@ -23,9 +23,9 @@ bool all_finite(std::span<const double> values) {
 
 Result<TypeA> type_a_evaluation(std::span<const double> observations) {
     if (observations.size() < 2)
-        return fail(ErrorCode::bad_input, "a Type A evaluation needs at least two observations.");
+        return fail(ErrorCode::bad_input, tell<"a Type A evaluation needs at least two observations.">());
     if (!all_finite(observations))
-        return fail(ErrorCode::bad_input, "one of the observations is not a finite number.");
+        return fail(ErrorCode::bad_input, tell<"one of the observations is not a finite number.">());
     const double n = static_cast<double>(observations.size());
     TypeA result;
     result.mean = mean_of(observations);
@@ -38,7 +38,7 @@ Result<TypeA> type_a_evaluation(std::span<const double> observations) {
 }
 
 Result<PooledDeviation> pooled_deviation(std::span<const std::vector<double>> series) {
-    if (series.empty()) return fail(ErrorCode::bad_input, "there is no series to be pooled.");
+    if (series.empty()) return fail(ErrorCode::bad_input, tell<"there is no series to be pooled.">());
     PooledDeviation pooled;
     double squares = 0.0;
     for (const std::vector<double>& observations : series) {
@@ -53,13 +53,12 @@ Result<PooledDeviation> pooled_deviation(std::span<const std::vector<double>> se
 
 Result<double> covariance_of_means(std::span<const double> x, std::span<const double> y) {
     if (x.size() != y.size())
-        return fail(ErrorCode::bad_input,
-                    "the covariance of two means needs observations made in pairs: the series "
-                    "have different lengths.");
+        return fail(ErrorCode::bad_input, tell<"the covariance of two means needs observations made in "
+                                               "pairs: the series have different lengths.">());
     if (x.size() < 2)
-        return fail(ErrorCode::bad_input, "the covariance of two means needs at least two pairs.");
+        return fail(ErrorCode::bad_input, tell<"the covariance of two means needs at least two pairs.">());
     if (!all_finite(x) || !all_finite(y))
-        return fail(ErrorCode::bad_input, "one of the observations is not a finite number.");
+        return fail(ErrorCode::bad_input, tell<"one of the observations is not a finite number.">());
     const double n = static_cast<double>(x.size());
     const double x_mean = mean_of(x);
     const double y_mean = mean_of(y);

@@ -184,8 +184,8 @@ Result<std::vector<BudgetHead>> stated_budget_columns(const std::vector<std::str
         BudgetHead head = with_unit_behind(typed);
         const auto found = std::find(keys.begin(), keys.end(), head.word);
         if (found == keys.end())
-            return fail(ErrorCode::usage,
-                        "a column cannot be " + in_quotes(plain_name(typed)) + "; there are " + listed(keys));
+            return fail(ErrorCode::usage, tell<"a column cannot be %1; there are %2">(
+                                              in_quotes(plain_name(typed)), listed(keys)));
         head.column = budget_column_words()[static_cast<std::size_t>(found - keys.begin())].column;
         heads.push_back(std::move(head));
     }
@@ -196,13 +196,11 @@ Result<void> check_budget_columns(const std::vector<BudgetHead>& heads) {
     for (std::size_t i = 0; i < heads.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (heads[i].column == heads[j].column && heads[i].column != BudgetColumn::unread)
-                return fail(ErrorCode::usage, "the columns " + in_quotes(heads[j].word) + " and " +
-                                                  in_quotes(heads[i].word) +
-                                                  " mean the same; state the columns");
+                return fail(ErrorCode::usage, tell<"the columns %1 and %2 mean the same; state the columns">(
+                                                  in_quotes(heads[j].word), in_quotes(heads[i].word)));
     if (!are_budget_heads(heads))
-        return fail(ErrorCode::usage,
-                    "a budget needs columns for the quantity or its name, for an uncertainty (u, U or "
-                    "limits) and one more; state the columns");
+        return fail(ErrorCode::usage, tell<"a budget needs columns for the quantity or its name, for an "
+                                           "uncertainty (u, U or limits) and one more; state the columns">());
     return {};
 }
 

@@ -71,7 +71,7 @@ double standard_uncertainty_of(const NotedComponent& component) {
 }
 
 Result<NotedComponent> stated_component_of(const BudgetFigures& figures, std::string& how) {
-    const auto refused = [](const std::string& message) { return fail(ErrorCode::bad_input, message); };
+    const auto refused = [](const Message& message) { return fail(ErrorCode::bad_input, message); };
     std::optional<Shape> shape;
     if (!figures.distribution.empty()) {
         shape = shape_of(figures.distribution);
@@ -79,18 +79,20 @@ Result<NotedComponent> stated_component_of(const BudgetFigures& figures, std::st
             how = "the distribution " + in_quotes(plain_name(figures.distribution)) +
                   " with a standard uncertainty: taken as normal";
         if (!shape && !figures.standard)
-            return refused("the distribution " + in_quotes(plain_name(figures.distribution)) +
-                           " is not known; there are normal, rectangular, triangular, U-shaped");
+            return refused(
+                tell<"the distribution %1 is not known; there are normal, rectangular, triangular, U-shaped">(
+                    in_quotes(plain_name(figures.distribution))));
     }
-    if (figures.divisor && !(*figures.divisor > 0.0)) return refused("the divisor must be greater than 0");
+    if (figures.divisor && !(*figures.divisor > 0.0))
+        return refused(tell<"the divisor must be greater than 0">());
     NotedComponent c{.degrees_of_freedom = figures.nu};
     const std::optional<double> figure = figures.limits ? figures.limits : figures.expanded;
     for (const auto& value : {figure, figures.standard})
-        if (value && !(*value >= 0.0)) return refused("an uncertainty must not be negative");
-    if (!figure && !figures.standard) return refused("no uncertainty is stated");
+        if (value && !(*value >= 0.0)) return refused(tell<"an uncertainty must not be negative">());
+    if (!figure && !figures.standard) return refused(tell<"no uncertainty is stated">());
     if (figure && !figures.divisor && !figures.standard && !shape && !figures.limits)
-        return refused("neither divisor, k nor distribution says what the uncertainty " +
-                       shortest_number(*figure) + " is");
+        return refused(tell<"neither divisor, k nor distribution says what the uncertainty %1 is">(
+            shortest_number(*figure)));
     if (!shape && figures.divisor && is_near(*figures.divisor, std::sqrt(3.0))) {
         shape = Shape{"rectangular", std::sqrt(3.0)};
         how = "divisor √3 without a distribution: taken as rectangular";
@@ -112,8 +114,8 @@ Result<NotedComponent> stated_component_of(const BudgetFigures& figures, std::st
         return c;
     }
     if (figure && !figures.divisor && !figures.standard)
-        return refused("a normal distribution needs a divisor or k for the uncertainty " +
-                       shortest_number(*figure));
+        return refused(tell<"a normal distribution needs a divisor or k for the uncertainty %1">(
+            shortest_number(*figure)));
     const double u = figures.standard ? *figures.standard : *figure / *figures.divisor;
     c.a = shape->divisor > 0.0 ? u * shape->divisor : u;
     if (!figures.standard && shape->divisor > 0.0)

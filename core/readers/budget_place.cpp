@@ -50,7 +50,7 @@ Result<SheetBudget> stated_place(const WorkbookSheet& sheet, const ReadChoice& c
         }
         place.head_row = row;
     }
-    return sheet.refused(1, place.columns.front(), "no row has a number in the stated columns");
+    return sheet.refused(1, place.columns.front(), tell<"no row has a number in the stated columns">());
 }
 
 }  // namespace
@@ -82,12 +82,13 @@ Result<SheetBudget> budget_place(const std::vector<WorkbookSheet>& sheets, const
     for (const WorkbookSheet& sheet : sheets)
         if (sheet.name == choice.sheet) named = &sheet;
     if (!choice.sheet.empty() && !named)
-        return fail(ErrorCode::usage, "there is no sheet " + in_quotes(plain_name(choice.sheet)) +
-                                          " with cells; there are " + listed(sheet_names(sheets)));
+        return fail(ErrorCode::usage, tell<"there is no sheet %1 with cells; there are %2">(
+                                          in_quotes(plain_name(choice.sheet)), listed(sheet_names(sheets))));
     if (!choice.columns.empty()) {
         if (!named && sheets.size() > 1)
-            return fail(ErrorCode::usage, "the workbook has several sheets, " + listed(sheet_names(sheets)) +
-                                              ": name the sheet whose columns are stated");
+            return fail(ErrorCode::usage,
+                        tell<"the workbook has several sheets, %1: name the sheet whose columns are stated">(
+                            listed(sheet_names(sheets))));
         return stated_place(named ? *named : sheets.front(), choice);
     }
     std::vector<SheetBudget> places;
@@ -101,10 +102,9 @@ Result<SheetBudget> budget_place(const std::vector<WorkbookSheet>& sheets, const
     }
     if (places.size() == 1) return std::move(places.front());
     if (places.empty())
-        return fail(ErrorCode::usage,
-                    "no row of headers of a budget was found; state the columns (quantity, value, unit, U, "
-                    "divisor ...)");
-    return fail(ErrorCode::usage, "several sheets have a budget: " + listed(names) + "; name one of them");
+        return fail(ErrorCode::usage, tell<"no row of headers of a budget was found; state the columns "
+                                           "(quantity, value, unit, U, divisor ...)">());
+    return fail(ErrorCode::usage, tell<"several sheets have a budget: %1; name one of them">(listed(names)));
 }
 
 }  // namespace covaria

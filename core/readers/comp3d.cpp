@@ -61,40 +61,39 @@ public:
         const std::vector<std::string> cells = blank_separated(without_comment(line));
         if (cells.empty()) return {};
         if (cells[0].front() == '@') {
-            proposals_.leave_out(number, "a file that it includes: " + in_quotes(plain_name(cells[0])));
+            proposals_.leave_out(number,
+                                 tell<"a file that it includes: %1">(in_quotes(plain_name(cells[0]))));
             return {};
         }
-        if (!is_code(cells[0])) return refused_at(number, 1, "the code of a point is expected, a digit");
+        if (!is_code(cells[0]))
+            return refused_at(number, 1, tell<"the code of a point is expected, a digit">());
         if (cells[0] == "-1") {
-            proposals_.leave_out(number, "a point that is not to be used: " +
-                                             in_quotes(plain_name(cells.size() > 1 ? cells[1] : "")));
+            proposals_.leave_out(number, tell<"a point that is not to be used: %1">(
+                                             in_quotes(plain_name(cells.size() > 1 ? cells[1] : ""))));
             return {};
         }
         if (!is_width(cells.size()))
             return refused_at(number, static_cast<int>(cells.size()),
-                              "code, name, x, y, z, three standard deviations and two deflections of the "
-                              "vertical are expected, there are " +
-                                  std::to_string(cells.size()) + " columns");
+                              tell<"code, name, x, y, z, three standard deviations and two deflections of "
+                                   "the vertical are expected, there are %1 columns">(cells.size()));
         if (list_.points.size() == most_listed_points)
-            return refused_at(number, "too many points: divide the file");
+            return refused_at(number, tell<"too many points: divide the file">());
         return add_point(cells, number);
     }
 
     void finish() {
         for (const auto& [code, lines] : codes_)
-            proposals_.leave_out(lines.first, "standard deviations of " + std::to_string(lines.second) +
-                                                  " points of code " + code + ": it constrains " +
-                                                  (constrained_by(code[0]).empty()
-                                                       ? "none of their coordinates"
-                                                       : std::string(constrained_by(code[0])) + " only"));
-        if (deflections_ > 0)
             proposals_.leave_out(
-                0, "deflections of the vertical of " + std::to_string(deflections_) + " points");
+                lines.first, tell<"standard deviations of %1 points of code %2: it constrains %3">(
+                                 lines.second, code,
+                                 constrained_by(code[0]).empty() ? tell<"none of their coordinates">()
+                                                                 : tell<"%1 only">(constrained_by(code[0]))));
+        if (deflections_ > 0)
+            proposals_.leave_out(0, tell<"deflections of the vertical of %1 points">(deflections_));
         if (approximate_ > 0)
-            proposals_.found.push_back(std::to_string(approximate_) +
-                                       " points are not constrained: their coordinates are approximate ones "
-                                       "for the adjustment");
-        if (comments_ > 0) proposals_.leave_out(0, std::to_string(comments_) + " comments");
+            proposals_.found.push_back(tell<"%1 points are not constrained: their coordinates are "
+                                            "approximate ones for the adjustment">(approximate_));
+        if (comments_ > 0) proposals_.leave_out(0, tell<"%1 comments">(comments_));
     }
 
 private:
@@ -106,15 +105,16 @@ private:
             const auto value = csv_number(cells[i], false);
             if (!value)
                 return refused_at(number, static_cast<int>(i) + 1,
-                                  in_quotes(plain_name(cells[i])) + " is not a number");
+                                  tell<"%1 is not a number">(in_quotes(plain_name(cells[i]))));
             if (i < 5) point.p[i - 2] = *value;
             if (i < 5 || i >= 8 || !stated || constrained.find("xyz"[i - 5]) == std::string_view::npos)
                 continue;
             if (*value >= 0.0)
                 point.u[i - 5] = *value;
             else
-                proposals_.leave_out(number, in_quotes(plain_name(point.name)) + ": the constraint of " +
-                                                 "xyz"[i - 5] + ", which is switched off");
+                proposals_.leave_out(number,
+                                     tell<"%1: the constraint of %2, which is switched off">(
+                                         in_quotes(plain_name(point.name)), std::string(1, "xyz"[i - 5])));
         }
         if (stated && constrained.size() < 3) {
             auto& lines = codes_.try_emplace(cells[0], std::pair{number, 0}).first->second;
@@ -148,9 +148,9 @@ Recognition recognise_cor(std::string_view beginning, const std::string& file_na
 
 Result<Proposals> read_cor(const std::string& text, const ReadChoice& choice) {
     Proposals proposals{.title = without_ending(choice.file_name)};
-    proposals.found.push_back("coordinates in metres");
+    proposals.found.push_back(tell<"coordinates in metres">());
     if (choice.length_unit)
-        proposals.leave_out(0, "the stated unit of lengths: coordinates of Comp3D are in metres");
+        proposals.leave_out(0, tell<"the stated unit of lengths: coordinates of Comp3D are in metres">());
     PointList list{.title = proposals.title.empty() ? "Points" : proposals.title,
                    .unit = Unit::of("m"),
                    .source = "Comp3D, " + plain_name(choice.file_name)};
@@ -180,32 +180,32 @@ public:
         if (cells.empty()) return {};
         const auto code = cells[0].size() <= 3 ? csv_number(cells[0], false) : std::nullopt;
         if (cells[0].front() == '@' || (cells.size() > 2 && cells[2].front() == '@')) {
-            proposals_.leave_out(number, "a file that it includes: " + in_quotes(plain_name(cells.back())));
+            proposals_.leave_out(number,
+                                 tell<"a file that it includes: %1">(in_quotes(plain_name(cells.back()))));
             return {};
         }
         if (!code || *code != std::floor(*code))
-            return refused_at(number, 1, "the code of an observation is expected, a whole number");
+            return refused_at(number, 1, tell<"the code of an observation is expected, a whole number">());
         const Kind* kind = kind_of(static_cast<int>(std::abs(*code)));
         if (!kind) {
-            proposals_.leave_out(number, "an observation of code " + plain_name(cells[0]));
+            proposals_.leave_out(number, tell<"an observation of code %1">(plain_name(cells[0])));
             return {};
         }
         if (cells.size() != 5 && cells.size() != 6 && cells.size() != 8)
             return refused_at(number, static_cast<int>(cells.size()),
-                              "code, two points, value, one or two standard deviations and two heights are "
-                              "expected, there are " +
-                                  std::to_string(cells.size()) + " columns");
+                              tell<"code, two points, value, one or two standard deviations and two heights "
+                                   "are expected, there are %1 columns">(cells.size()));
         std::array<double, 5> figures{};
         for (std::size_t i = 3; i < cells.size(); ++i) {
             const auto value = csv_number(cells[i], false);
             if (!value)
                 return refused_at(number, static_cast<int>(i) + 1,
-                                  in_quotes(plain_name(cells[i])) + " is not a number");
+                                  tell<"%1 is not a number">(in_quotes(plain_name(cells[i]))));
             figures[i - 3] = *value;
         }
         const std::string between = plain_name(cells[1]) + " - " + plain_name(cells[2]);
         if (*code < 0.0 || (figures[1] < 0.0 && kind->code != 9)) {
-            proposals_.leave_out(number, std::string(kind->name) + " " + between + ": it is switched off");
+            proposals_.leave_out(number, tell<"%1 %2: it is switched off">(std::string(kind->name), between));
             return {};
         }
         return kind->code == 9 ? add_centring(between, figures, number)
@@ -214,13 +214,11 @@ public:
 
     Result<Proposals> finish() {
         if (beyond_ > 0)
-            proposals_.leave_out(0, std::to_string(beyond_) + " observations: more than " +
-                                        std::to_string(most_stated_quantities));
+            proposals_.leave_out(0, tell<"%1 observations: more than %2">(beyond_, most_stated_quantities));
         if (quantities_.empty())
-            return fail(ErrorCode::bad_input, "the file has no observation that is taken");
-        proposals_.found.push_back(std::to_string(quantities_.size()) +
-                                   " observations, lengths in metres; each is its own result: write the "
-                                   "equations of what you measure with them");
+            return fail(ErrorCode::bad_input, tell<"the file has no observation that is taken">());
+        proposals_.found.push_back(tell<"%1 observations, lengths in metres; each is its own result: write "
+                                        "the equations of what you measure with them">(quantities_.size()));
         proposals_.analyses.push_back(
             analysis_of(id_of(proposals_.title, "observations"), proposals_.title,
                         "From Comp3D, " + plain_name(choice_.file_name) + ". Standard deviations as stated.",
@@ -256,15 +254,16 @@ private:
         if (kind.angle) {
             unit = unstated_unit(choice_, "angles", "angles", Unit::of("gon"), proposals_);
             if (unit.dimension() != Unit::of("rad").dimension())
-                return fail(ErrorCode::usage, "the unit of angles must be one of an angle: gon, deg, rad");
+                return fail(ErrorCode::usage,
+                            tell<"the unit of angles must be one of an angle: gon, deg, rad">());
         }
         double u = figures[1];
         if (kind.distance)
             u += figures[2] * std::abs(figures[0]);
         else if (figures[2] != 0.0)
-            proposals_.leave_out(number, std::string(kind.name) + " " + between +
-                                             ": the part of its standard deviation that depends on the "
-                                             "distance");
+            proposals_.leave_out(
+                number, tell<"%1 %2: the part of its standard deviation that depends on the distance">(
+                            std::string(kind.name), between));
         StatedQuantity q{.symbol = "", .name = std::string(kind.name) + " " + between, .value = figures[0]};
         q.unit = unit;
         q.a = u;
@@ -281,7 +280,7 @@ private:
         for (const auto& [axis, u] : {std::pair("x", figures[1]), std::pair("y", second)}) {
             const std::string name = "centring " + between + ", " + axis;
             if (u < 0.0) {
-                proposals_.leave_out(number, name + ": it is switched off");
+                proposals_.leave_out(number, tell<"%1: it is switched off">(name));
                 continue;
             }
             StatedQuantity q{.symbol = "", .name = name};

@@ -28,7 +28,7 @@ public:
         const pugi::xml_node root = xml_.root();
         if (local_name(root) != "digitalCalibrationCertificate")
             return xml_.refused(
-                root, "no Digital Calibration Certificate: its root is <" + plain_name(root.name()) + ">");
+                root, tell<"no Digital Calibration Certificate: its root is <%1>">(plain_name(root.name())));
         read_heading(root);
         const pugi::xml_node results = child_called(root, "measurementResults");
         for (const pugi::xml_node& part : results.children())
@@ -36,7 +36,8 @@ public:
                 if (auto done = read_part(part); !done) return fail(done.error());
         name_what_is_left(root);
         if (quantities_.empty())
-            return xml_.refused(results ? results : root, "the certificate has no results with numbers");
+            return xml_.refused(results ? results : root,
+                                tell<"the certificate has no results with numbers">());
         propose();
         return std::move(proposals_);
     }
@@ -58,11 +59,12 @@ private:
             heading_ += ", " + date;
         proposals_.title = item_.empty() ? heading_ : item_;
         proposals_.found.push_back(heading_ + (item_.empty() ? "" : ": " + item_));
-        proposals_.found.push_back("schema version " + (version.empty() ? "not stated" : version));
+        proposals_.found.push_back(tell<"schema version %1">((version.empty() ? "not stated" : version)));
         if (!version.starts_with("2.") && !version.starts_with("3."))
-            proposals_.leave_out(xml_.line(root), "what this version of the schema has beyond version 3");
+            proposals_.leave_out(xml_.line(root),
+                                 tell<"what this version of the schema has beyond version 3">());
         if (choice_.length_unit)
-            proposals_.leave_out(0, "the stated unit of lengths: a certificate states its units");
+            proposals_.leave_out(0, tell<"the stated unit of lengths: a certificate states its units">());
     }
 
     Result<void> read_part(const pugi::xml_node& part) {
@@ -87,7 +89,8 @@ private:
 
     Result<void> take(const pugi::xml_node& node, const std::string& result) {
         if (const pugi::xml_node inner = child_called(node, "measurementMetaData"))
-            proposals_.leave_out(xml_.line(inner), in_quotes(dcc_name(node)) + ": <measurementMetaData>");
+            proposals_.leave_out(xml_.line(inner),
+                                 tell<"%1: <measurementMetaData>">(in_quotes(dcc_name(node))));
         if (quantities_.size() == most_stated_quantities) return leave_out_beyond(node);
         auto read = read_dcc_quantity(xml_, node, proposals_);
         if (!read) return fail(read.error());
@@ -110,7 +113,7 @@ private:
 
     Result<void> leave_out_beyond(const pugi::xml_node& node) {
         proposals_.leave_out(xml_.line(node),
-                             "a quantity: more than " + std::to_string(most_stated_quantities) + " values");
+                             tell<"a quantity: more than %1 values">(most_stated_quantities));
         return {};
     }
 
@@ -125,9 +128,8 @@ private:
         if (q.statement == "certificate-p") u /= normal_quantile(0.5 + *q.b / 200.0);
         if (q.statement == "rectangular" || q.statement == "triangular") return;
         if (lengths_.size() == most_length_standards)
-            return proposals_.leave_out(quantity.line, in_quotes(quantity.name) +
-                                                           " as a length standard: more than " +
-                                                           std::to_string(most_length_standards));
+            return proposals_.leave_out(quantity.line, tell<"%1 as a length standard: more than %2">(
+                                                           in_quotes(quantity.name), most_length_standards));
         TableRows components(table_of(length_standard_kind_id, "components"));
         for (const char* column : {"u_cal", "u_T", "u_var", "b"}) components.set_unit(column, q.unit);
         components.add({{"u_cal", u}, {"u_T", 0.0}, {"u_var", 0.0}, {"b", 0.0}});
@@ -145,7 +147,7 @@ private:
         for (const pugi::xml_node& child : root.children()) {
             const std::string_view name = local_name(child);
             if (name == "Signature")
-                proposals_.leave_out(xml_.line(child), "the signature: it is not verified");
+                proposals_.leave_out(xml_.line(child), tell<"the signature: it is not verified">());
             else if (name != "administrativeData" && name != "measurementResults" &&
                      child.type() == pugi::node_element)
                 proposals_.leave_out(xml_.line(child), "<" + plain_name(std::string(name)) + ">");
@@ -157,17 +159,19 @@ private:
     }
 
     void propose() {
-        proposals_.found.push_back(std::to_string(quantities_.size()) + " values, " +
-                                   std::to_string(stated_) + " of them with an uncertainty" +
-                                   (correlations_.empty() ? "" : ", with covariances"));
+        proposals_.found.push_back(
+            correlations_.empty()
+                ? tell<"%1 values, %2 of them with an uncertainty">(quantities_.size(), stated_)
+                : tell<"%1 values, %2 of them with an uncertainty, with covariances">(quantities_.size(),
+                                                                                      stated_));
         proposals_.analyses.push_back(analysis_of("certificate", proposals_.title, "From " + heading_ + ".",
                                                   quantities_, correlations_));
         int number = 0;
         for (AssetEntry& asset : lengths_) {
             const std::string id = id_of(asset.name, "length");
             asset.id = lengths_.size() > 1 ? id + "-" + std::to_string(++number) : id;
-            proposals_.found.push_back("length standard " + in_quotes(asset.name) +
-                                       ": delete it where the length is no standard");
+            proposals_.found.push_back(
+                tell<"length standard %1: delete it where the length is no standard">(in_quotes(asset.name)));
             proposals_.assets.push_back(std::move(asset));
         }
     }

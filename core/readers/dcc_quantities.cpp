@@ -38,12 +38,12 @@ private:
         if (name == "real" || name == "constant") return read_real(node);
         if (name == "realListXMLList") return read_list(node);
         if (name == "list") return read_vector(node);
-        if (is_value(name)) leave_out(node, "a value as <" + std::string(name) + ">");
-        if (name == "relativeUncertainty") leave_out(node, "its relative uncertainty");
+        if (is_value(name)) leave_out(node, tell<"a value as <%1>">(std::string(name)));
+        if (name == "relativeUncertainty") leave_out(node, tell<"its relative uncertainty">());
         return {};
     }
 
-    void leave_out(const xml_node& node, const std::string& what) {
+    void leave_out(const xml_node& node, const Message& what) {
         proposals_.leave_out(xml_.line(node), in_quotes(quantity_.name) + ": " + what);
     }
 
@@ -67,17 +67,17 @@ private:
         }
         if (!best) best = any ? any : hybrid.first_child();
         if (values > 1)
-            leave_out(hybrid, "the same in other units (" + unit_text(best).substr(0, 40) + " is taken)");
+            leave_out(hybrid, tell<"the same in other units (%1 is taken)">(unit_text(best).substr(0, 40)));
         return best;
     }
 
-    tl::unexpected<Error> refused(const xml_node& node, const std::string& message) const {
+    tl::unexpected<Error> refused(const xml_node& node, const Message& message) const {
         return xml_.refused(node, in_quotes(quantity_.name) + ": " + message);
     }
 
     Result<double> number(const xml_node& node, const std::string& text, const std::string& what) const {
         if (const auto value = number_in_text(text)) return *value;
-        return refused(node, what + " " + in_quotes(plain_name(text)) + " is no number");
+        return refused(node, tell<"%1 %2 is no number">(what, in_quotes(plain_name(text))));
     }
 
     /// False where the unit is not known, which is said.
@@ -108,8 +108,7 @@ private:
         const DccStatement statement = dcc_statement_of(node);
         const std::size_t n = values.items.size();
         if (!units.fits(n) || !statement.fits(n))
-            return refused(node,
-                           "its lists have different lengths than the " + std::to_string(n) + " values");
+            return refused(node, tell<"its lists have different lengths than the %1 values">(n));
         for (std::size_t i = 0; i < n; ++i) {
             const auto added = add(node, values.items[i], units.at(i), n > 1 ? std::to_string(i + 1) : "");
             if (!added || !*added) return added ? Result<void>() : fail(added.error());
@@ -160,7 +159,7 @@ private:
                 if (local_name(cell) != "covariance") continue;
                 const auto unit = unit_of_dsi(text_of_child(cell, "unit"));
                 if (!unit) {
-                    leave_out(cell, "its covariance matrix: " + unit.error().message);
+                    leave_out(cell, tell<"its covariance matrix: %1">(unit.error().message));
                     return {};
                 }
                 const auto value = number(cell, text_of_child(cell, "value"), "the covariance");
@@ -171,8 +170,7 @@ private:
             ++column;
         }
         if (count != n * n || column != n)
-            return refused(matrix, "its covariance matrix has not " + std::to_string(n) + " x " +
-                                       std::to_string(n) + " elements");
+            return refused(matrix, tell<"its covariance matrix has not %1 x %2 elements">(n, n));
         const auto taken = take_covariance(covariance);
         if (!taken) return refused(matrix, taken.error().message);
         for (Eigen::Index i = 0; i < n; ++i) {

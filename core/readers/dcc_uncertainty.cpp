@@ -43,7 +43,7 @@ pugi::xml_node statement_in(const pugi::xml_node& value) {
 
 Result<double> figure(const std::string& text, const std::string& what) {
     if (const auto value = number_in_text(text)) return *value;
-    return fail(ErrorCode::bad_input, what + " " + in_quotes(plain_name(text)) + " is no number");
+    return fail(ErrorCode::bad_input, tell<"%1 %2 is no number">(what, in_quotes(plain_name(text))));
 }
 
 /// U with k, or with p.
@@ -59,8 +59,8 @@ Result<void> state_expanded(const std::string& expanded, const std::string& fact
                                        : figure(factor, "the coverage factor");
     if (!second) return fail(second.error());
     if (!(*second > 0.0) || (factor.empty() && !(*second < 1.0)))
-        return fail(ErrorCode::bad_input,
-                    factor.empty() ? "p must be between 0 and 1" : "k must be greater than 0");
+        return fail(ErrorCode::bad_input, factor.empty() ? tell<"p must be between 0 and 1">()
+                                                         : tell<"k must be greater than 0">());
     q.statement = factor.empty() ? "certificate-p" : "certificate-k";
     q.a = *value;
     q.b = factor.empty() ? 100.0 * *second : *second;
@@ -130,7 +130,8 @@ Result<std::vector<std::string>> state_uncertainty(const DccStatement& statement
             state_expanded(expanded, statement.factor.at(i), statement.probability.at(i), quantity, remarks);
         if (!stated) return fail(stated.error());
     }
-    if (quantity.a && *quantity.a < 0.0) return fail(ErrorCode::bad_input, "its uncertainty is negative");
+    if (quantity.a && *quantity.a < 0.0)
+        return fail(ErrorCode::bad_input, tell<"its uncertainty is negative">());
     take_shape(statement.distribution.at(i), quantity, remarks);
     return remarks;
 }

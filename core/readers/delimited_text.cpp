@@ -70,11 +70,10 @@ Result<void> scan_blank_separated(std::string_view text, const TakeCsvRow& take)
         if (is_comment(line)) continue;
         if (valid_utf8(line) < line.size())
             return refused_at(number, static_cast<int>(valid_utf8(line)) + 1,
-                              "the text is not encoded as UTF-8; save it as UTF-8");
+                              tell<"the text is not encoded as UTF-8; save it as UTF-8">());
         std::vector<std::string> cells = blank_separated(line);
         if (cells.size() > most_csv_columns)
-            return refused_at(number,
-                              "more than " + std::to_string(most_csv_columns) + " columns are not read");
+            return refused_at(number, tell<"more than %1 columns are not read">(most_csv_columns));
         if (!cells.empty() && !take({number, std::move(cells)})) break;
     }
     return {};

@@ -87,13 +87,14 @@ struct Command {
 Result<std::vector<Command>> commands_of(std::string_view text) {
     std::vector<Command> commands;
     while (!text.empty()) {
-        if (text.front() != '\\') return fail(ErrorCode::bad_input, "it does not begin with \\");
+        if (text.front() != '\\') return fail(ErrorCode::bad_input, tell<"it does not begin with \\">());
         const std::size_t end = std::min(text.find_first_of("\\{ ", 1), text.size());
         Command command{text.substr(1, end - 1), {}};
         text.remove_prefix(end);
         if (!text.empty() && text.front() == '{') {
             const std::size_t close = text.find('}');
-            if (close == std::string_view::npos) return fail(ErrorCode::bad_input, "a brace is not closed");
+            if (close == std::string_view::npos)
+                return fail(ErrorCode::bad_input, tell<"a brace is not closed">());
             command.argument = text.substr(1, close - 1);
             text.remove_prefix(close + 1);
         }
@@ -135,7 +136,7 @@ Result<int> power_in(std::string_view argument) {
     int power = 0;
     const auto [end, status] = std::from_chars(argument.data(), argument.data() + argument.size(), power);
     if (status != std::errc{} || end != argument.data() + argument.size() || std::abs(power) > 9)
-        return fail(ErrorCode::bad_input, "its power '" + std::string(argument) + "' is no small integer");
+        return fail(ErrorCode::bad_input, tell<"its power '%1' is no small integer">(std::string(argument)));
     return power;
 }
 
@@ -155,7 +156,7 @@ Result<std::string> typed_text(const std::vector<Command>& commands) {
         }
         const auto symbol = symbol_in(unit_names, command.name);
         if (symbol.empty())
-            return fail(ErrorCode::bad_input, "'\\" + std::string(command.name) + "' is not known");
+            return fail(ErrorCode::bad_input, tell<"'\\%1' is not known">(std::string(command.name)));
         Factor factor{prefix + std::string(symbol), 1};
         prefix.clear();
         if (i + 1 < commands.size() && commands[i + 1].name == "tothe") {
@@ -166,7 +167,8 @@ Result<std::string> typed_text(const std::vector<Command>& commands) {
         if (std::exchange(per, false)) factor.power = -factor.power;
         add_factor(factors, std::move(factor));
     }
-    if (!prefix.empty() || per || commands.empty()) return fail(ErrorCode::bad_input, "it ends too early");
+    if (!prefix.empty() || per || commands.empty())
+        return fail(ErrorCode::bad_input, tell<"it ends too early">());
     return typed_unit(factors);
 }
 
@@ -254,7 +256,8 @@ Result<Unit> unit_of_dsi(const std::string& text) {
     const auto commands = commands_of(text);
     const auto typed = commands ? typed_text(*commands) : fail(commands.error());
     auto unit = typed ? Unit::parse(*typed) : fail(typed.error());
-    if (!unit) return fail(ErrorCode::bad_input, "the unit " + in_quotes(text) + ": " + unit.error().message);
+    if (!unit)
+        return fail(ErrorCode::bad_input, tell<"the unit %1: %2">(in_quotes(text), unit.error().message));
     return unit;
 }
 

@@ -46,8 +46,9 @@ void say_columns(const SheetBudget& place, Proposals& proposals) {
         const BudgetHead& head = place.heads[i];
         if (head.column == BudgetColumn::unread && head.word.empty()) continue;
         if (head.column == BudgetColumn::unread) {
-            proposals.leave_out(place.head_row, "column " + column_letters(place.columns[i]) +
-                                                    (head.word == "-" ? "" : " " + in_quotes(head.word)));
+            proposals.leave_out(place.head_row,
+                                tell<"column %1%2">(column_letters(place.columns[i]),
+                                                    (head.word == "-" ? "" : " " + in_quotes(head.word))));
             continue;
         }
         for (const BudgetColumnWord& word : budget_column_words())
@@ -55,7 +56,7 @@ void say_columns(const SheetBudget& place, Proposals& proposals) {
                 words += (words.empty() ? "" : ", ") + column_letters(place.columns[i]) + " " + word.title +
                          (head.unit ? " [" + head.unit->display() + "]" : "");
     }
-    proposals.found.push_back("sheet " + in_quotes(place.sheet->name) + ", columns: " + words);
+    proposals.found.push_back(tell<"sheet %1, columns: %2">(in_quotes(place.sheet->name), words));
 }
 
 /// The cells of a budget, by row and column of the budget.
@@ -86,7 +87,7 @@ public:
         const WorkbookCell* found = cell(row, wanted);
         return found ? found->text : std::string();
     }
-    tl::unexpected<Error> refused(int row, Column wanted, const std::string& message) const {
+    tl::unexpected<Error> refused(int row, Column wanted, const Message& message) const {
         return place_.sheet->refused(row, std::max(column(wanted), 1), message);
     }
 
@@ -104,7 +105,7 @@ public:
         const auto number = number_in_text(digits);
         const auto unit =
             end == std::string::npos ? Result<Unit>(Unit()) : Unit::parse(plain_name(words.substr(end)));
-        if (!number || !unit) return refused(row, wanted, in_quotes(words) + " is no number");
+        if (!number || !unit) return refused(row, wanted, tell<"%1 is no number">(in_quotes(words)));
         return std::optional(CellFigure{*number, *unit});
     }
 
@@ -146,26 +147,26 @@ Result<NotedComponent> component_of(const BudgetCells& cells, int row, const Uni
         main = wanted;
         if ((*read)->unit && own && !(*(*read)->unit == *own))
             return cells.refused(row, wanted,
-                                 "its unit differs from that of the other uncertainty of the row");
+                                 tell<"its unit differs from that of the other uncertainty of the row">());
         if ((*read)->unit && !(*(*read)->unit == Unit())) own = (*read)->unit;
     }
     if (const WorkbookCell* divisor = cells.cell(row, Column::divisor); divisor && !divisor->text.empty()) {
         figures.divisor = divisor->number ? divisor->number : divisor_in_text(divisor->text);
         if (!figures.divisor)
-            return cells.refused(row, Column::divisor, in_quotes(divisor->text) + " is no divisor");
+            return cells.refused(row, Column::divisor, tell<"%1 is no divisor">(in_quotes(divisor->text)));
     }
     if (const std::string nu = cells.text(row, Column::nu);
         !nu.empty() && nu != "∞" && nu != "inf" && nu != "Inf" && nu != "infinity" && nu != "infinite") {
         const auto read = cells.plain_figure(row, Column::nu);
         if (!read) return fail(read.error());
         if (*read && !(**read > 0.0))
-            return cells.refused(row, Column::nu, "degrees of freedom must be greater than 0");
+            return cells.refused(row, Column::nu, tell<"degrees of freedom must be greater than 0">());
         if (*read && **read < 1e6) figures.nu = *read;
     }
     std::string how;
     auto component = stated_component_of(figures, how);
     if (!component) return cells.refused(row, main, component.error().message);
-    if (!how.empty()) proposals.found.push_back("row " + std::to_string(row) + ": " + how);
+    if (!how.empty()) proposals.found.push_back(tell<"row %1: %2">(row, how));
     component->unit = own ? *own : unit;
     return component;
 }
@@ -233,22 +234,22 @@ private:
                                      of.interval_to_si(std::abs(share.contribution));
                 if (!(ratio > 0.5 && ratio < 2.0)) continue;
                 if (std::abs(ratio - 1.0) > 0.02)
-                    proposals.leave_out(c.row, "the contribution " + shortest_number(share.contribution) +
-                                                   ": c and u give " +
-                                                   readable_number(ratio * std::abs(share.contribution)));
+                    proposals.leave_out(c.row, tell<"the contribution %1: c and u give %2">(
+                                                   shortest_number(share.contribution),
+                                                   readable_number(ratio * std::abs(share.contribution))));
                 return unit;
             }
-            return cells_.refused(
-                c.row, BudgetColumn::contribution,
-                "the contribution does not follow from c and u in any unit; state the unit behind "
-                "the coefficient ('-575 nm/K')");
+            return cells_.refused(c.row, BudgetColumn::contribution,
+                                  tell<"the contribution does not follow from c and u in any unit; state the "
+                                       "unit behind the coefficient ('-575 nm/K')">());
         }
         if (units.empty())
-            return cells_.refused(c.row, BudgetColumn::unit, "its unit makes no coefficient of the result");
+            return cells_.refused(c.row, BudgetColumn::unit,
+                                  tell<"its unit makes no coefficient of the result">());
         if (units.size() > 1 && !(units.front() == Unit()))
             return cells_.refused(c.row, BudgetColumn::c,
-                                  "its unit may be " + units[0].text() + " or " + units[1].text() +
-                                      ": state it behind the coefficient");
+                                  tell<"its unit may be %1 or %2: state it behind the coefficient">(
+                                      units[0].text(), units[1].text()));
         return units.front();
     }
 
@@ -276,11 +277,10 @@ public:
             if (auto done = read_row(row); !done) return fail(done.error());
         }
         if (first_below_ > 0)
-            proposals_.leave_out(first_below_,
-                                 "what stands below the budget, to row " + std::to_string(last_below_));
+            proposals_.leave_out(first_below_, tell<"what stands below the budget, to row %1">(last_below_));
         if (budget_.quantities.empty())
             return place().sheet->refused(std::max(place().head_row, 1), place().columns.front(),
-                                          "there is no quantity with an uncertainty below");
+                                          tell<"there is no quantity with an uncertainty below">());
         return propose();
     }
 
@@ -303,14 +303,15 @@ private:
             return end_with(row, true);
         if (label.empty() && !uncertain && !valued) {
             if (!first) ended_ = true;
-            proposals_.leave_out(row, "row without a quantity");
+            proposals_.leave_out(row, tell<"row without a quantity">());
             return {};
         }
         if (!uncertain && !valued) {
-            proposals_.leave_out(row, "row " + in_quotes(label) + " without figures");
+            proposals_.leave_out(row, tell<"row %1 without figures">(in_quotes(label)));
             return {};
         }
-        if (label.empty() && first) return cells_.refused(row, Column::name, "the quantity has no name");
+        if (label.empty() && first)
+            return cells_.refused(row, Column::name, tell<"the quantity has no name">());
         return add(row, symbol, name, uncertain, valued);
     }
 
@@ -320,7 +321,7 @@ private:
         if (!result) {
             const std::string name = cells_.text(row, Column::name);
             const std::string words = name.empty() ? cells_.text(row, Column::quantity) : name;
-            proposals_.leave_out(row, "row " + in_quotes(words) + ": computed anew");
+            proposals_.leave_out(row, tell<"row %1: computed anew">(in_quotes(words)));
             return {};
         }
         result_name_ = cells_.text(row, Column::name);
@@ -353,9 +354,8 @@ private:
     Result<void> add(int row, const std::string& symbol, const std::string& name, bool uncertain,
                      bool valued) {
         if (budget_.quantities.size() == most_stated_quantities)
-            return cells_.refused(
-                row, Column::name,
-                "more than " + std::to_string(most_stated_quantities) + " quantities are not read");
+            return cells_.refused(row, Column::name,
+                                  tell<"more than %1 quantities are not read">(most_stated_quantities));
         const auto value = cells_.figure(row, Column::value);
         if (!value) return fail(value.error());
         const std::string label = symbol.empty() ? name : symbol;
@@ -398,8 +398,8 @@ private:
             if (q.unit.dimension() != first.dimension())
                 return cells_.refused(
                     std::max(place().head_row, 1), Column::unit,
-                    "the unit of the result is not stated: give the result a row of its own, put "
-                    "the unit behind the head of the contributions, or state it as that of 'result'");
+                    tell<"the unit of the result is not stated: give the result a row of its own, put the "
+                         "unit behind the head of the contributions, or state it as that of 'result'">());
         return unstated_unit(choice_, "result", "the result", first.interval(), proposals_);
     }
 
@@ -424,20 +424,18 @@ private:
             sum = constant + (sum.starts_with("-") ? " " : " + ") + sum;
             budget_.quantities.push_back(
                 {constant, "what the model adds to the sum", unit->from_si(missing), *unit, {}});
-            proposals_.found.push_back("the result is not the sum of c x: " + constant +
-                                       " is the difference");
+            proposals_.found.push_back(
+                tell<"the result is not the sum of c x: %1 is the difference">(constant));
         }
         budget_.equations = y + " = " + sum;
-        proposals_.found.push_back(
-            "model: " + budget_.equations +
-            "; the sheet has sensitivity coefficients only, write your equation instead "
-            "where you have it");
+        proposals_.found.push_back(tell<"model: %1; the sheet has sensitivity coefficients only, write your "
+                                        "equation instead where you have it">(budget_.equations));
         budget_.results.push_back({y, result_name_.empty() ? y : result_name_, *unit});
         budget_.name = proposals_.title.empty() ? place().sheet->name : proposals_.title;
         budget_.id = id_of(budget_.name, "budget");
         budget_.notes = "Sheet " + in_quotes(place().sheet->name) +
                         ". Linear model from the sensitivity coefficients of the sheet.";
-        proposals_.found.push_back(std::to_string(budget_.quantities.size()) + " quantities");
+        proposals_.found.push_back(tell<"%1 quantities">(budget_.quantities.size()));
         proposals_.analyses.push_back(analysis_of(budget_));
         return std::move(proposals_);
     }
@@ -473,7 +471,7 @@ Result<Proposals> read_budget(const std::string& text, const ReadChoice& choice)
     auto proposals = BudgetReader(std::move(*place), choice).read();
     if (!proposals) return proposals;
     for (const WorkbookSheet& other : *sheets)
-        if (&other != sheet) proposals->leave_out(0, "sheet " + in_quotes(other.name));
+        if (&other != sheet) proposals->leave_out(0, tell<"sheet %1">(in_quotes(other.name)));
     return proposals;
 }
 

@@ -32,10 +32,11 @@ public:
     Result<Proposals> read() {
         const pugi::xml_node root = xml_.root(), network = child_called(root, "network");
         if (local_name(root) != "gama-local" || !network)
-            return xml_.refused(root, "no network of GNU Gama: <gama-local> with a <network> is expected");
+            return xml_.refused(root,
+                                tell<"no network of GNU Gama: <gama-local> with a <network> is expected">());
         proposals_.title = list_.title;
         if (choice_.length_unit)
-            proposals_.leave_out(0, "the stated unit of lengths: coordinates of Gama are in metres");
+            proposals_.leave_out(0, tell<"the stated unit of lengths: coordinates of Gama are in metres">());
         say_axes(network);
         const pugi::xml_node data = child_called(network, "points-observations");
         GamaObservations observations(xml_, data, proposals_);
@@ -45,19 +46,17 @@ public:
                 !done)
                 return fail(done.error());
         if (const pugi::xml_node parameters = child_called(network, "parameters"))
-            proposals_.leave_out(xml_.line(parameters), "<parameters>");
+            proposals_.leave_out(xml_.line(parameters), tell<"<parameters>">());
         for (const auto& [name, lines] : others_)
-            proposals_.leave_out(lines.first,
-                                 std::to_string(lines.second) + " <" + name + "> with observations");
-        if (unplaced_ > 0)
-            proposals_.leave_out(unplaced_line_, std::to_string(unplaced_) + " points without x and y");
-        if (planar_ > 0)
-            proposals_.found.push_back(std::to_string(planar_) + " points have no z: it is taken as 0");
+            proposals_.leave_out(lines.first, tell<"%1 <%2> with observations">(lines.second, name));
+        if (unplaced_ > 0) proposals_.leave_out(unplaced_line_, tell<"%1 points without x and y">(unplaced_));
+        if (planar_ > 0) proposals_.found.push_back(tell<"%1 points have no z: it is taken as 0">(planar_));
         if (list_.points.empty())
-            return xml_.refused(data ? data : network, "the network has no points with coordinates x and y");
+            return xml_.refused(data ? data : network,
+                                tell<"the network has no points with coordinates x and y">());
         if (approximate_ > 0)
-            proposals_.found.push_back(std::to_string(approximate_) +
-                                       " points are to be adjusted: their coordinates are approximate ones");
+            proposals_.found.push_back(
+                tell<"%1 points are to be adjusted: their coordinates are approximate ones">(approximate_));
         const std::string source = list_.source, title = list_.title;
         auto proposed = propose_points(std::move(list_), proposals_);
         if (!proposed) return fail(proposed.error());
@@ -71,8 +70,8 @@ private:
         if (axes.empty()) axes = "ne";
         // Of the eight orientations four are right-handed with z upwards.
         const bool right = axes == "en" || axes == "nw" || axes == "se" || axes == "ws";
-        proposals_.found.push_back("coordinates in metres, axes-xy = " + axes +
-                                   (right ? "" : ": a left-handed frame; x and y are taken as they stand"));
+        proposals_.found.push_back(tell<"coordinates in metres, axes-xy = %1%2">(
+            axes, (right ? Message() : tell<": a left-handed frame; x and y are taken as they stand">())));
     }
 
     Result<void> read_part(const pugi::xml_node& node) {
@@ -98,8 +97,9 @@ private:
             words >> word;
             p[i] = number_in_text(word);
             if (!p[i] || words >> word)
-                return xml_.refused(node, std::string(axis_attributes[i]) + " = " +
-                                              in_quotes(plain_name(attribute.value())) + " is no number");
+                return xml_.refused(node,
+                                    tell<"%1 = %2 is no number">(std::string(axis_attributes[i]),
+                                                                 in_quotes(plain_name(attribute.value()))));
         }
         return p;
     }
@@ -114,7 +114,7 @@ private:
         planar_ += !(*p)[2];
         const std::string id = plain_name(node.attribute("id").value());
         if (list_.points.size() == most_listed_points)
-            return xml_.refused(node, "too many points: divide the file");
+            return xml_.refused(node, tell<"too many points: divide the file">());
         index_.try_emplace(id, list_.points.size());
         if (node.attribute("adj") && !node.attribute("fix")) ++approximate_;
         list_.points.push_back(
@@ -134,7 +134,7 @@ private:
             const bool whole = (*p)[0] && (*p)[1];
             if (known == index_.end() && !whole) {
                 proposals_.leave_out(xml_.line(node),
-                                     "<coordinates>: point " + in_quotes(id) + " has no x and y");
+                                     tell<"<coordinates>: point %1 has no x and y">(in_quotes(id)));
                 return {};
             }
             if (known == index_.end()) {
@@ -155,9 +155,8 @@ private:
     /// In mm².
     Result<void> read_covariance(const pugi::xml_node& node, const std::vector<std::size_t>& places) {
         if (places.size() > most_stated_quantities) {
-            proposals_.leave_out(xml_.line(node), "a covariance matrix of more than " +
-                                                      std::to_string(most_stated_quantities) +
-                                                      " coordinates");
+            proposals_.leave_out(xml_.line(node), tell<"a covariance matrix of more than %1 coordinates">(
+                                                      most_stated_quantities));
             return {};
         }
         const auto covariance = gama_band(xml_, node, places.size(), "observed coordinates");
@@ -190,7 +189,7 @@ public:
         list_.unit = Unit::of("m");
         list_.source = "GNU Gama, " + plain_name(choice.file_name);
         if (choice.length_unit)
-            proposals_.leave_out(0, "the stated unit of lengths: coordinates of Gama are in metres");
+            proposals_.leave_out(0, tell<"the stated unit of lengths: coordinates of Gama are in metres">());
     }
 
     Result<Proposals> read() {
@@ -203,15 +202,15 @@ public:
         if (!has_.empty() || places_.empty())
             return xml_.refused(coordinates ? coordinates : xml_.root(),
                                 places_.empty()
-                                    ? "the file has no adjusted coordinates"
-                                    : "point " + in_quotes(has_.begin()->first) + " has no x and y");
+                                    ? tell<"the file has no adjusted coordinates">()
+                                    : tell<"point %1 has no x and y">(in_quotes(has_.begin()->first)));
         proposals_.title = list_.title;
-        proposals_.found.push_back("adjusted coordinates in metres");
+        proposals_.found.push_back(tell<"adjusted coordinates in metres">());
         const pugi::xml_node matrix = child_called(coordinates, "cov-mat");
-        if (!matrix) proposals_.leave_out(0, "uncertainties: the file has no <cov-mat>");
+        if (!matrix) proposals_.leave_out(0, tell<"uncertainties: the file has no <cov-mat>">());
         if (matrix)
             if (auto done = read_matrix(matrix); !done) return fail(done.error());
-        proposals_.leave_out(0, "residuals and orientations");
+        proposals_.leave_out(0, tell<"residuals and orientations">());
         if (auto proposed = propose_points(std::move(list_), proposals_); !proposed)
             return fail(proposed.error());
         return std::move(proposals_);
@@ -223,7 +222,7 @@ private:
         const std::string id = plain_name(text_of_child(node, "id"));
         const auto [found, added] = index_.try_emplace(id, list_.points.size());
         if (added && list_.points.size() == most_listed_points)
-            return xml_.refused(node, "too many points: divide the file");
+            return xml_.refused(node, tell<"too many points: divide the file">());
         if (added) list_.points.push_back({.line = xml_.line(node), .name = id, .p = {}});
         for (const pugi::xml_node& child : node.children()) {
             const std::string_view name = local_name(child);
@@ -231,8 +230,9 @@ private:
             if (name.size() != 1 || std::string_view("xyzXYZ").find(name) == std::string_view::npos) continue;
             const auto value = number_in_text(trimmed_text(child));
             if (!value)
-                return xml_.refused(child, std::string(name) + " = " +
-                                               in_quotes(plain_name(trimmed_text(child))) + " is no number");
+                return xml_.refused(child,
+                                    tell<"%1 = %2 is no number">(std::string(name),
+                                                                 in_quotes(plain_name(trimmed_text(child)))));
             list_.points[found->second].p[axis] = *value;
             has_[id][axis] = true;
             if (adjusted) places_.push_back(3 * found->second + axis);
@@ -246,12 +246,12 @@ private:
                    band = number_in_text(text_of_child(node, "band"));
         if (!dim || !band || !(*dim >= static_cast<double>(places_.size())) || !(*dim <= 1e5) ||
             !(*band >= 0.0) || !(*band < *dim))
-            return xml_.refused(node, "its dim must be at least the " + std::to_string(places_.size()) +
-                                          " adjusted coordinates, its band less than it");
+            return xml_.refused(
+                node, tell<"its dim must be at least the %1 adjusted coordinates, its band less than it">(
+                          places_.size()));
         if (places_.size() > most_stated_quantities) {
-            proposals_.leave_out(xml_.line(node), "a covariance matrix of more than " +
-                                                      std::to_string(most_stated_quantities) +
-                                                      " coordinates");
+            proposals_.leave_out(xml_.line(node), tell<"a covariance matrix of more than %1 coordinates">(
+                                                      most_stated_quantities));
             return {};
         }
         const auto n = static_cast<Eigen::Index>(places_.size()), width = static_cast<Eigen::Index>(*band);
@@ -260,9 +260,7 @@ private:
         for (Eigen::Index i = 0; i < n; ++i)
             for (Eigen::Index j = i; j <= std::min(static_cast<Eigen::Index>(*dim) - 1, i + width); ++j) {
                 const auto value = number_in_text(trimmed_text(element));
-                if (!value)
-                    return xml_.refused(node, "element " + std::to_string(i + 1) + ", " +
-                                                  std::to_string(j + 1) + " is no number");
+                if (!value) return xml_.refused(node, tell<"element %1, %2 is no number">(i + 1, j + 1));
                 if (j < n) covariance(i, j) = covariance(j, i) = *value;
                 element = element.next_sibling("flt");
             }

@@ -66,8 +66,7 @@ Result<Eigen::MatrixXd> gama_band(const XmlText& xml, const xml_node& node, std:
     const auto dim = number_in_text(node.attribute("dim").value()),
                band = number_in_text(node.attribute("band").value());
     if (!dim || !band || *dim != static_cast<double>(n) || !(*band >= 0.0) || !(*band < *dim))
-        return xml.refused(
-            node, "its dim must be the " + std::to_string(n) + " " + what + ", its band less than that");
+        return xml.refused(node, tell<"its dim must be the %1 %2, its band less than that">(n, what));
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
     std::istringstream words(node.child_value());
     for (Eigen::Index i = 0; i < n; ++i)
@@ -77,8 +76,8 @@ Result<Eigen::MatrixXd> gama_band(const XmlText& xml, const xml_node& node, std:
             words >> word;
             const auto value = number_in_text(word);
             if (!value)
-                return xml.refused(node, "element " + std::to_string(i + 1) + ", " + std::to_string(j + 1) +
-                                             ": " + in_quotes(plain_name(word)) + " is no number");
+                return xml.refused(
+                    node, tell<"element %1, %2: %3 is no number">(i + 1, j + 1, in_quotes(plain_name(word))));
             covariance(i, j) = covariance(j, i) = *value;
         }
     return covariance;
@@ -100,7 +99,7 @@ Result<void> GamaObservations::read(const xml_node& cluster) {
     const xml_node matrix = child_called(cluster, "cov-mat");
     if (!matrix) return {};
     if (beyond_ == beyond) return take_matrix(matrix, first);
-    proposals_.leave_out(xml_.line(matrix), "a covariance matrix of observations that are left out");
+    proposals_.leave_out(xml_.line(matrix), tell<"a covariance matrix of observations that are left out">());
     return {};
 }
 
@@ -137,12 +136,12 @@ Result<std::optional<double>> GamaObservations::deviation(const xml_node& node, 
     for (std::size_t i = 0; words >> word; ++i) {
         const auto number = number_in_text(word);
         if (!number || i >= (of.angle || !own.empty() ? 1u : 3u))
-            return xml_.refused(node, "the standard deviation " + in_quotes(text) + " is no number");
+            return xml_.refused(node, tell<"the standard deviation %1 is no number">(in_quotes(text)));
         parts[i] = *number;
     }
     const double u = parts[0] + parts[1] * std::pow(std::abs(value) / 1000.0, parts[2]);
     if (!(u >= 0.0) || !std::isfinite(u))
-        return xml_.refused(node, "the standard deviation " + in_quotes(text) + " must not be negative");
+        return xml_.refused(node, tell<"the standard deviation %1 must not be negative">(in_quotes(text)));
     return std::optional<double>(u);
 }
 
@@ -153,7 +152,7 @@ Result<void> GamaObservations::add(const xml_node& node, const std::string& name
     auto number = number_in_text(text);
     const auto degrees = angle && !number ? sexagesimal_degrees(text) : std::nullopt;
     if (!number) number = degrees;
-    if (!number) return xml_.refused(node, std::string(value) + " = " + in_quotes(text) + " is no number");
+    if (!number) return xml_.refused(node, tell<"%1 = %2 is no number">(std::string(value), in_quotes(text)));
     const auto u = deviation(node, kind, *number);
     if (!u) return fail(u.error());
     if (quantities_.size() == most_stated_quantities) {
@@ -197,13 +196,13 @@ void GamaObservations::propose(const std::string& title, const std::string& sour
     const auto without = std::count_if(quantities_.begin(), quantities_.end(),
                                        [](const StatedQuantity& q) { return q.statement.empty(); });
     proposals_.found.push_back(
-        std::to_string(quantities_.size()) + " observations" +
-        (without > 0 ? ", " + std::to_string(without) + " of them without a standard deviation" : "") +
-        (correlations_.empty() ? "" : ", " + std::to_string(correlations_.size()) + " correlations") +
-        "; each is its own result: write the equations of what you measure with them");
+        tell<
+            "%1 observations%2%3; each is its own result: write the equations of what you measure with them">(
+            quantities_.size(),
+            without > 0 ? tell<", %1 of them without a standard deviation">(without) : Message(),
+            correlations_.empty() ? Message() : tell<", %1 correlations">(correlations_.size())));
     if (beyond_ > 0)
-        proposals_.leave_out(0, std::to_string(beyond_) + " observations: more than " +
-                                    std::to_string(most_stated_quantities));
+        proposals_.leave_out(0, tell<"%1 observations: more than %2">(beyond_, most_stated_quantities));
     proposals_.analyses.push_back(
         analysis_of("observations", "Observations of " + title,
                     "From " + source + ". Standard deviations as stated for the adjustment.", quantities_,

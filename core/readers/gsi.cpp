@@ -48,23 +48,22 @@ public:
         if (proposals_.title.empty()) proposals_.title = "GSI";
         source_ = "Leica GSI, " + plain_name(choice.file_name);
         if (choice.length_unit)
-            proposals_.leave_out(0, "the stated unit of lengths: words of GSI state theirs");
+            proposals_.leave_out(0, tell<"the stated unit of lengths: words of GSI state theirs">());
     }
 
     Result<Proposals> make(const std::vector<GsiBlock>& blocks) {
         for (const GsiBlock& block : blocks) add(block);
         for (const auto& [index, lines] : others_)
-            proposals_.leave_out(
-                lines.first, "words " + std::to_string(index) + " (" + std::to_string(lines.second) + ")");
+            proposals_.leave_out(lines.first, tell<"words %1 (%2)">(index, lines.second));
         if (heights_ > 0)
             proposals_.found.push_back(
-                std::to_string(heights_) +
-                " readings of reflectors above their points: the targets are the reflectors");
+                tell<"%1 readings of reflectors above their points: the targets are the reflectors">(
+                    heights_));
         if (!list_.points.empty()) propose_list();
         for (const SetUp& set_up : set_ups_) propose_set_up(set_up);
         if (proposals_.assets.empty())
             return fail(ErrorCode::bad_input,
-                        "the file has neither coordinates nor readings with a distance");
+                        tell<"the file has neither coordinates nor readings with a distance">());
         return std::move(proposals_);
     }
 
@@ -81,8 +80,9 @@ private:
                                     .p = {*block.target[0], *block.target[1], *block.target[2]}});
         if (!block.azimuth && !block.zenith && !block.distance) return;
         if (!block.azimuth || !block.zenith || !block.distance)
-            return proposals_.leave_out(block.line, "the reading of " + in_quotes(block.point) +
-                                                        ": angles and a distance are needed");
+            return proposals_.leave_out(
+                block.line,
+                tell<"the reading of %1: angles and a distance are needed">(in_quotes(block.point)));
         if (set_ups_.empty()) set_ups_.push_back({.station = "station", .readings = {}});
         if (block.target_height && *block.target_height != 0.0) ++heights_;
         SetUp& set_up = set_ups_.back();
@@ -104,7 +104,7 @@ private:
         list_.title = proposals_.title;
         list_.unit = Unit::of("m");
         list_.source = source_;
-        proposals_.found.push_back("coordinates E, N, H become x, y, z");
+        proposals_.found.push_back(tell<"coordinates E, N, H become x, y, z">());
         // There are points, which is all that it asks for.
         static_cast<void>(propose_points(std::move(list_), proposals_));
     }
@@ -112,18 +112,18 @@ private:
     void propose_set_up(const SetUp& set_up) {
         if (set_up.readings.empty()) return;
         if (++number_ > most_set_ups)
-            return proposals_.leave_out(set_up.readings.front().line,
-                                        in_quotes(set_up.station) + ": more than " +
-                                            std::to_string(most_set_ups) + " set-ups; divide the file");
+            return proposals_.leave_out(
+                set_up.readings.front().line,
+                tell<"%1: more than %2 set-ups; divide the file">(in_quotes(set_up.station), most_set_ups));
         const Rounds rounds = rounds_of(set_up.readings);
         if (!set_up.located)
-            proposals_.found.push_back(in_quotes(set_up.station) +
-                                       ": its coordinates are not in the file: 0, 0, 0");
+            proposals_.found.push_back(
+                tell<"%1: its coordinates are not in the file: 0, 0, 0">(in_quotes(set_up.station)));
         if (are_rounds(rounds)) return propose_rounds(set_up, rounds);
         if (has_list_)
             return proposals_.leave_out(
                 set_up.readings.front().line,
-                in_quotes(set_up.station) + ": readings of points that have coordinates");
+                tell<"%1: readings of points that have coordinates">(in_quotes(set_up.station)));
         propose_readings_as_points(set_up);
     }
 
@@ -137,10 +137,8 @@ private:
     }
 
     void propose_readings_as_points(const SetUp& set_up) {
-        proposals_.found.push_back(
-            in_quotes(set_up.station) +
-            ": readings do not repeat, or are too far apart for it, and say nothing of their "
-            "uncertainty: points");
+        proposals_.found.push_back(tell<"%1: readings do not repeat, or are too far apart for it, and say "
+                                        "nothing of their uncertainty: points">(in_quotes(set_up.station)));
         PointList points{
             .title = proposals_.title + ", " + set_up.station, .unit = Unit::of("m"), .source = source_};
         for (const PolarReading& reading : set_up.readings) {

@@ -75,14 +75,15 @@ private:
     Result<void> read_word(std::string_view word, std::size_t width, int line, int column) {
         if (word.size() < 8 || word.size() > width || !are_digits(word.substr(0, 2)) ||
             (word[6] != '+' && word[6] != '-'))
-            return refused_at(line, column, "no word of GSI: index, information, sign and data are expected");
+            return refused_at(line, column,
+                              tell<"no word of GSI: index, information, sign and data are expected">());
         const int index = (word[0] - '0') * 10 + (word[1] - '0');
         if (index == 11 || (index >= 41 && index <= 49)) {
             if (blocks.size() == most_blocks)
-                return refused_at(line, column, "more than " + std::to_string(most_blocks) + " blocks");
+                return refused_at(line, column, tell<"more than %1 blocks">(most_blocks));
             blocks.emplace_back().line = line;
         }
-        if (blocks.empty()) return refused_at(line, column, "a block begins with the word 11 or 41");
+        if (blocks.empty()) return refused_at(line, column, tell<"a block begins with the word 11 or 41">());
         GsiBlock& block = blocks.back();
         if (index == 11) {
             const std::string_view data = word.substr(7);
@@ -121,13 +122,15 @@ private:
                                     int column) {
         const std::string_view data = word.substr(7);
         double digits = 0.0;
-        if (!are_digits(data)) return refused_at(line, column + 7, "the data of a word must be digits");
+        if (!are_digits(data))
+            return refused_at(line, column + 7, tell<"the data of a word must be digits">());
         std::from_chars(data.data(), data.data() + data.size(), digits);
         const auto value = in_si(digits, word[5], angle);
         if (!value)
-            return refused_at(line, column + 5,
-                              std::string("the unit '") + plain_name(std::string(1, word[5])) +
-                                  "' is none of " + (angle ? "an angle" : "a length"));
+            return refused_at(
+                line, column + 5,
+                tell<"the unit '%1' is none of %2">(plain_name(std::string(1, word[5])),
+                                                    (angle ? tell<"an angle">() : tell<"a length">())));
         place = word[6] == '-' ? -*value : *value;
         return {};
     }
@@ -157,7 +160,7 @@ Result<std::vector<GsiBlock>> read_gsi(const std::string& text) {
         line = line.substr(0, line.find_last_not_of(' ') + 1);
         if (auto done = reader.read_line(line, number); !done) return fail(done.error());
     }
-    if (reader.blocks.empty()) return fail(ErrorCode::bad_input, "the file has no blocks of GSI");
+    if (reader.blocks.empty()) return fail(ErrorCode::bad_input, tell<"the file has no blocks of GSI">());
     for (GsiBlock& block : reader.blocks)
         if (block.distance && *block.distance == 0.0) block.distance.reset();
     return std::move(reader.blocks);

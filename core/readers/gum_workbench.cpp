@@ -51,19 +51,19 @@ Result<IniFile> parse_ini(std::string_view text) {
         text.remove_prefix(std::min(end + 1, text.size()));
         if (line.empty() || line.front() == ';') continue;
         if (static_cast<std::size_t>(number) > most_smu_lines)
-            return refused_at(number, "more than " + std::to_string(most_smu_lines) + " lines are not read");
+            return refused_at(number, tell<"more than %1 lines are not read">(most_smu_lines));
         if (line.front() == '[') {
             if (line.back() != ']')
-                return refused_at(number, 1, "the name of a section is not closed by ']'");
+                return refused_at(number, 1, tell<"the name of a section is not closed by ']'">());
             const auto [at, added] = file.try_emplace(line.substr(1, line.size() - 2));
-            if (!added) return refused_at(number, 1, "the section " + plain_name(line) + " stands twice");
+            if (!added) return refused_at(number, 1, tell<"the section %1 stands twice">(plain_name(line)));
             section = &at->second;
             section->line = number;
             continue;
         }
         const std::size_t sign = line.find('=');
         if (sign == std::string::npos || !section)
-            return refused_at(number, 1, "neither a section [...] nor a line name=value of one");
+            return refused_at(number, 1, tell<"neither a section [...] nor a line name=value of one">());
         std::string value = trimmed_blanks(std::string_view(line).substr(sign + 1));
         if (value.size() >= 2 && value.front() == '\'' && value.back() == '\'')
             value = value.substr(1, value.size() - 2);
@@ -120,7 +120,8 @@ public:
         read_title();
         if (auto done = read_components(); !done) return fail(done.error());
         if (auto done = read_model(); !done) return fail(done.error());
-        if (budget_.quantities.empty()) return refused_at(1, "no quantity with a value and an uncertainty");
+        if (budget_.quantities.empty())
+            return refused_at(1, tell<"no quantity with a value and an uncertainty">());
         budget_.id = id_of(proposals_.title, "budget");
         budget_.name = proposals_.title.empty() ? "Budget" : proposals_.title;
         proposals_.found.insert(proposals_.found.begin(),
@@ -156,14 +157,15 @@ private:
     Result<void> read_model() {
         const IniSection* model = section("Model");
         const std::vector<IniValue> lines = model ? list(*model, "Model") : std::vector<IniValue>();
-        if (lines.empty()) return refused_at(model ? model->line : 1, "the file has no equation (Model[1]=)");
+        if (lines.empty())
+            return refused_at(model ? model->line : 1, tell<"the file has no equation (Model[1]=)">());
         for (const IniValue& line : lines) {
             const std::string equation = plain_names(without_remarks(line.text));
             if (equation.empty()) continue;
             if (equation.find("log(") != std::string::npos || equation.find("LOG(") != std::string::npos)
-                return refused_at(line.line,
-                                  "log may be the natural or the decimal logarithm: write ln or log10");
-            if (const std::string complaint = equation_complaint(equation); !complaint.empty())
+                return refused_at(
+                    line.line, tell<"log may be the natural or the decimal logarithm: write ln or log10">());
+            if (const Message complaint = equation_complaint(equation); !complaint.empty())
                 return refused_at(line.line, in_quotes(plain_name(equation)) + ": " + complaint);
             budget_.equations += (budget_.equations.empty() ? "" : "\n") + equation;
         }
@@ -172,17 +174,17 @@ private:
 
     Result<void> read_components() {
         const IniSection* names = section("Components");
-        if (!names) return refused_at(1, "no file of GUM Workbench: the section [Components] is missing");
+        if (!names)
+            return refused_at(1, tell<"no file of GUM Workbench: the section [Components] is missing">());
         const std::vector<IniValue> all = list(*names, "Comp");
         for (std::size_t i = 0; i < all.size() && i < most_stated_quantities; ++i) {
             const IniSection* part = section("COMP " + std::to_string(i + 1));
-            if (!part)
-                return refused_at(all[i].line, "the section [COMP " + std::to_string(i + 1) + "] is missing");
+            if (!part) return refused_at(all[i].line, tell<"the section [COMP %1] is missing">(i + 1));
             if (auto done = read_component(plain_names(plain_name(all[i].text)), *part); !done) return done;
         }
         if (all.size() > most_stated_quantities)
-            return refused_at(names->line, "more than " + std::to_string(most_stated_quantities) +
-                                               " quantities are not read");
+            return refused_at(names->line,
+                              tell<"more than %1 quantities are not read">(most_stated_quantities));
         return {};
     }
 
@@ -191,15 +193,15 @@ private:
         if (!value || value->text.empty()) return std::optional<double>();
         const auto read = number_in_text(value->text);
         if (!read)
-            return refused_at(value->line,
-                              std::string(key) + " " + in_quotes(plain_name(value->text)) + " is no number");
+            return refused_at(value->line, tell<"%1 %2 is no number">(std::string(key),
+                                                                      in_quotes(plain_name(value->text))));
         return read;
     }
 
     Result<double> required(const IniSection& part, const char* key) const {
         const auto value = number(part, key);
         if (!value) return fail(value.error());
-        if (!*value) return refused_at(part.line, std::string(key) + "= is missing");
+        if (!*value) return refused_at(part.line, tell<"%1= is missing">(std::string(key)));
         return **value;
     }
 
@@ -243,9 +245,8 @@ private:
         } else {
             const IniValue* place = part.find("Type");
             return refused_at(place ? place->line : part.line,
-                              "quantities of type " + in_quotes(plain_name(type)) +
-                                  " are not known; those that are: Result, TypBNormal, TypBRectang, "
-                                  "TypAPooled");
+                              tell<"quantities of type %1 are not known; those that are: Result, TypBNormal, "
+                                   "TypBRectang, TypAPooled">(in_quotes(plain_name(type))));
         }
         if (!done) return done;
         const auto nu = number(part, "Neff");
@@ -265,7 +266,7 @@ private:
             if (const std::string text = plain_name(part.text(key)); !text.empty())
                 stated += (stated.empty() ? "" : ", ") + std::string(key) + " = " + text;
         if (!stated.empty())
-            proposals_.found.push_back("result " + result.symbol + " as the file states it: " + stated);
+            proposals_.found.push_back(tell<"result %1 as the file states it: %2">(result.symbol, stated));
         budget_.results.push_back(std::move(result));
         return {};
     }
@@ -274,7 +275,7 @@ private:
         for (const auto& [name, part] : file_)
             if (name != "Header" && name != "Title" && name != "Model" && name != "Components" &&
                 !name.starts_with("COMP "))
-                proposals_.leave_out(part.line, "section [" + plain_name(name) + "]");
+                proposals_.leave_out(part.line, tell<"section [%1]">(plain_name(name)));
     }
 
     const IniFile& file_;

@@ -18,8 +18,8 @@ constexpr const char* artefact_kind = "artefact-points";
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 constexpr std::size_t most_groups = 100;
 
-std::string counted(std::size_t n, const std::string& what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+Message counted_points(std::size_t n) {
+    return n == 1 ? tell<"1 point">() : tell<"%1 points">(n);
 }
 
 /// Names are unique in an artefact: what occurs again gets a number, and that is said.
@@ -40,8 +40,9 @@ void name_apart(std::vector<ListedPoint>& points, Proposals& proposals) {
         point.name = name;
     }
     if (again > 0)
-        proposals.found.push_back(counted(again, "name") + " occur again and have got a number: first " +
-                                  example);
+        proposals.found.push_back(
+            again == 1 ? tell<"1 name occur again and have got a number: first %1">(example)
+                       : tell<"%1 names occur again and have got a number: first %2">(again, example));
 }
 
 /// Too many groups are told apart by the names of their points.
@@ -53,8 +54,8 @@ void join_groups(PointList& list, Proposals& proposals) {
         if (!point.group.empty()) point.name = point.group + "/" + point.name;
         point.group.clear();
     }
-    proposals.found.push_back(counted(groups.size(), "group") +
-                              " in one artefact: their names stand before those of the points");
+    proposals.found.push_back(
+        tell<"%1 groups in one artefact: their names stand before those of the points">(groups.size()));
 }
 
 struct GroupFigures {
@@ -75,15 +76,17 @@ GroupFigures figures_of(const std::vector<const ListedPoint*>& points) {
     return figures;
 }
 
-std::string words_of(const GroupFigures& figures, const Unit& unit) {
-    if (figures.stated == 0) return "no uncertainties are stated: u_cal is 0 until you state it";
-    std::string words =
-        figures.differ ? "u_cal is the largest of the stated standard uncertainties: " : "u_cal as stated: ";
+Message words_of(const GroupFigures& figures, const Unit& unit) {
+    if (figures.stated == 0) return tell<"no uncertainties are stated: u_cal is 0 until you state it">();
+    std::string u_cal;
     for (std::size_t i = 0; i < 3; ++i)
-        words += (i > 0 ? ", " : "") + std::string(axis_names[i]) + " " + readable_number(figures.largest[i]);
-    words += " " + unit.display();
+        u_cal += (i > 0 ? ", " : "") + std::string(axis_names[i]) + " " + readable_number(figures.largest[i]);
+    u_cal += " " + unit.display();
+    Message words = figures.differ
+                        ? tell<"u_cal is the largest of the stated standard uncertainties: %1">(u_cal)
+                        : tell<"u_cal as stated: %1">(u_cal);
     if (figures.stated < figures.points)
-        words += "; " + counted(figures.points - figures.stated, "point") + " without a stated one";
+        words += "; " + tell<"%1 without a stated one">(counted_points(figures.points - figures.stated));
     return words;
 }
 
@@ -106,12 +109,12 @@ void propose_artefact(const PointList& list, const std::string& group,
         return std::any_of(proposals.assets.begin(), proposals.assets.end(),
                            [&](const AssetEntry& other) { return other.id == id; });
     });
-    asset.notes = "From " + list.source + ". " + words_of(figures, list.unit) +
+    asset.notes = "From " + list.source + ". " + words_of(figures, list.unit).english() +
                   ". u_T, u_var and b are 0: nothing is known of temperature and of measurements of it.";
     asset.setup.values["points"] = rows.table();
     asset.setup.values["evaluation"] = std::string("components");
     asset.setup.values["components"] = components.table();
-    proposals.found.push_back(in_quotes(asset.name) + ": " + counted(points.size(), "point") + "; " +
+    proposals.found.push_back(in_quotes(asset.name) + ": " + counted_points(points.size()) + "; " +
                               words_of(figures, list.unit));
     proposals.assets.push_back(std::move(asset));
 }
@@ -119,8 +122,8 @@ void propose_artefact(const PointList& list, const std::string& group,
 void propose_figures(const PointList& list, Proposals& proposals) {
     if (3 * list.points.size() > most_stated_quantities)
         return proposals.leave_out(
-            0, "the uncertainty of each point by itself, and correlations: only up to " +
-                   counted(most_stated_quantities / 3, "point") + " have an analysis of their own");
+            0, tell<"the uncertainty of each point by itself, and correlations: only up to %1 have an "
+                    "analysis of their own">(counted_points(most_stated_quantities / 3)));
     std::vector<StatedQuantity> quantities;
     for (std::size_t i = 0; i < list.points.size(); ++i)
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -142,16 +145,17 @@ void propose_figures(const PointList& list, Proposals& proposals) {
     proposals.analyses.push_back(analysis_of(
         "points", "Points as stated", "From " + list.source + ": every coordinate with its own uncertainty.",
         quantities, correlations));
-    proposals.found.push_back("analysis 'Points as stated': every coordinate with its own uncertainty" +
-                              (correlations.empty()
-                                   ? std::string()
-                                   : " and " + counted(correlations.size(), "correlation coefficient")));
+    proposals.found.push_back(
+        tell<"analysis 'Points as stated': every coordinate with its own uncertainty%1">(
+            correlations.empty()       ? Message()
+            : correlations.size() == 1 ? tell<" and 1 correlation coefficient">()
+                                       : tell<" and %1 correlation coefficients">(correlations.size())));
 }
 
 }  // namespace
 
 Result<void> propose_points(PointList list, Proposals& proposals) {
-    if (list.points.empty()) return fail(ErrorCode::bad_input, "the file has no points");
+    if (list.points.empty()) return fail(ErrorCode::bad_input, tell<"the file has no points">());
     join_groups(list, proposals);
     name_apart(list.points, proposals);
     std::vector<std::string> order;

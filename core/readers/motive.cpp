@@ -53,7 +53,7 @@ public:
         if (!scanned) return fail(scanned.error());
         if (!done) return fail(done.error());
         if (!started_)
-            return refused_at(1, "the file has no line 'Frame,Time (Seconds),...' with data below");
+            return refused_at(1, tell<"the file has no line 'Frame,Time (Seconds),...' with data below">());
         for (RigidBody& body : bodies_)
             if (done = propose(body); !done) return fail(done.error());
         return std::move(proposals_);
@@ -62,12 +62,12 @@ public:
 private:
     Result<void> take(const CsvRow& row) {
         if (row.cells.size() > most_motive_columns)
-            return refused_at(row.line,
-                              "more than " + std::to_string(most_motive_columns) + " columns are not read");
+            return refused_at(row.line, tell<"more than %1 columns are not read">(most_motive_columns));
         if (started_) return take_frame(row);
         const std::string first = head(row.cells, 0), second = head(row.cells, 1);
         if (first == "Format Version") return take_settings(row);
-        if (settings_.empty()) return refused_at(row.line, 1, "the file must begin with 'Format Version,'");
+        if (settings_.empty())
+            return refused_at(row.line, 1, tell<"the file must begin with 'Format Version,'">());
         if (first == "Frame") return begin_frames(row);
         if (second == "Type") heads_.type = row.cells;
         if (second == "Name") heads_.name = row.cells;
@@ -80,8 +80,9 @@ private:
         for (std::size_t i = 0; i + 1 < row.cells.size(); i += 2) settings_[row.cells[i]] = row.cells[i + 1];
         const std::string rotation = settings_["Rotation Type"];
         if (rotation != "Quaternion")
-            return refused_at(row.line, "rotations of type " + in_quotes(plain_name(rotation)) +
-                                            " are not read: export the take with quaternions");
+            return refused_at(row.line,
+                              tell<"rotations of type %1 are not read: export the take with quaternions">(
+                                  in_quotes(plain_name(rotation))));
         static const std::map<std::string, const char*> units{
             {"Meters", "m"}, {"Centimeters", "cm"}, {"Millimeters", "mm"}, {"Inches", "in"}};
         const auto unit = units.find(settings_["Length Units"]);
@@ -90,10 +91,10 @@ private:
         else if (choice_.length_unit)
             unit_ = *choice_.length_unit;
         else
-            return fail(ErrorCode::usage, "the file does not state its unit of lengths; state it");
-        proposals_.found.push_back("take " + in_quotes(plain_name(settings_["Take Name"])) + ", lengths in " +
-                                   unit_.display() + ", coordinate space " +
-                                   in_quotes(plain_name(settings_["Coordinate Space"])));
+            return fail(ErrorCode::usage, tell<"the file does not state its unit of lengths; state it">());
+        proposals_.found.push_back(tell<"take %1, lengths in %2, coordinate space %3">(
+            in_quotes(plain_name(settings_["Take Name"])), unit_.display(),
+            in_quotes(plain_name(settings_["Coordinate Space"]))));
         return {};
     }
 
@@ -112,19 +113,17 @@ private:
             if (added) bodies_.push_back({plain_name(head(heads_.name, i)), {}, {}});
             place(bodies_[at->second], i);
         }
-        if (others > 0) proposals_.leave_out(row.line, std::to_string(others) + " columns of markers");
+        if (others > 0) proposals_.leave_out(row.line, tell<"%1 columns of markers">(others));
         if (bodies_.size() > most_bodies)
-            return refused_at(row.line,
-                              "more than " + std::to_string(most_bodies) + " rigid bodies are not read");
+            return refused_at(row.line, tell<"more than %1 rigid bodies are not read">(most_bodies));
         for (const RigidBody& body : bodies_)
             for (const std::size_t column :
                  {body.rotation[0], body.rotation[1], body.rotation[2], body.rotation[3], body.position[0],
                   body.position[1], body.position[2]})
                 if (column == 0)
-                    return refused_at(row.line, "rigid body " + in_quotes(body.name) +
-                                                    ": columns of its rotation (X, Y, Z, W) or position (X, "
-                                                    "Y, Z) are missing");
-        if (bodies_.empty()) return refused_at(row.line, "the take has no rigid body");
+                    return refused_at(row.line, tell<"rigid body %1: columns of its rotation (X, Y, Z, W) or "
+                                                     "position (X, Y, Z) are missing">(in_quotes(body.name)));
+        if (bodies_.empty()) return refused_at(row.line, tell<"the take has no rigid body">());
         return {};
     }
 
@@ -150,7 +149,7 @@ private:
                 const auto number = csv_number(cell, false);
                 if (!number || std::abs(*number) > 1e9)
                     return refused_at(row.line, static_cast<int>(column) + 1,
-                                      in_quotes(plain_name(cell)) + " is not a number of a pose");
+                                      tell<"%1 is not a number of a pose">(in_quotes(plain_name(cell))));
                 v[i] = *number;
             }
             if (empty > 0) {
@@ -166,13 +165,13 @@ private:
         const Eigen::Quaterniond q(v[3], v[0], v[1], v[2]);
         if (std::abs(q.norm() - 1.0) > 0.01)
             return refused_at(line, static_cast<int>(body.rotation[0]) + 1,
-                              "the quaternion of " + in_quotes(body.name) + " has not the length 1");
+                              tell<"the quaternion of %1 has not the length 1">(in_quotes(body.name)));
         const Eigen::Matrix3d R = q.normalized().toRotationMatrix();
         if (std::abs(R(2, 0)) > std::cos(std::numbers::pi / 180.0))
-            return refused_at(line, static_cast<int>(body.rotation[0]) + 1,
-                              "the angles about z and x of " + in_quotes(body.name) +
-                                  " are not determined: turned by 90 degrees about y. Turn the axes of the "
-                                  "body in Motive by 90 degrees");
+            return refused_at(
+                line, static_cast<int>(body.rotation[0]) + 1,
+                tell<"the angles about z and x of %1 are not determined: turned by 90 degrees about y. Turn "
+                     "the axes of the body in Motive by 90 degrees">(in_quotes(body.name)));
         Pose6 pose;
         pose << v[4], v[5], v[6], zyx_from_rotation<double>(R);
         for (Eigen::Index i = 3; i < 6 && !body.poses.empty(); ++i) {  // no jump at 180 degrees
@@ -186,12 +185,12 @@ private:
     Result<void> propose(const RigidBody& body) {
         const std::string name = body.name.empty() ? "Rigid body" : body.name;
         if (body.occluded > 0)
-            proposals_.leave_out(0, in_quotes(name) + ": " + std::to_string(body.occluded) +
-                                        " frames in which it was not seen");
+            proposals_.leave_out(
+                0, tell<"%1: %2 frames in which it was not seen">(in_quotes(name), body.occluded));
         const std::size_t n = body.poses.size();
         if (n < 2)
-            return refused_at(
-                1, "rigid body " + in_quotes(name) + ": at least two frames in which it is seen are needed");
+            return refused_at(1, tell<"rigid body %1: at least two frames in which it is seen are needed">(
+                                     in_quotes(name)));
         Pose6 mean = Pose6::Zero();
         for (const Pose6& pose : body.poses) mean += (pose - body.poses.front()) / static_cast<double>(n);
         mean += body.poses.front();
@@ -215,9 +214,9 @@ private:
             q.group = name;
             quantities.push_back(std::move(q));
         }
-        proposals_.found.push_back("rigid body " + in_quotes(name) + ": mean pose of " + std::to_string(n) +
-                                   " frames, Type A with covariance; the body must not have moved, and the "
-                                   "frames are taken as independent");
+        proposals_.found.push_back(
+            tell<"rigid body %1: mean pose of %2 frames, Type A with covariance; the body must not have "
+                 "moved, and the frames are taken as independent">(in_quotes(name), n));
         AnalysisEntry analysis =
             analysis_of(id_of(name, "pose"), name,
                         "Mean of " + std::to_string(n) +

@@ -169,7 +169,7 @@ Result<PintUnit> unit_of_pint(const std::string& text) {
                 continue;
             }
             if (plain.find('(') != std::string::npos)
-                return fail(ErrorCode::bad_input, "unit \"" + plain + "\": write it without parentheses");
+                return fail(ErrorCode::bad_input, tell<"unit \"%1\": write it without parentheses">(plain));
             unit += (product ? "*" : "") + std::string(multiple->second.first);
             read.scale *= std::pow(multiple->second.second, (divides ? -1 : 1) * power_at(plain, at));
         } else {
@@ -180,7 +180,7 @@ Result<PintUnit> unit_of_pint(const std::string& text) {
     }
     const auto parsed = Unit::parse(unit.empty() ? "1" : unit);
     if (!parsed) return fail(parsed.error());
-    if (!std::isnormal(read.scale)) return fail(ErrorCode::bad_input, "the exponents are too large");
+    if (!std::isnormal(read.scale)) return fail(ErrorCode::bad_input, tell<"the exponents are too large">());
     read.unit = *parsed;
     return read;
 }

@@ -100,16 +100,15 @@ bool means_two_things(const std::string& word) {
     return word.size() > 2 && word.front() == 'U' && !std::isalnum(static_cast<unsigned char>(word[1]));
 }
 
-tl::unexpected<Error> column_choice(const std::string& what) {
-    return fail(ErrorCode::usage, what + "; state the columns: " + point_column_words());
+tl::unexpected<Error> column_choice(const Message& what) {
+    return fail(ErrorCode::usage, tell<"%1; state the columns: %2">(what, point_column_words()));
 }
 
 constexpr std::size_t most_point_columns = 1000;
 
 Result<void> check(const PointColumns& columns) {
     if (columns.size() > most_point_columns)
-        return fail(ErrorCode::bad_input,
-                    "more than " + std::to_string(most_point_columns) + " columns are not read");
+        return fail(ErrorCode::bad_input, tell<"more than %1 columns are not read">(most_point_columns));
     for (std::size_t i = 0; i < columns.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (columns[i].kind != PointColumnKind::unread && columns[i].kind == columns[j].kind &&
@@ -154,7 +153,7 @@ Result<PointColumns> stated_point_columns(const std::vector<std::string>& words)
         if (known == column_words.end()) {
             std::vector<std::string> names;
             for (const ColumnWord& w : column_words) names.emplace_back(w.word);
-            return column_choice("there is no column " + in_quotes(word) + did_you_mean(word, names));
+            return column_choice(tell<"there is no column %1%2">(in_quotes(word), did_you_mean(word, names)));
         }
         column.kind = known->kind;
         column.axis = known->axis;

@@ -24,8 +24,7 @@ public:
 
     Result<void> add(const CsvRow& row) {
         if (list_.points.size() == most_listed_points)
-            return refused_at(row.line,
-                              "more than " + std::to_string(most_listed_points) + " points: divide the file");
+            return refused_at(row.line, tell<"more than %1 points: divide the file">(most_listed_points));
         ListedPoint point{.line = row.line};
         std::string collection;
         for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -58,14 +57,14 @@ private:
         const bool coordinate = column.kind == PointColumnKind::coordinate;
         if (cell.empty() && !coordinate) return {};
         const auto number = csv_number(cell, format_.decimal_comma);
-        const auto refused = [&](const std::string& what) {
+        const auto refused = [&](const Message& what) {
             return refused_at(point.line, static_cast<int>(i) + 1,
                               "(" + column.word + ") " + in_quotes(plain_name(cell)) + what);
         };
-        if (!number) return refused(cell.empty() ? " is empty" : " is not a number");
-        if (!coordinate && *number < 0.0) return refused(": an uncertainty must not be negative");
+        if (!number) return refused(cell.empty() ? tell<" is empty">() : tell<" is not a number">());
+        if (!coordinate && *number < 0.0) return refused(tell<": an uncertainty must not be negative">());
         const double value = in_unit_of_list(*number, column);
-        if (!std::isfinite(value)) return refused(" is too large");
+        if (!std::isfinite(value)) return refused(tell<" is too large">());
         if (coordinate)
             point.p[static_cast<std::size_t>(column.axis)] = value;
         else
@@ -86,11 +85,11 @@ private:
         while (width > columns_.size() && row.cells[width - 1].empty()) --width;
         if (width <= columns_.size()) return {};
         if (format_.separator == ' ')
-            return refused_at(row.line, static_cast<int>(columns_.size()) + 1,
-                              "the line has " + std::to_string(width) + " columns instead of " +
-                                  std::to_string(columns_.size()) +
-                                  "; put names that contain blanks into quotes");
-        proposals_.leave_out(row.line, "what stands behind column " + std::to_string(columns_.size()));
+            return refused_at(
+                row.line, static_cast<int>(columns_.size()) + 1,
+                tell<"the line has %1 columns instead of %2; put names that contain blanks into quotes">(
+                    width, columns_.size()));
+        proposals_.leave_out(row.line, tell<"what stands behind column %1">(columns_.size()));
         return {};
     }
 
@@ -106,7 +105,7 @@ Unit unit_of_list(const PointColumns& columns, const ReadChoice& choice, Proposa
         if (column.kind == PointColumnKind::coordinate && column.axis == 0 && column.unit)
             return *column.unit;
     if (choice.length_unit) return *choice.length_unit;
-    proposals.found.push_back("lengths are taken as mm: the file does not say its unit");
+    proposals.found.push_back(tell<"lengths are taken as mm: the file does not say its unit">());
     return Unit::of("mm");
 }
 
@@ -115,8 +114,9 @@ void say_columns(const PointColumns& columns, const DelimitedText& format, Propo
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const PointColumn& column = columns[i];
         if (column.kind == PointColumnKind::unread)
-            proposals.leave_out(0, "column " + std::to_string(i + 1) +
-                                       (column.word == "-" ? "" : " " + in_quotes(plain_name(column.word))));
+            proposals.leave_out(
+                0, tell<"column %1%2">(i + 1,
+                                       (column.word == "-" ? "" : " " + in_quotes(plain_name(column.word)))));
         words += (i > 0 ? ", " : "") +
                  (column.kind == PointColumnKind::unread ? std::string("-") : plain_name(column.word));
         if (column.kind == PointColumnKind::standard) words += " (standard uncertainty)";
@@ -152,7 +152,7 @@ Result<Proposals> read_points(const TableText& table, const ReadChoice& choice, 
     Proposals proposals{.title = without_ending(choice.file_name)};
     const std::string_view text = table.text;
     if (table.lines_before > 0)
-        proposals.leave_out(1, std::to_string(table.lines_before) + " lines above the headers");
+        proposals.leave_out(1, tell<"%1 lines above the headers">(table.lines_before));
     bool units = skip_first && std::none_of(columns.begin(), columns.end(), [](const PointColumn& column) {
                      return column.unit.has_value();
                  });
@@ -184,7 +184,7 @@ Result<Proposals> read_points(const TableText& table, const ReadChoice& choice, 
         return fail(std::move(error));
     }
     if (!added) return fail(added.error());
-    if (comments > 0) proposals.leave_out(0, std::to_string(comments) + " lines of comment");
+    if (comments > 0) proposals.leave_out(0, tell<"%1 lines of comment">(comments));
     auto proposed = propose_points(std::move(list), proposals);
     if (!proposed) return fail(proposed.error());
     return proposals;
@@ -205,7 +205,7 @@ Result<Proposals> read_table(const std::string& text, const ReadChoice& choice) 
     });
     if (choice.columns.empty() && numbers)
         return fail(ErrorCode::usage,
-                    "the table has no line of headers; state the columns: " + point_column_words());
+                    tell<"the table has no line of headers; state the columns: %1">(point_column_words()));
     auto columns =
         choice.columns.empty() ? point_columns_of_headers(first) : stated_point_columns(choice.columns);
     if (!columns) return fail(columns.error());
@@ -249,16 +249,14 @@ Result<PointColumns> spatial_analyzer_columns(RowShape shape, bool chosen) {
     const bool coordinates = shape.numbers == 3, uncertainties = shape.numbers == 6;
     if (shape.behind > 0 || shape.words > 3 || (!coordinates && !uncertainties))
         return fail(ErrorCode::usage,
-                    "its columns may mean several things (names that are numbers, offsets, weights, "
-                    "tolerances, notes); "
-                    "state the columns: " +
-                        point_column_words());
+                    tell<"its columns may mean several things (names that are numbers, offsets, weights, "
+                         "tolerances, notes); state the columns: %1">(point_column_words()));
     if (uncertainties && !chosen)
         return fail(
             ErrorCode::usage,
-            "six numbers may be X Y Z Ux Uy Uz, but also X Y Z with weights, a vector or the angles of a "
-            "frame: name the reader if they are uncertainties, or state the columns: " +
-                point_column_words());
+            tell<"six numbers may be X Y Z Ux Uy Uz, but also X Y Z with weights, a vector or the angles of "
+                 "a frame: name the reader if they are uncertainties, or state the columns: %1">(
+                point_column_words()));
     std::vector<std::string> words{"collection", "group", "name"};
     words.erase(words.begin(), words.end() - static_cast<std::ptrdiff_t>(shape.words));
     for (const char* axis : {"x", "y", "z"}) words.emplace_back(axis);
@@ -270,7 +268,7 @@ Result<PointColumns> spatial_analyzer_columns(RowShape shape, bool chosen) {
 Result<Proposals> read_spatial_analyzer(const std::string& text, const ReadChoice& choice) {
     const DelimitedText format = delimited_text_of(text);
     const std::vector<std::string> first = first_cells(text, format);
-    if (first.empty()) return fail(ErrorCode::bad_input, "the file has no points");
+    if (first.empty()) return fail(ErrorCode::bad_input, tell<"the file has no points">());
     auto columns = choice.columns.empty() ? spatial_analyzer_columns(shape_of(first, format), choice.chosen)
                                           : stated_point_columns(choice.columns);
     if (!columns) return fail(columns.error());
@@ -295,7 +293,7 @@ Result<SourceTable> rows_of_points(const std::string& whole, const ReadChoice& c
         return table.rows.size() < SourceTable::most_rows;
     });
     if (!scanned) return fail(scanned.error());
-    if (table.rows.empty()) return fail(ErrorCode::bad_input, "the file has no points");
+    if (table.rows.empty()) return fail(ErrorCode::bad_input, tell<"the file has no points">());
     auto columns = !choice.columns.empty() ? stated_point_columns(choice.columns)
                    : headers               ? point_columns_of_headers(table.rows.front())
                              : spatial_analyzer_columns(shape_of(table.rows.front(), format), choice.chosen);

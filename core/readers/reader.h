@@ -33,7 +33,7 @@ struct ReadChoice {
 /// Something of the file that is not taken over.
 struct LeftOut {
     int line = 0;  ///< 1-based; 0: all of the file
-    std::string what;
+    Message what;
 };
 
 /// A unit that the file does not state.
@@ -47,13 +47,13 @@ struct Proposals {
     std::string title = {};
     std::vector<AssetEntry> assets = {};
     std::vector<AnalysisEntry> analyses = {};
-    std::vector<std::string> found = {};      ///< lines: what was found, and how it is understood
+    std::vector<Message> found = {};          ///< lines: what was found, and how it is understood
     std::vector<LeftOut> left_out = {};       ///< at most `most_left_out`
     std::size_t left_out_beyond = 0;          ///< how many more
     std::vector<UnstatedUnit> unstated = {};  ///< people may state them
 
     static constexpr std::size_t most_left_out = 1000;
-    void leave_out(int line, std::string what) {
+    void leave_out(int line, Message what) {
         if (left_out.size() < most_left_out)
             left_out.push_back({line, std::move(what)});
         else

@@ -83,9 +83,9 @@ Result<const Reader*> reader_for(std::string_view text, const std::string& file_
     const RecognisedReaders found = recognise_reader(text, file_name);
     if (found.readers.size() == 1) return found.readers.front();
     if (found.readers.empty())
-        return fail(ErrorCode::usage, "no reader recognises the file; name the one to read it with");
+        return fail(ErrorCode::usage, tell<"no reader recognises the file; name the one to read it with">());
     return fail(ErrorCode::usage,
-                "several readers recognise the file: " + names_of(found.readers) + "; name one of them");
+                tell<"several readers recognise the file: %1; name one of them">(names_of(found.readers)));
 }
 
 void add_to_project(Project& project, Proposals proposals) {

@@ -37,8 +37,8 @@ Result<std::string> origin_of(const YamlNode& joint, const std::string& name) {
                          (node ? " " + in_quotes(plain_name(node->text)) + " is no number" : " is missing"));
         const double largest = i < 3 ? 100.0 : 10.0;
         if (!(std::abs(*value) <= largest))
-            return node->refused(name + ": " + keys[i] + " must lie within " + shortest_number(largest) +
-                                 (i < 3 ? " m" : " rad"));
+            return node->refused(tell<"%1: %2 must lie within %3">(
+                name, keys[i], shortest_number(largest) + (i < 3 ? " m" : " rad")));
         figures[i] = shortest_number(*value);
     }
     return "<origin xyz=\"" + figures[0] + " " + figures[1] + " " + figures[2] + "\" rpy=\"" + figures[3] +
@@ -56,7 +56,7 @@ Result<std::string> urdf_of(const YamlNode& kinematics, Proposals& proposals) {
     std::string urdf = "<robot name=\"calibrated\"><link name=\"base\"/>", parent = "base";
     for (const auto& [link, name] : arm_joints) {
         const YamlNode* joint = kinematics.find(link);
-        if (!joint) return kinematics.refused(std::string("the frame of ") + link + " is missing");
+        if (!joint) return kinematics.refused(tell<"the frame of %1 is missing">(link));
         const auto origin = origin_of(*joint, link);
         if (!origin) return fail(origin.error());
         leave_out_others(*joint, std::string(link) + ": ", proposals, [](const std::string& key) {
@@ -85,7 +85,7 @@ Result<Proposals> read_calibration(const std::string& text, const ReadChoice& ch
     const auto yaml = parse_yaml(text);
     if (!yaml) return fail(yaml.error());
     const YamlNode* kinematics = yaml->find("kinematics");
-    if (!kinematics) return yaml->refused("no calibration of a robot: 'kinematics' is missing");
+    if (!kinematics) return yaml->refused(tell<"no calibration of a robot: 'kinematics' is missing">());
     Proposals proposals{.title = without_ending(choice.file_name)};
     leave_out_others(*yaml, "", proposals, [](const std::string& key) { return key == "kinematics"; });
     const auto urdf = urdf_of(*kinematics, proposals);
@@ -100,9 +100,9 @@ Result<Proposals> read_calibration(const std::string& text, const ReadChoice& ch
         ": six joints from the base to wrist_3, whose frame is that of the flange (tool0). The file "
         "states no uncertainty: give the parameters theirs.";
     asset.setup = std::move(robot->setup);
-    if (!hash.empty()) proposals.found.push_back("calibration " + hash);
+    if (!hash.empty()) proposals.found.push_back(tell<"calibration %1">(hash));
     for (const std::string& line : robot->report) proposals.found.push_back(line);
-    proposals.found.push_back("lengths in m, angles in rad, about fixed axes as in URDF");
+    proposals.found.push_back(tell<"lengths in m, angles in rad, about fixed axes as in URDF">());
     proposals.assets.push_back(std::move(asset));
     return proposals;
 }

@@ -93,7 +93,7 @@ std::string SymbolNames::take(const std::string& text) {
     return symbol;
 }
 
-std::string equation_complaint(const std::string& equations) {
+Message equation_complaint(const std::string& equations) {
     equation::TextProblems problems;
     equation::parse(equations, problems);
     if (problems.empty()) return {};

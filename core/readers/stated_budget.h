@@ -55,6 +55,6 @@ private:
 };
 
 /// What the equations have that Covaria cannot read, empty if nothing: "columns 4-7: ...".
-std::string equation_complaint(const std::string& equations);
+Message equation_complaint(const std::string& equations);
 
 }  // namespace covaria

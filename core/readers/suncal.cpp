@@ -129,7 +129,7 @@ struct SuncalNames {
         const std::string symbol = taken.take(name);
         symbols[name] = symbol;
         if (symbol != name)
-            proposals.found.push_back(in_quotes(plain_name(name)) + " is called " + symbol + " here");
+            proposals.found.push_back(tell<"%1 is called %2 here">(in_quotes(plain_name(name)), symbol));
         return symbol;
     }
 };
@@ -149,22 +149,24 @@ public:
 
     Result<NotedQuantity> read(const YamlNode& input) {
         const std::string name = input.text_of(keys_.name);
-        if (name.empty()) return input.refused("an input without a name");
+        if (name.empty()) return input.refused(tell<"an input without a name">());
         const std::string where = in_quotes(plain_name(name)) + ": ";
         auto unit = unit_of(input, {});
         if (!unit) return fail(unit.error());
         const YamlNode* mean = input.find(keys_.value);
         const auto value = mean ? mean->number() : std::nullopt;
-        if (!value) return (mean ? *mean : input).refused(where + "its " + keys_.value + " must be a number");
-        if (names_.symbols.contains(name)) return input.refused(where + "there are two inputs of that name");
+        if (!value)
+            return (mean ? *mean : input).refused(where + tell<"its %1 must be a number">(keys_.value));
+        if (names_.symbols.contains(name))
+            return input.refused(where + tell<"there are two inputs of that name">());
         if (!input.find("units"))
             unit->unit = unstated_unit(choice_, plain_name(name), description_of(input), Unit(), proposals_);
         NotedQuantity quantity{
             names_.symbol_of(name, proposals_), description_of(input), unit->value(*value), unit->unit, {}};
         if (unit->is_converted())
-            proposals_.found.push_back(where + shortest_number(*value) + " " +
-                                       plain_name(input.text_of("units")) + " is " +
-                                       readable_number(quantity.value) + " " + unit->unit.display());
+            proposals_.found.push_back(
+                where + tell<"%1 %2 is %3 %4">(shortest_number(*value), plain_name(input.text_of("units")),
+                                               readable_number(quantity.value), unit->unit.display()));
         leave_out_others(proposals_, input, where,
                          {keys_.name, "name", "desc", "description", "type", keys_.value, "units",
                           keys_.components, "typea", "typea_uncert", "numnewmeas", "autocorrelate"});
@@ -184,7 +186,8 @@ private:
                                    const std::string& where) {
         if (const YamlNode* stated = input.find("typea_uncert")) {
             const auto u = stated->number();
-            if (!u || !(*u >= 0.0)) return stated->refused(where + "typea_uncert must be a number from 0");
+            if (!u || !(*u >= 0.0))
+                return stated->refused(where + tell<"typea_uncert must be a number from 0">());
             quantity.components.push_back({.name = "Type A",
                                            .statement = "standard",
                                            .a = unit.interval(*u),
@@ -193,24 +196,25 @@ private:
         const YamlNode* list = input.find("typea");
         if (!list) return {};
         if (list->kind != YamlNode::Kind::list || list->children.size() < 2)
-            return list->refused(where + "typea must be a list of at least two observations");
+            return list->refused(where + tell<"typea must be a list of at least two observations">());
         std::vector<double> values;
         for (const YamlNode& node : list->children) {
             const auto value = node.number();
             if (!value)
-                return node.refused(where + "an observation must be a number; those in groups are not read");
+                return node.refused(where +
+                                    tell<"an observation must be a number; those in groups are not read">());
             if (++observations_ > most_suncal_observations)
-                return node.refused("more than " + std::to_string(most_suncal_observations) +
-                                    " observations are not read");
+                return node.refused(tell<"more than %1 observations are not read">(most_suncal_observations));
             values.push_back(unit.value(*value));
         }
         const YamlNode* means = input.find("numnewmeas");
         const auto count = means ? means->number() : std::optional(static_cast<double>(values.size()));
-        if (!count || !(*count >= 1.0)) return means->refused(where + "numnewmeas must be a number from 1");
+        if (!count || !(*count >= 1.0))
+            return means->refused(where + tell<"numnewmeas must be a number from 1">());
         if (values.size() > 50)
             proposals_.found.push_back(where +
-                                       "its observations are taken as independent: Suncal enlarges "
-                                       "the uncertainty of more than 50 that are autocorrelated");
+                                       tell<"its observations are taken as independent: Suncal enlarges the "
+                                            "uncertainty of more than 50 that are autocorrelated">());
         if (*count == static_cast<double>(values.size())) {
             quantity.observations = std::move(values);
             quantity.observed_together = together_;
@@ -229,9 +233,10 @@ private:
         const auto read = value->kind == YamlNode::Kind::scalar ? suncal_figure(value->text, mean)
                                                                 : std::optional<double>();
         if (!read)
-            return value->refused(where + key + " " + in_quotes(plain_name(value->text)) + " is no number");
-        proposals_.found.push_back(where + key + " " + in_quotes(plain_name(value->text)) + " is " +
-                                   readable_number(*read));
+            return value->refused(where +
+                                  tell<"%1 %2 is no number">(key, in_quotes(plain_name(value->text))));
+        proposals_.found.push_back(
+            where + tell<"%1 %2 is %3">(key, in_quotes(plain_name(value->text)), readable_number(*read)));
         return std::optional<double>(*read);
     }
 
@@ -246,7 +251,7 @@ private:
         if (const YamlNode* nu = node.find("degf"); nu && !is_infinite(nu->text)) {
             c.degrees_of_freedom = nu->number();
             if (!c.degrees_of_freedom || !(*c.degrees_of_freedom > 0.0))
-                return nu->refused(where + "degf must be a number greater than 0, or .inf");
+                return nu->refused(where + tell<"degf must be a number greater than 0, or .inf">());
         }
         // Shares are of the mean as it stands, in the unit of the component.
         const double mean = of_quantity.zero != 0.0 ? stated_mean
@@ -260,7 +265,7 @@ private:
             if (*value) figures[key] = number ? **value : unit->interval(**value);
         }
         std::string how;
-        const std::string complaint = state_suncal(node.text_of("dist"), figures, c, how);
+        const Message complaint = state_suncal(node.text_of("dist"), figures, c, how);
         if (!complaint.empty()) return node.refused(where + complaint);
         if (!how.empty()) proposals_.found.push_back(where + how);
         leave_out_others(proposals_, node, where,
@@ -291,8 +296,8 @@ public:
         for (const YamlNode* part : parts)
             if (auto done = read_part(*part); !done) return fail(done.error());
         if (proposals_.analyses.empty())
-            return root.refused("the file has no calculation of mode 'uncertainty' or 'system'" +
-                                (skipped_.empty() ? "" : "; it has " + skipped_));
+            return root.refused(tell<"the file has no calculation of mode 'uncertainty' or 'system'%1">(
+                skipped_.empty() ? Message() : tell<"; it has %1">(skipped_)));
         return std::move(proposals_);
     }
 
@@ -323,8 +328,8 @@ private:
     }
 
     void finish() {
-        proposals_.found.push_back(budget_.name + ": " + std::to_string(budget_.quantities.size()) +
-                                   " quantities, " + std::to_string(budget_.results.size()) + " results");
+        proposals_.found.push_back(tell<"%1: %2 quantities, %3 results">(
+            budget_.name, budget_.quantities.size(), budget_.results.size()));
         for (AnalysisEntry& before : proposals_.analyses)
             if (before.id == budget_.id) budget_.id += "-" + std::to_string(proposals_.analyses.size() + 1);
         proposals_.analyses.push_back(analysis_of(budget_));
@@ -336,9 +341,9 @@ private:
                          {"mode", "name", "description", "desc", "functions", "inputs", "correlations"});
         keys_ = uncertainty_keys;
         const YamlNode *inputs = list_of(part, "inputs"), *functions = list_of(part, "functions");
-        if (!inputs || inputs->children.empty()) return part.refused("the calculation has no inputs");
+        if (!inputs || inputs->children.empty()) return part.refused(tell<"the calculation has no inputs">());
         if (!functions || functions->children.empty())
-            return part.refused("the calculation has no functions");
+            return part.refused(tell<"the calculation has no functions">());
         if (auto done = read_inputs(*inputs, pointers(*inputs)); !done) return done;
         if (auto done = read_functions(*functions, pointers(*functions)); !done) return done;
         if (auto done = read_correlations(part); !done) return done;
@@ -353,16 +358,17 @@ private:
                          {"mode", "name", "description", "desc", "quantities", "correlate"});
         keys_ = system_keys;
         const YamlNode* quantities = list_of(part, "quantities");
-        if (!quantities) return part.refused("the system has no quantities");
+        if (!quantities) return part.refused(tell<"the system has no quantities">());
         std::vector<const YamlNode*> direct, indirect;
         for (const YamlNode& quantity : quantities->children) {
             const std::string type = plain_name(quantity.text_of("type"));
             if (type != "direct" && type != "indirect")
-                return quantity.refused("quantities of type " + in_quotes(type) +
-                                        " are not read; those that are: direct, indirect");
+                return quantity.refused(
+                    tell<"quantities of type %1 are not read; those that are: direct, indirect">(
+                        in_quotes(type)));
             (type == "direct" ? direct : indirect).push_back(&quantity);
         }
-        if (direct.empty()) return quantities->refused("the system has no direct quantity");
+        if (direct.empty()) return quantities->refused(tell<"the system has no direct quantity">());
         together_ = part.text_of("correlate") != "false";
         if (auto done = read_inputs(*quantities, direct); !done) return done;
         if (auto done = read_functions(*quantities, indirect); !done) return done;
@@ -381,8 +387,7 @@ private:
 
     Result<void> read_inputs(const YamlNode& list, const std::vector<const YamlNode*>& inputs) {
         if (inputs.size() > most_stated_quantities)
-            return list.refused("more than " + std::to_string(most_stated_quantities) +
-                                " inputs are not read");
+            return list.refused(tell<"more than %1 inputs are not read">(most_stated_quantities));
         for (const YamlNode* input : inputs)
             if (auto quantity =
                     SuncalInput(choice_, keys_, names_, proposals_, observations_, together_).read(*input))
@@ -394,20 +399,21 @@ private:
 
     Result<void> read_functions(const YamlNode& list, const std::vector<const YamlNode*>& functions) {
         if (functions.size() > most_stated_quantities)
-            return list.refused("more than " + std::to_string(most_stated_quantities) +
-                                " functions are not read");
+            return list.refused(tell<"more than %1 functions are not read">(most_stated_quantities));
         for (const YamlNode* function : functions) {
             std::string name = function->text_of(keys_.name);
             if (name.empty()) name = "f_" + std::to_string(budget_.results.size());
             if (names_.symbols.contains(name))
-                return function->refused("a function has the name of an input or of another function");
+                return function->refused(
+                    tell<"a function has the name of an input or of another function">());
             const auto unit = unit_of(*function, {});
             if (!unit) return fail(unit.error());
             NotedResult result{names_.symbol_of(name, proposals_), description_of(*function), {}};
             if (!function->text_of("units").empty()) result.unit = unit->unit;
             if (unit->is_converted())
-                proposals_.found.push_back(in_quotes(plain_name(name)) + ": in " + unit->unit.display() +
-                                           " instead of " + plain_name(function->text_of("units")));
+                proposals_.found.push_back(
+                    tell<"%1: in %2 instead of %3">(in_quotes(plain_name(name)), unit->unit.display(),
+                                                    plain_name(function->text_of("units"))));
             leave_out_others(proposals_, *function, in_quotes(plain_name(name)) + ": ",
                              {keys_.name, "name", "desc", "description", "type", keys_.equation, "units"});
             budget_.results.push_back(std::move(result));
@@ -432,15 +438,15 @@ private:
             const std::size_t tilde = text.find('~', semicolon);
             const auto start =
                 tilde == std::string::npos ? std::optional(1.0) : number_in_text(text.substr(tilde + 1));
-            if (!start) return place.refused(in_quotes(plain_name(text)) + ": no starting value");
+            if (!start) return place.refused(tell<"%1: no starting value">(in_quotes(plain_name(text))));
             if (!result.unit)
-                return place.refused(in_quotes(plain_name(text)) +
-                                     ": state the unit of what is solved for under 'units'");
+                return place.refused(tell<"%1: state the unit of what is solved for under 'units'">(
+                    in_quotes(plain_name(text))));
             equation = "solve " + result.symbol + " = " + shortest_number(*start) + " [" +
                        result.unit->text() +
                        "]: " + equation_of(text.substr(0, semicolon), names_.symbols, names_.used);
         }
-        if (const std::string complaint = equation_complaint(equation); !complaint.empty())
+        if (const Message complaint = equation_complaint(equation); !complaint.empty())
             return place.refused(in_quotes(plain_name(equation)) + ": " + complaint);
         budget_.equations += (budget_.equations.empty() ? "" : "\n") + equation;
         return {};
@@ -454,8 +460,8 @@ private:
             const YamlNode* r = entry.find("cor");
             const auto value = r ? r->number() : std::nullopt;
             if (!first || !second || first == second || !value || std::abs(*value) > 1.0)
-                return entry.refused(
-                    "a correlation needs var1 and var2, two inputs, and cor, a number between -1 and 1");
+                return entry.refused(tell<"a correlation needs var1 and var2, two inputs, and cor, a number "
+                                          "between -1 and 1">());
             budget_.correlations.push_back({*first, *second, *value});
         }
         return {};

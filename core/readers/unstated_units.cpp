@@ -22,10 +22,11 @@ Result<void> check_stated_units(const ReadChoice& choice, const Proposals& propo
         std::vector<std::string> keys;
         for (const UnstatedUnit& unstated : proposals.unstated) keys.push_back(unstated.key);
         if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-        return fail(ErrorCode::usage, "no unit can be stated for " + in_quotes(key) +
-                                          (keys.empty() ? ": the file states all its units"
-                                                        : did_you_mean(key, keys) +
-                                                              "; the file states none for " + listed(keys)));
+        return fail(ErrorCode::usage,
+                    tell<"no unit can be stated for %1%2">(
+                        in_quotes(key), (keys.empty() ? ": the file states all its units"
+                                                      : did_you_mean(key, keys) +
+                                                            "; the file states none for " + listed(keys))));
     }
     return {};
 }

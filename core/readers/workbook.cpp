@@ -57,7 +57,7 @@ public:
 
     Result<std::vector<WorkbookSheet>> read() {
         if (!parts_.has("xl/workbook.xml"))
-            return fail(ErrorCode::bad_input, "the file has no Excel workbook in it");
+            return fail(ErrorCode::bad_input, tell<"the file has no Excel workbook in it">());
         if (auto done = read_strings(); !done) return fail(done.error());
         auto targets = read_targets();
         if (!targets) return fail(targets.error());
@@ -75,7 +75,7 @@ public:
             if (!read) return fail(read.error());
             if (!read->rows.empty()) sheets.push_back(std::move(*read));
         }
-        if (sheets.empty()) return fail(ErrorCode::bad_input, "the file has no sheet with cells");
+        if (sheets.empty()) return fail(ErrorCode::bad_input, tell<"the file has no sheet with cells">());
         return sheets;
     }
 
@@ -127,9 +127,9 @@ private:
                 if (const auto reference = cell.attribute("r")) {
                     const auto place = place_of(reference.value());
                     if (!place)
-                        return xml->refused(cell, plain_name(part) + ": " +
-                                                      in_quotes(plain_name(reference.value())) +
-                                                      " is no place of a cell");
+                        return xml->refused(cell,
+                                            tell<"%1: %2 is no place of a cell">(
+                                                plain_name(part), in_quotes(plain_name(reference.value()))));
                     next = *place;
                 }
                 if (auto done = add_cell(*xml, sheet, cell, next); !done) return fail(done.error());
@@ -142,8 +142,7 @@ private:
     Result<void> add_cell(const XmlText& xml, WorkbookSheet& sheet, const pugi::xml_node& node,
                           const CellPlace& place) {
         if (++cells_ > most_cells)
-            return xml.refused(
-                node, sheet.name + ": more than " + std::to_string(most_cells) + " cells are not read");
+            return xml.refused(node, tell<"%1: more than %2 cells are not read">(sheet.name, most_cells));
         const std::string_view type = node.attribute("t").value();
         const pugi::xml_node value = child_called(node, "v");
         WorkbookCell cell;
@@ -151,7 +150,7 @@ private:
         if (type == "s") {
             const auto index = number_in_text(cell.text);
             if (!index || !(*index >= 0.0) || !(*index < static_cast<double>(strings_.size())))
-                return sheet.refused(place.row, place.column, "its text is missing from the file");
+                return sheet.refused(place.row, place.column, tell<"its text is missing from the file">());
             cell.text = strings_[static_cast<std::size_t>(*index)];
         } else if (type.empty() || type == "n") {
             cell.number = number_in_text(cell.text);
@@ -185,7 +184,7 @@ std::string WorkbookSheet::place(int row, int column) const {
     return name + "!" + column_letters(column) + std::to_string(row);
 }
 
-tl::unexpected<Error> WorkbookSheet::refused(int row, int column, const std::string& message) const {
+tl::unexpected<Error> WorkbookSheet::refused(int row, int column, const Message& message) const {
     return fail(Error{ErrorCode::bad_input, place(row, column) + ": " + message, {}, {}, row});
 }
 
@@ -198,8 +197,9 @@ std::string column_letters(int column) {
 
 Result<std::vector<WorkbookSheet>> read_workbook(const std::string& bytes) {
     if (bytes.starts_with("\xD0\xCF\x11\xE0"))
-        return fail(ErrorCode::bad_input,
-                    "the file has a password or the old format .xls: save it as .xlsx without a password");
+        return fail(
+            ErrorCode::bad_input,
+            tell<"the file has a password or the old format .xls: save it as .xlsx without a password">());
     auto parts = ZipParts::open(bytes, largest_workbook);
     if (!parts) return fail(parts.error());
     return WorkbookReader(std::move(*parts)).read();

@@ -25,7 +25,7 @@ struct WorkbookSheet {
     /// "Budget!C5"
     std::string place(int row, int column) const;
     /// Error at a cell; its line is the row.
-    tl::unexpected<Error> refused(int row, int column, const std::string& message) const;
+    tl::unexpected<Error> refused(int row, int column, const Message& message) const;
 };
 
 /// "C" for 3.

@@ -6,17 +6,17 @@ namespace covaria {
 
 Result<XmlText> XmlText::parse(const std::string& text) {
     if (text.size() > largest_xml)
-        return refused_at(1,
-                          "XML of more than " + std::to_string(largest_xml / 1'000'000) + " MB is not read");
+        return refused_at(1, tell<"XML of more than %1 MB is not read">(largest_xml / 1'000'000));
     XmlText xml(text);
     const pugi::xml_parse_result parsed =
         xml.document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
     for (const pugi::xml_node& node : xml.document_.children())
         if (node.type() == pugi::node_doctype)
-            return xml.refused(node, "a document type declaration: files that declare entities are not read");
+            return xml.refused(
+                node, tell<"a document type declaration: files that declare entities are not read">());
     if (!parsed)
         return refused_at(xml.places_.line(parsed.offset), xml.places_.column(parsed.offset),
-                          std::string("not readable as XML: ") + parsed.description());
+                          tell<"not readable as XML: %1">(parsed.description()));
     return xml;
 }
 

@@ -23,7 +23,7 @@ public:
     pugi::xml_node root() const { return document_.document_element(); }
     int line(const pugi::xml_node& node) const { return places_.line(node.offset_debug()); }
     int column(const pugi::xml_node& node) const { return places_.column(node.offset_debug()); }
-    tl::unexpected<Error> refused(const pugi::xml_node& node, const std::string& message) const {
+    tl::unexpected<Error> refused(const pugi::xml_node& node, const Message& message) const {
         return refused_at(line(node), column(node), message);
     }
 

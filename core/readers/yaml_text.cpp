@@ -31,7 +31,7 @@ public:
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { add(node_at(mark, Kind::nothing)); }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-        refuse(mark, "an alias (*name): write out what it stands for, aliases are not expanded");
+        refuse(mark, tell<"an alias (*name): write out what it stands for, aliases are not expanded">());
     }
     void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
                   const std::string& value) override {
@@ -53,13 +53,12 @@ public:
 private:
     using Kind = YamlNode::Kind;
 
-    [[noreturn]] static void refuse(const YAML::Mark& mark, const std::string& message) {
+    [[noreturn]] static void refuse(const YAML::Mark& mark, const Message& message) {
         throw RefusedYaml{refused_at(mark.line + 1, mark.column + 1, message).value()};
     }
 
     YamlNode node_at(const YAML::Mark& mark, Kind kind) {
-        if (++nodes_ > most_nodes)
-            refuse(mark, "more than " + std::to_string(most_nodes) + " entries are not read");
+        if (++nodes_ > most_nodes) refuse(mark, tell<"more than %1 entries are not read">(most_nodes));
         YamlNode node;
         node.kind = kind;
         node.line = mark.line + 1;
@@ -68,8 +67,7 @@ private:
     }
 
     void open(const YAML::Mark& mark, Kind kind) {
-        if (open_.size() == deepest)
-            refuse(mark, "more than " + std::to_string(deepest) + " levels are not read");
+        if (open_.size() == deepest) refuse(mark, tell<"more than %1 levels are not read">(deepest));
         open_.push_back(node_at(mark, kind));
     }
 
@@ -88,10 +86,10 @@ private:
         YamlNode& parent = open_.back();
         if (parent.kind == Kind::map && parent.keys.size() == parent.children.size()) {
             const YAML::Mark mark = mark_of(node);
-            if (node.kind != Kind::scalar) refuse(mark, "a key must be a word");
+            if (node.kind != Kind::scalar) refuse(mark, tell<"a key must be a word">());
             if (std::find(parent.keys.begin(), parent.keys.end(), node.text) != parent.keys.end())
-                refuse(mark, "the key " + in_quotes(plain_name(node.text)) + " stands twice");
-            if (parent.keys.size() == 1000) refuse(mark, "more than 1000 keys are not read");
+                refuse(mark, tell<"the key %1 stands twice">(in_quotes(plain_name(node.text))));
+            if (parent.keys.size() == 1000) refuse(mark, tell<"more than 1000 keys are not read">());
             parent.keys.push_back(std::move(node.text));
         } else {
             parent.children.push_back(std::move(node));
@@ -130,19 +128,20 @@ std::optional<double> YamlNode::number() const {
 
 Result<YamlNode> parse_yaml(const std::string& text) {
     if (text.size() > largest_yaml)
-        return refused_at(1, "YAML of more than " + std::to_string(largest_yaml / 1000) + " kB is not read");
+        return refused_at(1, tell<"YAML of more than %1 kB is not read">(largest_yaml / 1000));
     std::istringstream stream(text);
     NodeBuilder builder;
     try {
         YAML::Parser parser(stream);
-        if (!parser.HandleNextDocument(builder)) return refused_at(1, "the file has no YAML document");
+        if (!parser.HandleNextDocument(builder))
+            return refused_at(1, tell<"the file has no YAML document">());
         return builder.take();
     } catch (const RefusedYaml& refused) {
         return fail(refused.error);
     } catch (const YAML::Exception& e) {
         const bool placed = !e.mark.is_null();
         return refused_at(placed ? e.mark.line + 1 : 1, placed ? e.mark.column + 1 : 1,
-                          "not readable as YAML: " + plain_line(e.msg));
+                          tell<"not readable as YAML: %1">(plain_line(e.msg)));
     }
 }
 

@@ -28,9 +28,7 @@ struct YamlNode {
     std::string text_of(const std::string& key) const;
     /// A finite number; empty where it is none.
     std::optional<double> number() const;
-    tl::unexpected<Error> refused(const std::string& message) const {
-        return refused_at(line, column, message);
-    }
+    tl::unexpected<Error> refused(const Message& message) const { return refused_at(line, column, message); }
 };
 
 /// The first document. Error with line and column: no YAML, an alias, a key that is not a word or stands

@@ -25,7 +25,7 @@ struct ResultsBefore {
 struct EvaluatedAnalysis {
     std::shared_ptr<const PreparedAnalysis> analysis;
     std::shared_ptr<const UncertaintyResult> result;
-    std::vector<std::string> warnings = {};  ///< of its assets and of its model: `warnings_of`
+    std::vector<Message> warnings = {};  ///< of its assets and of its model: `warnings_of`
     std::vector<std::shared_ptr<const StudyResult>> studies = {};
     std::vector<std::shared_ptr<const DesignResult>> designs = {};
     std::shared_ptr<const ResultsBefore> before = {};  ///< null: its report compares with nothing

@@ -288,8 +288,9 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
                         {"seed", std::to_string(result.provenance.seed)},
                         {"outputs", std::move(outputs)},
                         {"covariance", covariance_json(result)}};
-    std::vector<std::string> warnings = evaluated.warnings;
-    warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
+    std::vector<std::string> warnings;
+    for (const std::vector<Message>* said : {&evaluated.warnings, &result.warnings})
+        for (const Message& warning : *said) warnings.push_back(warning.english());
     if (!warnings.empty()) json["warnings"] = warnings;
     if (result.variance_reduction != VarianceReduction::none) {
         const auto gain = least_gain(result);

@@ -10,8 +10,8 @@
 namespace covaria::report_parts {
 namespace {
 
-void add_once(std::vector<std::string>& list, const std::vector<std::string>& more) {
-    for (const std::string& text : more)
+void add_once(std::vector<Message>& list, const std::vector<Message>& more) {
+    for (const Message& text : more)
         if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
 }
 
@@ -42,9 +42,9 @@ std::string reduction_note(const UncertaintyResult& result) {
     return note;
 }
 
-std::vector<std::string> run_notes(const EvaluatedAnalysis& evaluated) {
+std::vector<Message> run_notes(const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
-    std::vector<std::string> notes = evaluated.warnings;
+    std::vector<Message> notes = evaluated.warnings;
     add_once(notes, result.warnings);
     if (!result.stabilised)
         notes.push_back(
@@ -62,8 +62,11 @@ std::vector<std::string> run_notes(const EvaluatedAnalysis& evaluated) {
 
 void add_notes(Blocks& blocks, const ReportSource& source) {
     Blocks parts;
-    for (const EvaluatedAnalysis& evaluated : source.analyses)
-        add_list(parts, evaluated.analysis->name, run_notes(evaluated));
+    for (const EvaluatedAnalysis& evaluated : source.analyses) {
+        std::vector<std::string> notes;
+        for (const Message& note : run_notes(evaluated)) notes.push_back(note.english());
+        add_list(parts, evaluated.analysis->name, std::move(notes));
+    }
     if (parts.empty()) return;
     blocks.push_back(HeadingBlock{1, "Notes"});
     blocks.insert(blocks.end(), parts.begin(), parts.end());

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
 #include "core/result/trial_distribution.h"
@@ -229,7 +230,7 @@ struct UncertaintyResult {
     VarianceReduction variance_reduction = VarianceReduction::none;
     bool intervals_exact = true;  ///< false: from cells (more trials than memory for exact order statistics)
     std::vector<ConvergencePoint> convergence;
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
     Provenance provenance;
 };
 

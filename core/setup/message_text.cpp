@@ -27,40 +27,40 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 struct NamedDimension {
     Dimension dimension;
-    const char* words;
+    Message (*words)();
 };
 
 // Exponents: length, mass, time, current, temperature, amount, luminous intensity, plane angle.
 constexpr NamedDimension named_dimensions[] = {
-    {{{0, 0, 0, 0, 0, 0, 0, 0}}, "a pure number"},
-    {{{1, 0, 0, 0, 0, 0, 0, 0}}, "a length"},
-    {{{2, 0, 0, 0, 0, 0, 0, 0}}, "an area"},
-    {{{3, 0, 0, 0, 0, 0, 0, 0}}, "a volume"},
-    {{{0, 1, 0, 0, 0, 0, 0, 0}}, "a mass"},
-    {{{0, 0, 1, 0, 0, 0, 0, 0}}, "a time"},
-    {{{0, 0, -1, 0, 0, 0, 0, 0}}, "a frequency"},
-    {{{0, 0, 0, 1, 0, 0, 0, 0}}, "an electric current"},
-    {{{0, 0, 0, 0, 1, 0, 0, 0}}, "a temperature"},
-    {{{0, 0, 0, 0, -1, 0, 0, 0}}, "an expansion coefficient"},
-    {{{0, 0, 0, 0, 0, 0, 0, 1}}, "an angle"},
-    {{{1, 0, -1, 0, 0, 0, 0, 0}}, "a velocity"},
-    {{{1, 0, -2, 0, 0, 0, 0, 0}}, "an acceleration"},
-    {{{1, 1, -2, 0, 0, 0, 0, 0}}, "a force"},
-    {{{2, 1, -2, 0, 0, 0, 0, 0}}, "a moment"},
-    {{{-1, 1, -2, 0, 0, 0, 0, 0}}, "a pressure"},
-    {{{0, 1, -2, 0, 0, 0, 0, 0}}, "a stiffness"},
-    {{{2, 1, -3, -1, 0, 0, 0, 0}}, "a voltage"},
-    {{{2, 1, -3, -2, 0, 0, 0, 0}}, "an electric resistance"},
-    {{{0, 0, 1, 1, 0, 0, 0, 0}}, "an electric charge"},
-    {{{-2, -1, 4, 2, 0, 0, 0, 0}}, "a capacitance"},
-    {{{2, 1, -2, -2, 0, 0, 0, 0}}, "an inductance"},
-    {{{0, 1, -2, -1, 0, 0, 0, 0}}, "a magnetic flux density"},
-    {{{2, 1, -2, -1, 0, 0, 0, 0}}, "a magnetic flux"},
-    {{{2, 1, -3, 0, 0, 0, 0, 0}}, "a power"},
-    {{{0, 0, 0, 0, 0, 1, 0, 0}}, "an amount of substance"},
-    {{{0, 0, 0, 0, 0, 0, 1, 0}}, "a luminous intensity"},
-    {{{0, 0, -1, 0, 0, 0, 0, 1}}, "an angular velocity"},
-    {{{-3, 1, 0, 0, 0, 0, 0, 0}}, "a density"},
+    {{{0, 0, 0, 0, 0, 0, 0, 0}}, tell<"a pure number">},
+    {{{1, 0, 0, 0, 0, 0, 0, 0}}, tell<"a length">},
+    {{{2, 0, 0, 0, 0, 0, 0, 0}}, tell<"an area">},
+    {{{3, 0, 0, 0, 0, 0, 0, 0}}, tell<"a volume">},
+    {{{0, 1, 0, 0, 0, 0, 0, 0}}, tell<"a mass">},
+    {{{0, 0, 1, 0, 0, 0, 0, 0}}, tell<"a time">},
+    {{{0, 0, -1, 0, 0, 0, 0, 0}}, tell<"a frequency">},
+    {{{0, 0, 0, 1, 0, 0, 0, 0}}, tell<"an electric current">},
+    {{{0, 0, 0, 0, 1, 0, 0, 0}}, tell<"a temperature">},
+    {{{0, 0, 0, 0, -1, 0, 0, 0}}, tell<"an expansion coefficient">},
+    {{{0, 0, 0, 0, 0, 0, 0, 1}}, tell<"an angle">},
+    {{{1, 0, -1, 0, 0, 0, 0, 0}}, tell<"a velocity">},
+    {{{1, 0, -2, 0, 0, 0, 0, 0}}, tell<"an acceleration">},
+    {{{1, 1, -2, 0, 0, 0, 0, 0}}, tell<"a force">},
+    {{{2, 1, -2, 0, 0, 0, 0, 0}}, tell<"a moment">},
+    {{{-1, 1, -2, 0, 0, 0, 0, 0}}, tell<"a pressure">},
+    {{{0, 1, -2, 0, 0, 0, 0, 0}}, tell<"a stiffness">},
+    {{{2, 1, -3, -1, 0, 0, 0, 0}}, tell<"a voltage">},
+    {{{2, 1, -3, -2, 0, 0, 0, 0}}, tell<"an electric resistance">},
+    {{{0, 0, 1, 1, 0, 0, 0, 0}}, tell<"an electric charge">},
+    {{{-2, -1, 4, 2, 0, 0, 0, 0}}, tell<"a capacitance">},
+    {{{2, 1, -2, -2, 0, 0, 0, 0}}, tell<"an inductance">},
+    {{{0, 1, -2, -1, 0, 0, 0, 0}}, tell<"a magnetic flux density">},
+    {{{2, 1, -2, -1, 0, 0, 0, 0}}, tell<"a magnetic flux">},
+    {{{2, 1, -3, 0, 0, 0, 0, 0}}, tell<"a power">},
+    {{{0, 0, 0, 0, 0, 1, 0, 0}}, tell<"an amount of substance">},
+    {{{0, 0, 0, 0, 0, 0, 1, 0}}, tell<"a luminous intensity">},
+    {{{0, 0, -1, 0, 0, 0, 0, 1}}, tell<"an angular velocity">},
+    {{{-3, 1, 0, 0, 0, 0, 0, 0}}, tell<"a density">},
 };
 
 }  // namespace
@@ -77,9 +77,9 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
     return best;
 }
 
-std::string did_you_mean(const std::string& name, const std::vector<std::string>& candidates) {
+Message did_you_mean(const std::string& name, const std::vector<std::string>& candidates) {
     const std::string nearest = nearest_name(name, candidates);
-    return nearest.empty() ? std::string{} : " (did you mean '" + nearest + "'?)";
+    return nearest.empty() ? Message{} : tell<" (did you mean '%1'?)">(nearest);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -91,10 +91,10 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-std::string dimension_words(const Unit& unit) {
+Message dimension_words(const Unit& unit) {
     for (const NamedDimension& named : named_dimensions)
-        if (named.dimension == unit.dimension()) return named.words;
-    return "measured in " + unit.display();
+        if (named.dimension == unit.dimension()) return named.words();
+    return tell<"measured in %1">(unit.display());
 }
 
 std::string shortest_number(double value) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/unit.h"
 
 namespace covaria {
@@ -12,12 +13,12 @@ namespace covaria {
 /// or empty.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
 /// " (did you mean 'alpha'?)", or empty when nothing is near.
-std::string did_you_mean(const std::string& name, const std::vector<std::string>& candidates);
+Message did_you_mean(const std::string& name, const std::vector<std::string>& candidates);
 /// "'a', 'b' and 'c'".
 std::string listed(const std::vector<std::string>& names);
 
 /// "a length", "a force", "a pure number"; "measured in 1/K" for a dimension without a common name.
-std::string dimension_words(const Unit& unit);
+Message dimension_words(const Unit& unit);
 
 /// The shortest decimal text that reads back as the same number: 688 -> "688", 0.066 -> "0.066".
 std::string shortest_number(double value);

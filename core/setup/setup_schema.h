@@ -95,8 +95,8 @@ void check_setup(const SetupSchema& schema, const Setup& setup, Problems& proble
 
 /// A number as given for `title`, which is to be in a unit like `expected`. Empty if it may be used;
 /// otherwise why not: another dimension, not finite, or a temperature difference given on the scale of degC.
-std::string unit_objection(const std::string& title, const Quantity& given, const Unit& expected);
+Message unit_objection(const Message& title, const Quantity& given, const Unit& expected);
 /// Likewise for the unit of a table's column.
-std::string column_unit_objection(const FieldSpec& table, const ColumnSpec& column, const Unit& unit);
+Message column_unit_objection(const FieldSpec& table, const ColumnSpec& column, const Unit& unit);
 
 }  // namespace covaria

@@ -59,9 +59,9 @@ Result<InputSet> ChangedProject::varied(InputSet inputs) const {
                                             [&](const auto& c) { return c.id == target.key; });
             target.index = static_cast<std::size_t>(found - inputs.components.begin());
             if (found == inputs.components.end())
-                return fail(ErrorCode::numeric, "there is no component '" + target.key + "' here");
+                return fail(ErrorCode::numeric, tell<"there is no component '%1' here">(target.key));
         } else if ((target.index = inputs.find(target.key)) == InputSet::npos) {
-            return fail(ErrorCode::numeric, "there is no input quantity '" + target.key + "' here");
+            return fail(ErrorCode::numeric, tell<"there is no input quantity '%1' here">(target.key));
         }
         vary_inputs(target, numbers_.axes[axis], values_[axis], inputs);
     }

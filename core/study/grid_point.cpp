@@ -104,9 +104,9 @@ EvaluatedPoint GridWalker::evaluate(std::size_t point, const std::function<bool(
     auto evaluated = guarded([&]() -> EvaluatedPoint {
         changed_.set(values);
         const auto model = changed_.make();
-        return model ? of_model(*model, advance) : without_values(model.error().message);
+        return model ? of_model(*model, advance) : without_values(model.error().message.english());
     });
-    if (!evaluated) return without_values(evaluated.error().message);
+    if (!evaluated) return without_values(evaluated.error().message.english());
     return *std::move(evaluated);
 }
 
@@ -122,7 +122,7 @@ EvaluatedPoint GridWalker::of_model(const ChangedModel& changed,
     }
     const auto summary = evaluate_summary(model, inputs, indices, plan_.options, advance);
     if (!summary && summary.error().code == ErrorCode::cancelled) return {{}, {}, true};
-    if (!summary) return without_values(summary.error().message);
+    if (!summary) return without_values(summary.error().message.english());
     EvaluatedPoint evaluated;
     evaluated.point.failed_trials = summary->failed_trials;
     for (Eigen::Index k = 0; k < summary->estimate.size(); ++k)

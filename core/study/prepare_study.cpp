@@ -47,7 +47,7 @@ std::shared_ptr<const PreparedStudy> prepare_study(const MadeProject::Pointer& m
                                     [&](const Study& candidate) { return candidate.id == study_id; });
     const std::string path = "/analyses/" + std::to_string(&entry - project.analyses.data()) + "/studies";
     if (study == entry.studies.end()) {
-        problems.error(path, "the analysis has no study '" + study_id + "'");
+        problems.error(path, tell<"the analysis has no study '%1'">(study_id));
         return nullptr;
     }
     const Problems found = problems_of(*made, *prepared->analysis, *study);

@@ -86,7 +86,7 @@ Result<StudyResult> run_study(const PreparedStudy& study, const RunControl& cont
         [](const EvaluatedPoint& point, ByteWriter& writer) { point.write(writer); },
         [](ByteReader& reader, EvaluatedPoint& point) { point.read(reader); }};
     if (run_units(work, bytes, monitor) == WorkEnd::cancelled)
-        return fail(ErrorCode::cancelled, "the study was stopped");
+        return fail(ErrorCode::cancelled, tell<"the study was stopped">());
     return result;
 }
 

@@ -56,7 +56,7 @@ void refuse_idle_asset(const MadeProject& made, const std::string& analysis, con
     const auto used = made.assets_used_by(analysis);
     if (std::find(used.begin(), used.end(), asset) == used.end())
         problems.error(path,
-                       "the analysis does not use the asset '" + asset + "': varying it changes nothing");
+                       tell<"the analysis does not use the asset '%1': varying it changes nothing">(asset));
 }
 
 double present_value(const StudyAxis& axis, const StudyTarget& target) {

@@ -2,30 +2,14 @@
 
 #include <utility>
 
+#include "core/base/placeholders.h"
+
 namespace covaria {
 namespace {
 
 std::vector<const char*>& known_phrases() {
     static std::vector<const char*> known;
     return known;
-}
-
-/// In one pass: a "%1" within an argument stays.
-template <class Words>
-Words filled(const std::string& text, std::initializer_list<Words> arguments) {
-    Words said;
-    std::string letters;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const std::size_t number = text[i] == '%' && i + 1 < text.size() ? std::size_t(text[i + 1] - '1') : 9;
-        if (number < arguments.size()) {
-            said += std::exchange(letters, {});
-            said += arguments.begin()[number];
-            ++i;
-        } else {
-            letters += text[i];
-        }
-    }
-    return said += letters;
 }
 
 }  // namespace
@@ -43,11 +27,15 @@ std::string DocumentLanguage::say_declared(const std::string& english) const {
 }
 
 std::string DocumentLanguage::say(const Phrase& phrase, std::initializer_list<std::string> arguments) const {
-    return filled(say_declared(phrase.english()), arguments);
+    return fill_placeholders<std::string>(say_declared(phrase.english()), std::vector(arguments));
+}
+
+std::string DocumentLanguage::say(const Message& message) const {
+    return message.in([this](const std::string& english) { return say_declared(english); });
 }
 
 Text DocumentLanguage::say_text(const Phrase& phrase, std::initializer_list<Text> arguments) const {
-    return filled(say_declared(phrase.english()), arguments);
+    return fill_placeholders<Text>(say_declared(phrase.english()), std::vector(arguments));
 }
 
 }  // namespace covaria

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/text/numbers.h"
 #include "core/text/text.h"
 
@@ -27,8 +28,8 @@ private:
 /// English, with the decimal point, unless it is made for another one.
 class DocumentLanguage {
 public:
-    /// The translation of an English text; the text itself where there is none. Called from any thread.
-    using Words = std::function<std::string(const std::string& english)>;
+    /// Called from any thread.
+    using Words = Message::Words;
 
     DocumentLanguage() = default;
     DocumentLanguage(std::string code, NumberLocale numbers, Words words)
@@ -38,6 +39,7 @@ public:
     const NumberLocale& numbers() const { return numbers_; }
 
     std::string say(const Phrase& phrase, std::initializer_list<std::string> arguments = {}) const;
+    std::string say(const Message& message) const;
     /// With symbols in it.
     Text say_text(const Phrase& phrase, std::initializer_list<Text> arguments) const;
     /// What a registry declares: the title of a field, the name of an output. Names that people gave stay.

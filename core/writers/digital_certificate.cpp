@@ -36,7 +36,7 @@ public:
         for (const EvaluatedAnalysis& evaluated : source_.analyses)
             if (auto added = write_analysis(results, evaluated); !added) return fail(added.error());
         if (!results.first_child())
-            return fail(ErrorCode::bad_input, "there are no results for the certificate to state");
+            return fail(ErrorCode::bad_input, tell<"there are no results for the certificate to state">());
         WrittenFile file{text_of(document),
                          {"Digital Calibration Certificate " + certificate_.number +
                           ", schema version "

@@ -145,9 +145,9 @@ private:
         if (u == 0.0) return {};
         if (!std::isfinite(u) || !std::isfinite(U) || !std::isfinite(output.coverage_factor) ||
             !std::isfinite(output.estimate))
-            return fail(ErrorCode::numeric, "the standard uncertainty of " + name_of(output.quantity) +
-                                                " is not finite; a Digital Calibration Certificate has no "
-                                                "place for that");
+            return fail(ErrorCode::numeric,
+                        tell<"the standard uncertainty of %1 is not finite; a Digital Calibration "
+                             "Certificate has no place for that">(name_of(output.quantity)));
         const std::string distribution = distribution_of(output, result_);
         if (output.coverage_factor < 1.0 || !skewed_interval(output, result_).empty()) {
             const CoverageInterval interval = coverage_interval_of(output, result_);

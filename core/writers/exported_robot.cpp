@@ -36,13 +36,14 @@ public:
     Result<RobotCandidate> only() {
         std::erase_if(found_, [&](const RobotCandidate& robot) { return is_origin(robot); });
         if (found_.empty())
-            return fail(ErrorCode::bad_input, "there is no robot to write: no analysis uses or finds one");
+            return fail(ErrorCode::bad_input,
+                        tell<"there is no robot to write: no analysis uses or finds one">());
         if (found_.size() == 1) return found_.front();
         std::vector<std::string> ids;
         for (const RobotCandidate& robot : found_) ids.push_back(robot.id);
         return fail(ErrorCode::bad_input,
-                    "the file is of one robot, and there are " + listed(ids) +
-                        ": choose an analysis that uses or finds the one to write (--analysis)");
+                    tell<"the file is of one robot, and there are %1: choose an analysis that uses or finds "
+                         "the one to write (--analysis)">(listed(ids)));
     }
 
 private:

@@ -70,9 +70,8 @@ public:
 
     Result<WrittenFile> take() && {
         if (lines_ == 0)
-            return fail(ErrorCode::bad_input,
-                        "there are no points to write: no analysis has a result with "
-                        "coordinates x, y, z of a point");
+            return fail(ErrorCode::bad_input, tell<"there are no points to write: no analysis has a result "
+                                                   "with coordinates x, y, z of a point">());
         WrittenFile file{std::move(text_),
                          {std::to_string(lines_) + " points between commas: group, point, "
                                                    "X, Y, Z, Ux, Uy, Uz in mm; Ux, Uy, Uz are standard "

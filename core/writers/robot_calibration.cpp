@@ -54,9 +54,8 @@ Result<void> check_arm(const ExportedRobot& robot) {
     for (const ArmFrame& joint : joints) turning = turning && !joint.slides;
     if (turning) return {};
     return fail(ErrorCode::bad_input,
-                "robot " + robot.id +
-                    ": the file is of six joints that turn (shoulder to wrist_3); write "
-                    "it as URDF");
+                tell<"robot %1: the file is of six joints that turn (shoulder to wrist_3); write it as URDF">(
+                    robot.id));
 }
 
 Result<WrittenFile> write_calibration(const WriterSource& source) {

@@ -350,7 +350,7 @@ void write_results_sheet(XlsxBook& book, const WriterSource& source, std::vector
 }
 
 Result<WrittenFile> write_xlsx(const WriterSource& source) {
-    if (source.analyses.empty()) return fail(ErrorCode::bad_input, "there are no results to write");
+    if (source.analyses.empty()) return fail(ErrorCode::bad_input, tell<"there are no results to write">());
     WrittenFile file;
     XlsxBook book;
     write_results_sheet(book, source, file.said);

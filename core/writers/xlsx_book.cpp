@@ -154,7 +154,7 @@ void XlsxBook::text_formula(int row, int column, const std::string& formula, con
 
 Result<std::string> XlsxBook::finish() {
     const auto failed = [] {
-        return fail(ErrorCode::io, "the workbook cannot be made in the folder for temporary files");
+        return fail(ErrorCode::io, tell<"the workbook cannot be made in the folder for temporary files">());
     };
     if (!sheets_->book) return failed();
     lxw_workbook* book = std::exchange(sheets_->book, nullptr);

@@ -5983,6 +5983,70 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Kind of change</source>
         <translation>Art der Änderung</translation>
     </message>
+    <message>
+        <source>Fields of the set-up</source>
+        <translation>Felder des Aufbaus</translation>
+    </message>
+    <message>
+        <source>Equations as evaluated</source>
+        <translation>Gleichungen, wie sie ausgewertet werden</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>Options of the evaluation</source>
+        <translation>Optionen der Auswertung</translation>
+    </message>
+    <message>
+        <source>What a calibration certificate says beside its results, with the clause of ISO/IEC 17025:2017 that asks for it.</source>
+        <translation>Was ein Kalibrierschein neben seinen Ergebnissen sagt, mit dem Abschnitt von ISO/IEC 17025:2017, der es verlangt.</translation>
+    </message>
+    <message>
+        <source>optional</source>
+        <translation>optional</translation>
+    </message>
+    <message>
+        <source>default %1</source>
+        <translation>Vorgabe %1</translation>
+    </message>
+    <message>
+        <source>Choices: </source>
+        <translation>Auswahl: </translation>
+    </message>
+    <message>
+        <source>required by %1</source>
+        <translation>verlangt von %1</translation>
+    </message>
+    <message>
+        <source>asked for by %1</source>
+        <translation>erwünscht nach %1</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>ganze Zahl</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>flag</source>
+        <translation>ja oder nein</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>reference to an asset</source>
+        <translation>Verweis auf ein Betriebsmittel</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

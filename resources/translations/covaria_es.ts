@@ -5983,6 +5983,70 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Kind of change</source>
         <translation>Tipo de cambio</translation>
     </message>
+    <message>
+        <source>Fields of the set-up</source>
+        <translation>Campos de la configuración</translation>
+    </message>
+    <message>
+        <source>Equations as evaluated</source>
+        <translation>Ecuaciones tal como se evalúan</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Referencias</translation>
+    </message>
+    <message>
+        <source>Options of the evaluation</source>
+        <translation>Opciones de la evaluación</translation>
+    </message>
+    <message>
+        <source>What a calibration certificate says beside its results, with the clause of ISO/IEC 17025:2017 that asks for it.</source>
+        <translation>Lo que dice un certificado de calibración además de sus resultados, con el apartado de ISO/IEC 17025:2017 que lo pide.</translation>
+    </message>
+    <message>
+        <source>optional</source>
+        <translation>opcional</translation>
+    </message>
+    <message>
+        <source>default %1</source>
+        <translation>predeterminado %1</translation>
+    </message>
+    <message>
+        <source>Choices: </source>
+        <translation>Opciones: </translation>
+    </message>
+    <message>
+        <source>required by %1</source>
+        <translation>exigido por %1</translation>
+    </message>
+    <message>
+        <source>asked for by %1</source>
+        <translation>pedido por %1</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>número entero</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>elección</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>texto</translation>
+    </message>
+    <message>
+        <source>flag</source>
+        <translation>sí o no</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>tabla</translation>
+    </message>
+    <message>
+        <source>reference to an asset</source>
+        <translation>referencia a un recurso</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -5983,6 +5983,70 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <source>Kind of change</source>
         <translation>변화의 종류</translation>
     </message>
+    <message>
+        <source>Fields of the set-up</source>
+        <translation>설정의 항목</translation>
+    </message>
+    <message>
+        <source>Equations as evaluated</source>
+        <translation>평가되는 그대로의 식</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>참고 문헌</translation>
+    </message>
+    <message>
+        <source>Options of the evaluation</source>
+        <translation>평가 옵션</translation>
+    </message>
+    <message>
+        <source>What a calibration certificate says beside its results, with the clause of ISO/IEC 17025:2017 that asks for it.</source>
+        <translation>교정 성적서가 결과 외에 말하는 내용과 그것을 요구하는 ISO/IEC 17025:2017의 조항.</translation>
+    </message>
+    <message>
+        <source>optional</source>
+        <translation>선택</translation>
+    </message>
+    <message>
+        <source>default %1</source>
+        <translation>기본값 %1</translation>
+    </message>
+    <message>
+        <source>Choices: </source>
+        <translation>선택지: </translation>
+    </message>
+    <message>
+        <source>required by %1</source>
+        <translation>%1에서 필수로 요구</translation>
+    </message>
+    <message>
+        <source>asked for by %1</source>
+        <translation>%1에서 요구</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>정수</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>선택</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>텍스트</translation>
+    </message>
+    <message>
+        <source>flag</source>
+        <translation>예 또는 아니요</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>표</translation>
+    </message>
+    <message>
+        <source>reference to an asset</source>
+        <translation>자산에 대한 참조</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -5983,6 +5983,70 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Kind of change</source>
         <translation>Tipo de alteração</translation>
     </message>
+    <message>
+        <source>Fields of the set-up</source>
+        <translation>Campos da configuração</translation>
+    </message>
+    <message>
+        <source>Equations as evaluated</source>
+        <translation>Equações como são avaliadas</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Referências</translation>
+    </message>
+    <message>
+        <source>Options of the evaluation</source>
+        <translation>Opções da avaliação</translation>
+    </message>
+    <message>
+        <source>What a calibration certificate says beside its results, with the clause of ISO/IEC 17025:2017 that asks for it.</source>
+        <translation>O que um certificado de calibração diz além dos resultados, com o item da ISO/IEC 17025:2017 que o pede.</translation>
+    </message>
+    <message>
+        <source>optional</source>
+        <translation>opcional</translation>
+    </message>
+    <message>
+        <source>default %1</source>
+        <translation>padrão %1</translation>
+    </message>
+    <message>
+        <source>Choices: </source>
+        <translation>Opções: </translation>
+    </message>
+    <message>
+        <source>required by %1</source>
+        <translation>exigido por %1</translation>
+    </message>
+    <message>
+        <source>asked for by %1</source>
+        <translation>pedido por %1</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>número inteiro</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>escolha</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>texto</translation>
+    </message>
+    <message>
+        <source>flag</source>
+        <translation>sim ou não</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>tabela</translation>
+    </message>
+    <message>
+        <source>reference to an asset</source>
+        <translation>referência a um recurso</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -5983,6 +5983,70 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <source>Kind of change</source>
         <translation>变化类型</translation>
     </message>
+    <message>
+        <source>Fields of the set-up</source>
+        <translation>设置的字段</translation>
+    </message>
+    <message>
+        <source>Equations as evaluated</source>
+        <translation>实际计算的方程</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>参考文献</translation>
+    </message>
+    <message>
+        <source>Options of the evaluation</source>
+        <translation>评定的选项</translation>
+    </message>
+    <message>
+        <source>What a calibration certificate says beside its results, with the clause of ISO/IEC 17025:2017 that asks for it.</source>
+        <translation>校准证书除结果之外所说明的内容，以及 ISO/IEC 17025:2017 中要求它的条款。</translation>
+    </message>
+    <message>
+        <source>optional</source>
+        <translation>可选</translation>
+    </message>
+    <message>
+        <source>default %1</source>
+        <translation>默认值 %1</translation>
+    </message>
+    <message>
+        <source>Choices: </source>
+        <translation>选项： </translation>
+    </message>
+    <message>
+        <source>required by %1</source>
+        <translation>%1 要求必备</translation>
+    </message>
+    <message>
+        <source>asked for by %1</source>
+        <translation>%1 要求</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>flag</source>
+        <translation>是或否</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>reference to an asset</source>
+        <translation>对资源的引用</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

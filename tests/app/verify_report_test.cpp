@@ -78,7 +78,7 @@ TEST(VerifyReport, NamesWhatDiffersAndTheOtherVersion) {
         file.bytes.insert(file.bytes.find(version) + version.size(), "9.");
     }
     const auto changed = covaria::archived_pdf(read_text(pdf), {"t", "c"}, files);
-    ASSERT_TRUE(changed) << changed.error().message;
+    ASSERT_TRUE(changed) << changed.error().message.english();
     write_text(pdf, *changed);
     const Outcome differs = run_program({"verify-report", pdf.string()});
     EXPECT_EQ(differs.status, 1);

@@ -20,7 +20,7 @@ void turn(benchmark::State& state, RenderQuality quality) {
     renderer.set_size(1280, 800);
     renderer.set_scene(scene_of_100000());
     if (auto first = renderer.render(quality); !first)
-        return state.SkipWithError(first.error().message.c_str());
+        return state.SkipWithError(first.error().message.english().c_str());
     for (auto _ : state) {
         renderer.orbit(5, 0);
         benchmark::DoNotOptimize(renderer.render(quality));

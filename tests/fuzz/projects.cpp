@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string shown(const Problem& problem) {
-    return problem.file + ":" + std::to_string(problem.line) + ": " + problem.path + ": " + problem.message;
+    return problem.file + ":" + std::to_string(problem.line) + ": " + problem.path + ": " +
+           problem.message.english();
 }
 
 /// What must never be said, whatever is put in.
@@ -37,8 +38,9 @@ Outcome evaluated(const LoadedProject& loaded) {
             *trials = std::min<std::uint64_t>(*trials, 1000);
         const auto result = run_analysis(quick);
         outcome.evaluated = outcome.evaluated || result;
-        if (!result && (result.error().message.empty() || is_defect(result.error().message)))
-            return {true, false, "evaluation: " + result.error().message};
+        if (!result &&
+            (result.error().message.english().empty() || is_defect(result.error().message.english())))
+            return {true, false, "evaluation: " + result.error().message.english()};
     }
     return outcome;
 }
@@ -46,8 +48,9 @@ Outcome evaluated(const LoadedProject& loaded) {
 Outcome of_project(const std::string& text, const fs::path& folder) {
     const LoadedProject loaded = parse_project(text, folder, "input.covaria");
     for (const Problem& problem : loaded.problems.items()) {
-        const bool placed = !problem.file.empty() && problem.line > 0 && !problem.message.empty();
-        if (!placed || is_defect(problem.message)) return {false, false, "problem: " + shown(problem)};
+        const bool placed = !problem.file.empty() && problem.line > 0 && !problem.message.english().empty();
+        if (!placed || is_defect(problem.message.english()))
+            return {false, false, "problem: " + shown(problem)};
     }
     if (loaded.problems.has_errors()) return {};
     return evaluated(loaded);

@@ -44,7 +44,7 @@ public:
         choice.chosen = number % 2 == 0;
         if (number % 5 == 0) choice.columns = {"group", "name", "x", "y", "z", "u"};
         const auto read = guarded([&] { return reader.read(text, choice); });
-        if (!read) return {false, false, "thrown: " + read.error().message};
+        if (!read) return {false, false, "thrown: " + read.error().message.english()};
         if (!*read) return refused((*read).error());
         return accepted(**read);
     }
@@ -70,10 +70,12 @@ private:
     }
 
     static Outcome refused(const Error& error) {
-        if (error.message.empty()) return {false, false, "an error without words"};
+        if (error.message.english().empty()) return {false, false, "an error without words"};
         // What has to be stated first, and what nothing is in, has no line.
-        const bool whole = error.code == ErrorCode::usage || error.message.starts_with("the file has ");
-        return {false, false, whole || error.line > 0 ? "" : "an error without a line: " + error.message};
+        const bool whole =
+            error.code == ErrorCode::usage || error.message.english().starts_with("the file has ");
+        return {false, false,
+                whole || error.line > 0 ? "" : "an error without a line: " + error.message.english()};
     }
 
     /// What was proposed may contradict itself, which has its place then; it is never a defect.
@@ -82,8 +84,9 @@ private:
         add_to_project(project, proposals);
         const Problems problems = MadeProject::make(project)->problems();
         for (const Problem& problem : problems.items())
-            if (problem.path.empty() || problem.message.find("a defect of the program") != std::string::npos)
-                return {true, false, problem.path + ": " + problem.message};
+            if (problem.path.empty() ||
+                problem.message.english().find("a defect of the program") != std::string::npos)
+                return {true, false, problem.path + ": " + problem.message.english()};
         return {true, !problems.has_errors(), {}};
     }
 

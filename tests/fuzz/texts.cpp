@@ -35,11 +35,12 @@ public:
         const FieldSpec& field = tables_[static_cast<unsigned char>(input[0]) % tables_.size()];
         const std::string_view text = std::string_view(input).substr(1);
         const auto csv = read_csv(text);
-        if (!csv) return {false, false, csv.error().line > 0 ? "" : "no line: " + csv.error().message};
+        if (!csv)
+            return {false, false, csv.error().line > 0 ? "" : "no line: " + csv.error().message.english()};
         const CsvTable table = table_from_csv(*csv, field);
         for (const Problem& problem : table.problems.items())
-            if (problem.line <= 0 || problem.message.empty())
-                return {false, false, "no line: " + problem.message};
+            if (problem.line <= 0 || problem.message.english().empty())
+                return {false, false, "no line: " + problem.message.english()};
         if (table.lines.size() != table.table.rows.size()) return {false, false, "rows without lines"};
         for (const auto& row : table.table.rows)
             if (row.size() != field.columns.size()) return {false, false, "a row of another length"};
@@ -97,9 +98,9 @@ public:
 
     Outcome run(const std::string& input) override {
         const auto imported = guarded([&] { return import_urdf(input); });
-        if (!imported) return {false, false, "thrown: " + imported.error().message};
-        if (!*imported && ((*imported).error().message.empty() || (*imported).error().line <= 0))
-            return {false, false, "an error without words or line: " + (*imported).error().message};
+        if (!imported) return {false, false, "thrown: " + imported.error().message.english()};
+        if (!*imported && ((*imported).error().message.english().empty() || (*imported).error().line <= 0))
+            return {false, false, "an error without words or line: " + (*imported).error().message.english()};
         return {imported->has_value(), false, {}};
     }
 
@@ -149,8 +150,9 @@ public:
 
     Outcome run(const std::string& input) override {
         const auto read = guarded([&] { return mesh_from_stl(input); });
-        if (!read) return {false, false, "thrown: " + read.error().message};
-        if (!*read) return {false, false, (*read).error().message.empty() ? "an error without words" : ""};
+        if (!read) return {false, false, "thrown: " + read.error().message.english()};
+        if (!*read)
+            return {false, false, (*read).error().message.english().empty() ? "an error without words" : ""};
         const TriangleMesh& mesh = **read;
         const bool right = mesh.triangles() > 0 && mesh.corners.size() % 9 == 0 &&
                            mesh.box.sizes().allFinite() && mesh.corners.size() <= input.size();

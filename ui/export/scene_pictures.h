@@ -20,14 +20,14 @@ public:
     /// A null image if the block names an unknown analysis or the machine cannot render; `problem` then says
     /// why.
     QImage render(const SceneBlock& block, QSize size);
-    const std::string& problem() const { return problem_; }
+    const Message& problem() const { return problem_; }
 
 private:
     struct Renderer;
     const std::vector<EvaluatedAnalysis>& analyses_;
     std::vector<LayoutMesh> context_;
     std::unique_ptr<Renderer> renderer_;
-    std::string problem_;
+    Message problem_;
 };
 
 }  // namespace covaria::ui

@@ -18,6 +18,7 @@
 #include "core/readers/proposal_text.h"
 #include "core/readers/text_encoding.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -247,7 +248,7 @@ void ImportDialog::read() {
         if (const auto unit = Unit::parse(to_std(units_->item(row, 1)->text())); !unit)
             failure = to_qt(unit.error().message);
     if (proposals_ && failure.isEmpty()) {
-        preview_->setPlainText(to_qt(text_of(*chosen, *proposals_, true)));
+        preview_->setPlainText(to_qt(text_of(*chosen, *proposals_, true, language_of_window())));
         failure = contradictions(*proposals_);
         if (failure.isEmpty())
             summary_->setText(tr("%1 assets and %2 analyses are added, in one step that can be undone.")

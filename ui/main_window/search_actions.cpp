@@ -15,6 +15,7 @@
 #include "ui/pages/results_pane.h"
 #include "ui/pages/search_palette.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -129,15 +130,14 @@ void SearchActions::add_tabs(std::vector<Findable>& all) const {
 }
 
 void SearchActions::add_help(std::vector<Findable>& all) const {
-    static const Result<std::vector<HelpPage>> pages = help_pages();
+    static const Result<std::vector<HelpPage>> pages = help_pages(language_of_window());
     if (!pages) return;
     for (const HelpPage& page : *pages)
         for (const ReportBlock& block : page.blocks) {
             const auto* heading = std::get_if<HeadingBlock>(&block);
             if (!heading || heading->anchor.empty()) continue;
             const bool is_page = heading->anchor == page.id;
-            all.push_back({core_text(heading->text),
-                           is_page ? tr("help") : tr("help: %1").arg(core_text(page.title)),
+            all.push_back({to_qt(heading->text), is_page ? tr("help") : tr("help: %1").arg(to_qt(page.title)),
                            [this, place = to_qt(heading->anchor)] { help_.show_place(place); }, true});
         }
 }

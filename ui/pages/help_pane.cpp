@@ -9,6 +9,7 @@
 
 #include "core/manual/markdown.h"
 #include "core/report/report.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -55,7 +56,7 @@ HelpPane::HelpPane(QWidget* parent) : QWidget(parent), browser_(new QTextBrowser
 
 const std::vector<HelpPage>& HelpPane::pages() {
     if (pages_.empty())
-        if (auto read = help_pages()) pages_ = std::move(*read);
+        if (auto read = help_pages(language_of_window())) pages_ = std::move(*read);
     return pages_;
 }
 

@@ -316,7 +316,7 @@ RunState AnalysisRunner::resting_state(const AnalysisStatus& status) const {
     return status.is_current() ? RunState::up_to_date : RunState::out_of_date;
 }
 
-void AnalysisRunner::set_state(const std::string& id, RunState state, const std::string& message) {
+void AnalysisRunner::set_state(const std::string& id, RunState state, const Message& message) {
     AnalysisStatus& entry = entries_[id];
     entry.state = state;
     entry.message = to_qt(message);

@@ -89,7 +89,7 @@ private:
     void keep(const std::string& id, const PreparedPointer& analysis, ResultStage stage,
               ResultPointer result);
     void take_present_names(AnalysisStatus& entry);
-    void set_state(const std::string& id, RunState state, const std::string& message = {});
+    void set_state(const std::string& id, RunState state, const Message& message = {});
     RunState resting_state(const AnalysisStatus& status) const;
     void announce_idle();
 

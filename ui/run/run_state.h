@@ -45,7 +45,7 @@ struct AnalysisStatus {
     PreparedPointer result_of = {};  ///< the analysis it was computed from
     PreparedPointer prepared = {};   ///< the analysis as it is now; null if it has problems
     bool has_same_numbers = false;   ///< `result_of` gives what `prepared` gives
-    std::vector<std::string> warnings = {};
+    std::vector<Message> warnings = {};
     QString held = {};  ///< why it must not run: a text in one of its fields cannot be read
     /// The result, whatever its stage, belongs to the analysis as it is now.
     bool is_of_present() const { return held.isEmpty() && result && prepared && has_same_numbers; }

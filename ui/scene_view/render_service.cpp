@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "core/base/guarded.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -49,7 +50,7 @@ void RenderService::make_picture(QSize size) {
         if (const auto image = other.render(RenderQuality::fine))
             emit picture_made(to_qimage(*image));
         else
-            emit failed(QString::fromStdString(image.error().message));
+            emit failed(to_qt(image.error().message));
     }});
 }
 
@@ -75,7 +76,7 @@ void RenderService::work(const std::stop_token& stop) {
             do_jobs(std::move(jobs));
             return true;
         });
-        if (!done) emit failed(QString::fromStdString(done.error().message));
+        if (!done) emit failed(to_qt(done.error().message));
         lock.lock();
         busy_ = false;
         changed_.notify_all();
@@ -100,7 +101,7 @@ void RenderService::render(RenderQuality quality) {
     if (const auto image = renderer_.render(quality))
         emit rendered(to_qimage(*image), renderer_.camera());
     else
-        emit failed(QString::fromStdString(image.error().message));
+        emit failed(to_qt(image.error().message));
 }
 
 }  // namespace covaria::ui

@@ -15,6 +15,10 @@ std::string core_words(std::string_view english) {
     return to_std(core_text(english));
 }
 
+QString to_qt(const Message& message) {
+    return to_qt(message.in([](const std::string& english) { return core_words(english); }));
+}
+
 Text core_title(const Text& english) {
     const bool plain = english.spans().size() == 1 && !english.has_scripts() && !english.spans()[0].italic;
     return plain ? Text(core_words(english.spans()[0].letters)) : english;

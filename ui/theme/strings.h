@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/message.h"
+
 namespace covaria::ui {
 
 inline QString to_qt(const std::string& text) {
@@ -14,6 +16,8 @@ inline QString to_qt(const std::string& text) {
 inline QString to_qt(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
+/// In the language of the window.
+QString to_qt(const Message& message);
 inline std::string to_std(const QString& text) {
     return text.toStdString();
 }

@@ -281,13 +281,13 @@ void check_triangle(const BallbarSource& ballbars, Problems& problems) {
     const std::string lengths = in_mm(a) + ", " + in_mm(b) + " and " + in_mm(c);
     if (longest > others * (1.0 + 1e-9))
         return problems.error(ballbar_fields().place(&StatedBallbars::length_12),
-                              "the lengths between the supports make no triangle: the longest of " + lengths +
-                                  " exceeds the sum of the others");
+                              tell<"the lengths between the supports make no triangle: the longest of %1 "
+                                   "exceeds the sum of the others">(lengths));
     const double height = std::abs(support_positions(ballbars)[2].y());
     if (!(height > 1e-3 * longest))
         problems.error(ballbar_fields().place(&StatedBallbars::length_12),
-                       "the three supports lie on a line (" + lengths +
-                           "): they leave the place of the ball undetermined; move one of them aside");
+                       tell<"the three supports lie on a line (%1): they leave the place of the ball "
+                            "undetermined; move one of them aside">(lengths));
 }
 
 void check_further(const BallbarSource& ballbars, Problems& problems) {
@@ -300,8 +300,8 @@ void check_further(const BallbarSource& ballbars, Problems& problems) {
         }
         const std::string path = ballbar_fields().place(&StatedBallbars::further, k - 3);
         if (!positions[k].allFinite() || !(worst < 1e-3))
-            problems.error(path, "the lengths of support " + std::to_string(k + 1) +
-                                     " do not meet at its height: they miss by " + in_mm(worst));
+            problems.error(path, tell<"the lengths of support %1 do not meet at its height: they miss by %2">(
+                                     k + 1, in_mm(worst)));
     }
 }
 
@@ -310,7 +310,7 @@ std::unique_ptr<Asset> create_ballbars(const SetupReader& setup, const AssetLibr
     const StatedBallbars stated = ballbar_fields().read(setup, assets, problems);
     if (stated.further.size() + 3 > most_supports) {
         problems.error(ballbar_fields().place(&StatedBallbars::further),
-                       "a set has at most " + std::to_string(most_supports) + " supports");
+                       tell<"a set has at most %1 supports">(most_supports));
         return nullptr;
     }
     auto set = std::make_unique<BallbarSet>(stated);

@@ -28,22 +28,21 @@ void check_sequence(const TcpSetup& setup, const Sequence& sequence, Problems& p
     const double degrees = sequence.span * 180.0 / std::numbers::pi;
     if (sequence.count < 3)
         return problems.error(sequence.source,
-                              about(sequence) + " has " + std::to_string(sequence.count) +
-                                  " points; a plane needs three, and some more to be checked");
+                              tell<"%1 has %2 points; a plane needs three, and some more to be checked">(
+                                  about(sequence), sequence.count));
     if (!(sequence.span > 1e-6))
         return problems.error(sequence.source,
-                              about(sequence) + " has a span of zero: all its points coincide");
+                              tell<"%1 has a span of zero: all its points coincide">(about(sequence)));
     if (!(sequence.radius > 1e-3 * setup.tool_F.norm()) || !(sequence.radius > 1e-6))
-        return problems.error(
-            sequence.source,
-            "the tool centre point lies on the axis of " + about(sequence) +
-                " (or the tool has no length): it traces no circle; turn about another axis");
+        return problems.error(sequence.source,
+                              tell<"the tool centre point lies on the axis of %1 (or the tool has no "
+                                   "length): it traces no circle; turn about another axis">(about(sequence)));
     if (sequence.span < short_arc) {
         const double factor = std::pow(std::numbers::pi / sequence.span, 2);
         problems.warning(sequence.source,
-                         "the arc of " + about(sequence) + " spans only " + text_of("%.3g", degrees) +
-                             "°: uncertainties grow as the inverse square of the span and may be " +
-                             text_of("%.0f", factor) + " times those of half a turn");
+                         tell<"the arc of %1 spans only %2°: uncertainties grow as the inverse square of the "
+                              "span and may be %3 times those of half a turn">(
+                             about(sequence), text_of("%.3g", degrees), text_of("%.0f", factor)));
     }
 }
 
@@ -71,19 +70,18 @@ void check_points(const TcpSetup& setup, Problems& problems) {
         const double height = side * point.p_B.z();
         if (!(height > 0.0)) {
             problems.error(point.source,
-                           "point " + point.name + " is " + text_of("%.3f", -1e3 * height) +
-                               " mm on the other side of the supports' plane, where the ballbars "
-                               "look for no solution; change their placement or their side");
+                           tell<"point %1 is %2 mm on the other side of the supports' plane, where the "
+                                "ballbars look for no solution; change their placement or their side">(
+                               point.name, text_of("%.3f", -1e3 * height)));
             continue;
         }
         const double u = height_uncertainty(setup, point);
         if (height < 10.0 * u)
             problems.warning(point.source,
-                             "point " + point.name + " is only " + text_of("%.3g", 1e3 * height) +
-                                 " mm from the supports' plane, with a standard uncertainty of " +
-                                 text_of("%.2g", 1e3 * u) +
-                                 " mm in that direction: in some trials the lengths will not meet "
-                                 "(negative root), and u is not to be trusted");
+                             tell<"point %1 is only %2 mm from the supports' plane, with a standard "
+                                  "uncertainty of %3 mm in that direction: in some trials the lengths will "
+                                  "not meet (negative root), and u is not to be trusted">(
+                                 point.name, text_of("%.3g", 1e3 * height), text_of("%.2g", 1e3 * u)));
     }
 }
 
@@ -126,10 +124,9 @@ void fit_measured_points(TcpSetup& setup, Problems& problems) {
     for (const Point& point : setup.points) q.push_back(point.p_B - mean);
     const Flange<double> flange = fit_flange<double>(setup, q);
     if (!flange.tool.allFinite() || !flange.axes.allFinite())
-        return problems.error(
-            tcp_fields().place(&StatedTcp::measured),
-            "the measured points determine no sphere and no axes: they lie on one circle, or "
-            "coincide; check their axes and angles");
+        return problems.error(tcp_fields().place(&StatedTcp::measured),
+                              tell<"the measured points determine no sphere and no axes: they lie on one "
+                                   "circle, or coincide; check their axes and angles">());
     setup.X_BF.linear() = flange.axes;
     setup.X_BF.translation() += flange.centre;
     setup.tool_F = flange.tool;

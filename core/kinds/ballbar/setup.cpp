@@ -27,7 +27,7 @@ public:
         else
             take_plan();
         if (tcp_.points.size() > most_points)
-            problems_.error(table(), "a procedure has at most " + std::to_string(most_points) + " points");
+            problems_.error(table(), tell<"a procedure has at most %1 points">(most_points));
         if (tcp_.finds_tool()) choose_axes();
         if (problems_.has_errors()) return {};
         if (tcp_.task == Task::measured) fit_measured_points(tcp_, problems_);
@@ -52,7 +52,7 @@ private:
             point.source = row_path(row);
             point.p_B = tcp_.places[row].p_B;
             if (!names.insert(point.name).second)
-                problems_.error(point.source, "two points are called " + point.name);
+                problems_.error(point.source, tell<"two points are called %1">(point.name));
             tcp_.points.push_back(std::move(point));
         }
     }
@@ -84,8 +84,9 @@ private:
 
     void begin_sequence(int axis, std::size_t row) {
         if (tcp_.measures(axis))
-            problems_.error(row_path(row), std::string("the flange turns about ") + axis_letters[axis] +
-                                               " in two rotations; put their points into one");
+            problems_.error(row_path(row),
+                            tell<"the flange turns about %1 in two rotations; put their points into one">(
+                                axis_letters[axis]));
         Sequence sequence;
         sequence.axis = axis;
         sequence.first = tcp_.points.size();
@@ -113,15 +114,16 @@ private:
     void choose_axes() {
         if (tcp_.sequences.size() < 2)
             return problems_.error(
-                table(),
-                "one rotation traces one circle, which leaves the centre of the flange and its "
-                "axes undetermined: add a rotation about another axis");
+                table(), tell<"one rotation traces one circle, which leaves the centre of the flange and its "
+                              "axes undetermined: add a rotation about another axis">());
         tcp_.first_axis = tcp_.frame.first;
         if (tcp_.first_axis < 0) tcp_.first_axis = tcp_.sequences[0].axis;
         if (!tcp_.measures(tcp_.first_axis))
-            return problems_.error(tcp_fields().place(&StatedTcp::frame),
-                                   std::string("no rotation measures axis ") + axis_letters[tcp_.first_axis] +
-                                       ": choose another way to make the axes, or add the rotation");
+            return problems_.error(
+                tcp_fields().place(&StatedTcp::frame),
+                tell<
+                    "no rotation measures axis %1: choose another way to make the axes, or add the rotation">(
+                    axis_letters[tcp_.first_axis]));
         tcp_.second_axis = tcp_.frame.second;
         const bool usable = tcp_.second_axis >= 0 && tcp_.measures(tcp_.second_axis);
         for (const Sequence& s : tcp_.sequences)

@@ -86,9 +86,9 @@ std::unique_ptr<Asset> create_mesh(const SetupReader& setup, const AssetLibrary&
         const Error& error = read.error();
         const std::string line = error.line > 0 ? "line " + std::to_string(error.line) + ", " : "";
         problems.warning(mesh_fields().place(&StatedMesh::file),
-                         "The mesh is not drawn: " +
-                             (error.code == ErrorCode::bad_input ? in_quotes(stated.file) + ": " : "") +
-                             line + error.message);
+                         tell<"The mesh is not drawn: %1%2%3">(
+                             (error.code == ErrorCode::bad_input ? in_quotes(stated.file) + ": " : ""), line,
+                             error.message));
     }
     return std::make_unique<ContextMesh>(std::move(mesh));
 }

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t header_bytes = 84, triangle_bytes = 50;
 constexpr float largest_coordinate = 1e15F;  // squares and sums of them stay numbers
 
-tl::unexpected<Error> no_stl(std::string message, int line = 0) {
+tl::unexpected<Error> no_stl(Message message, int line = 0) {
     return fail(Error{ErrorCode::bad_input, std::move(message), {}, {}, line});
 }
 

@@ -81,7 +81,7 @@ std::string listed(const CurveSetup& setup, const Fit& fit, const std::vector<do
 Result<double> chosen(const CurveSetup& setup, const Fit& fit, const Observation& observation,
                       const std::vector<double>& places) {
     const std::string y = "y = " + place_text(setup.y_unit, observation.y);
-    if (places.empty()) return fail(ErrorCode::bad_input, "the curve does not reach " + y);
+    if (places.empty()) return fail(ErrorCode::bad_input, tell<"the curve does not reach %1">(y));
     if (observation.near) {
         const double near = fit.polynomials.t_of(*observation.near);
         return *std::min_element(places.begin(), places.end(),
@@ -92,9 +92,10 @@ Result<double> chosen(const CurveSetup& setup, const Fit& fit, const Observation
         if (std::abs(t) <= between_the_points) inside.push_back(t);
     const std::vector<double>& candidates = inside.empty() ? places : inside;
     if (candidates.size() == 1) return candidates.front();
-    return fail(ErrorCode::bad_input, "the curve reaches " + y + " at x = " + listed(setup, fit, candidates) +
-                                          (inside.empty() ? ", outside of its points" : "") +
-                                          ": say in 'near' which of them is meant");
+    return fail(ErrorCode::bad_input,
+                tell<"the curve reaches %1 at x = %2%3: say in 'near' which of them is meant">(
+                    y, listed(setup, fit, candidates),
+                    (inside.empty() ? tell<", outside of its points">() : Message())));
 }
 
 }  // namespace

@@ -227,10 +227,9 @@ std::unique_ptr<MeasurementModel> create_curve_model(const SetupReader& reader, 
     auto fit = curve::fit_of(*setup);
     if (!fit) {
         problems.error(curve::curve_fields().place(&CurveSetup::stated_points),
-                       setup->has_u_x()
-                           ? "no curve of this degree was found: the iteration for the uncertainties of "
-                             "x does not settle on these points"
-                           : "the points do not determine a curve of this degree");
+                       setup->has_u_x() ? tell<"no curve of this degree was found: the iteration for the "
+                                               "uncertainties of x does not settle on these points">()
+                                        : tell<"the points do not determine a curve of this degree">());
         return nullptr;
     }
     std::vector<InversePlace> inverse;
@@ -243,9 +242,8 @@ std::unique_ptr<MeasurementModel> create_curve_model(const SetupReader& reader, 
             continue;
         }
         if (found->outside)
-            problems.warning(place,
-                             "the x of y = " + curve::place_text(setup->y_unit, setup->observations[i].y) +
-                                 " lies outside of the points of the calibration");
+            problems.warning(place, tell<"the x of y = %1 lies outside of the points of the calibration">(
+                                        curve::place_text(setup->y_unit, setup->observations[i].y)));
         inverse.push_back(*found);
     }
     if (problems.has_errors()) return nullptr;

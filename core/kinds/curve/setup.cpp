@@ -21,19 +21,17 @@ void check_figures(const CurveSetup& setup, Problems& problems) {
         const std::optional<double>& u_y = setup.stated_points[row].u_y;
         if (!u_y)
             problems.error(cell(row, &StatedPoint::u_y),
-                           "the standard uncertainty of y is missing in row " + std::to_string(row + 1));
+                           tell<"the standard uncertainty of y is missing in row %1">(row + 1));
         else if (!(*u_y > 0.0))
             problems.error(
                 cell(row, &StatedPoint::u_y),
-                "the standard uncertainty of y must be greater than zero in row " + std::to_string(row + 1));
+                tell<"the standard uncertainty of y must be greater than zero in row %1">(row + 1));
     }
     for (std::size_t row = 0; row < setup.observations.size(); ++row)
         if (setup.observations[row].readings > 0 && !setup.from_residuals)
-            problems.error(
-                curve_fields().place(&CurveSetup::observations, row, &Observation::readings),
-                "readings have the scatter of the residuals, which stated uncertainties do not use: give u_y "
-                "in row " +
-                    std::to_string(row + 1));
+            problems.error(curve_fields().place(&CurveSetup::observations, row, &Observation::readings),
+                           tell<"readings have the scatter of the residuals, which stated uncertainties do "
+                                "not use: give u_y in row %1">(row + 1));
 }
 
 /// From the units of x and y to SI.
@@ -55,18 +53,20 @@ void check(const CurveSetup& setup, Problems& problems) {
     const std::string points = curve_fields().place(&CurveSetup::stated_points);
     if (setup.through_origin && setup.y_unit.to_si(0.0) != 0.0)
         problems.error(curve_fields().place(&CurveSetup::y_unit),
-                       "a curve through the origin needs differences: give y in K");
+                       tell<"a curve through the origin needs differences: give y in K">());
     std::set<double> places;
     for (const Point& p : setup.points)
         if (!setup.through_origin || p.x != setup.origin) places.insert(p.x);
     if (places.size() < setup.coefficients())
-        problems.error(points, "a polynomial of this degree needs points at " +
-                                   std::to_string(setup.coefficients()) + " different places or more" +
-                                   (setup.through_origin ? " beside the origin" : ""));
-    if (setup.from_residuals && setup.points.size() <= setup.coefficients())
         problems.error(points,
-                       "residuals say nothing about the uncertainty unless there are more points than "
-                       "coefficients: add points, or state u_y");
+                       setup.through_origin
+                           ? tell<"a polynomial of this degree needs points at %1 different places or more "
+                                  "beside the origin">(setup.coefficients())
+                           : tell<"a polynomial of this degree needs points at %1 different places or more">(
+                                 setup.coefficients()));
+    if (setup.from_residuals && setup.points.size() <= setup.coefficients())
+        problems.error(points, tell<"residuals say nothing about the uncertainty unless there are more "
+                                    "points than coefficients: add points, or state u_y">());
 }
 
 }  // namespace

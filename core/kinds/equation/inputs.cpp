@@ -86,7 +86,7 @@ public:
 private:
     const StatedComponent& at(std::size_t row) const { return stated_.components[row]; }
     template <class M>
-    void refuse(std::size_t row, M StatedComponent::*column, const std::string& message) {
+    void refuse(std::size_t row, M StatedComponent::*column, const Message& message) {
         problems_.error(equation_fields().place(&StatedEquations::components, row, column),
                         "'" + at(row).symbol + "': " + message);
     }
@@ -97,9 +97,8 @@ private:
             return refuse(
                 row, &StatedComponent::symbol,
                 is_symbol(symbol)
-                    ? "the name is one of a function or a word of the equations; choose "
-                      "another"
-                    : "a symbol is made of letters, Greek ones too, digits and '_', a letter first");
+                    ? tell<"the name is one of a function or a word of the equations; choose another">()
+                    : tell<"a symbol is made of letters, Greek ones too, digits and '_', a letter first">());
         const Result<Unit> unit = Unit::parse(at(row).unit);
         if (!unit) return refuse(row, &StatedComponent::unit, unit.error().message);
         const auto known = index_.find(symbol);
@@ -107,10 +106,11 @@ private:
         Draft& draft = drafts_[known->second];
         if (at(row).value)
             return refuse(row, &StatedComponent::value,
-                          "only the first row of a symbol has a value; further rows add components");
+                          tell<"only the first row of a symbol has a value; further rows add components">());
         if (unit->dimension() != draft.unit.dimension())
-            return refuse(row, &StatedComponent::unit,
-                          "the component is in " + unit->text() + ", the quantity in " + draft.unit.text());
+            return refuse(
+                row, &StatedComponent::unit,
+                tell<"the component is in %1, the quantity in %2">(unit->text(), draft.unit.text()));
         component(draft, row, *unit);
     }
 
@@ -132,7 +132,8 @@ private:
         const bool first = row == draft.first_row;
         if (kind.empty() || kind == "constant") {
             if (!first)
-                refuse(row, &StatedComponent::statement, "a further row states a component of uncertainty");
+                refuse(row, &StatedComponent::statement,
+                       tell<"a further row states a component of uncertainty">());
             return;
         }
         UncertaintyComponent made;
@@ -202,16 +203,18 @@ private:
     void reading(Draft& draft, std::size_t row) {
         const Referred& instrument = at(row).instrument;
         if (!instrument.asset)
-            return refuse(row, &StatedComponent::instrument, "the instrument of the project is missing");
+            return refuse(row, &StatedComponent::instrument,
+                          tell<"the instrument of the project is missing">());
         if (!draft.estimate)
-            return refuse(row, &StatedComponent::value, "the reading of an instrument needs a value");
+            return refuse(row, &StatedComponent::value, tell<"the reading of an instrument needs a value">());
         if (draft.unit.dimension() != Unit::of("m").dimension())
             return refuse(row, &StatedComponent::unit,
-                          "an instrument reads distances here; the unit must be one of length");
+                          tell<"an instrument reads distances here; the unit must be one of length">());
         const double distance = *draft.estimate;
         if (const SensorSource* sensor = offers<SensorSource>(instrument.asset)) {
             if (!sensor->reads(Observable::distance))
-                return refuse(row, &StatedComponent::instrument, instrument.name + " reads no distances");
+                return refuse(row, &StatedComponent::instrument,
+                              tell<"%1 reads no distances">(instrument.name));
             const Eigen::Vector3d target(distance, 0.0, 0.0);
             own_reading(draft, row, sensor->reading(Observable::distance, target));
             for (const SystematicDeviation& s : sensor->systematic())
@@ -244,7 +247,7 @@ private:
     void finish(Draft& draft) {
         if (!draft.estimate)
             return refuse(draft.first_row, &StatedComponent::value,
-                          "the value is missing, and no statement gives it");
+                          tell<"the value is missing, and no statement gives it">());
         draft.quantity.offset = *draft.estimate;
         if (observations_.has(draft.quantity.symbol))
             result_.observed.push_back(observations_.listed(draft.quantity));
@@ -256,8 +259,9 @@ private:
     void check_observations() {
         for (const std::string& quantity : observations_.quantities())
             if (!index_.contains(quantity))
-                problems_.error(equation_fields().place(&StatedEquations::observations),
-                                "'" + quantity + "' has observations and no row in the table of quantities");
+                problems_.error(
+                    equation_fields().place(&StatedEquations::observations),
+                    tell<"'%1' has observations and no row in the table of quantities">(quantity));
     }
 
     const StatedEquations& stated_;

@@ -44,8 +44,8 @@ Result<Observations::Mean> Observations::mean_of(const std::string& quantity) co
     if (!series)
         return fail(ErrorCode::bad_input,
                     has(quantity)
-                        ? "it has several series: leave out the name of the one that is measured now"
-                        : "the table of observations has no rows for it");
+                        ? tell<"it has several series: leave out the name of the one that is measured now">()
+                        : tell<"the table of observations has no rows for it">());
     return type_a_evaluation(series->values).map([&](const TypeA& a) {
         return Mean{a.mean, a.standard_uncertainty, a.degrees_of_freedom, series->values.size()};
     });
@@ -53,7 +53,8 @@ Result<Observations::Mean> Observations::mean_of(const std::string& quantity) co
 
 Result<Observations::Mean> Observations::pooled(const std::string& quantity, std::optional<double> n) const {
     const auto found = of_.find(quantity);
-    if (found == of_.end()) return fail(ErrorCode::bad_input, "the table of observations has no rows for it");
+    if (found == of_.end())
+        return fail(ErrorCode::bad_input, tell<"the table of observations has no rows for it">());
     std::vector<std::vector<double>> all;
     for (const auto& [name, series] : found->second)
         if (series.values.size() > 1) all.push_back(series.values);
@@ -68,7 +69,7 @@ Result<Observations::Mean> Observations::pooled(const std::string& quantity, std
     const double count = n.value_or(static_cast<double>(result.count));
     if (!(count >= 1.0))
         return fail(ErrorCode::bad_input,
-                    "'a' is missing: number of observations of which the value is the mean");
+                    tell<"'a' is missing: number of observations of which the value is the mean">());
     result.u = pool->standard_deviation / std::sqrt(count);
     return result;
 }

@@ -64,9 +64,9 @@ private:
                                                              &StatedComponent::symbol);
             if (parsed.find(name))
                 problems_.error(path,
-                                "'" + name + "' is defined by an equation: it cannot be a quantity too");
+                                tell<"'%1' is defined by an equation: it cannot be a quantity too">(name));
             else if (!used.contains(name) && !parsed.statements.empty())
-                problems_.warning(path, "no equation uses '" + name + "'");
+                problems_.warning(path, tell<"no equation uses '%1'">(name));
         }
     }
 
@@ -92,10 +92,10 @@ private:
             std::vector<std::string> names;
             for (const equation::Statement& s : parsed.statements)
                 for (const equation::Definition& d : s.defined) names.push_back(d.name);
-            problems_.error(path, "no equation defines '" + symbol + "'" + did_you_mean(symbol, names));
+            problems_.error(path, tell<"no equation defines '%1'%2">(symbol, did_you_mean(symbol, names)));
         }
         if (std::any_of(wanted.begin(), wanted.end(), [&](const auto& w) { return w.name == symbol; }))
-            problems_.error(path, "'" + symbol + "' is listed twice");
+            problems_.error(path, tell<"'%1' is listed twice">(symbol));
         equation::WantedOutput output{symbol, std::nullopt};
         if (!stated.unit.empty()) {
             const Result<Unit> unit = Unit::parse(stated.unit);

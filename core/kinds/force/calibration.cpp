@@ -76,10 +76,11 @@ bool make_channels(Calibration& calibration, Problems& problems) {
         const std::string key = channel.kind().key;
         const auto rated = channel.kind().is_moment ? &Channel::rated_moment : &Channel::rated_force;
         if (calibration.channel_of(channel.axis))
-            problems.error(cell(&Channel::axis), "channel " + key + " is listed twice");
+            problems.error(cell(&Channel::axis), tell<"channel %1 is listed twice">(key));
         else if (!(stated.*rated))
-            problems.error(cell(rated), "channel " + key + " needs its rated load, a " +
-                                            (channel.kind().is_moment ? "moment" : "force"));
+            problems.error(cell(rated),
+                           tell<"channel %1 needs its rated load, a %2">(
+                               key, (channel.kind().is_moment ? tell<"moment">() : tell<"force">())));
         channel.rated_load = (stated.*rated).value_or(0.0);
         calibration.channels.push_back(channel);
     }
@@ -91,8 +92,8 @@ bool take_calibrator(Calibration& calibration, Problems& problems) {
         const auto u = calibration.calibrator->relative_uncertainty(channel.axis);
         if (!u)
             problems.error(force::sensor_fields().place(&StatedSensor::calibrator),
-                           calibration.calibrator.name + " states no uncertainty of its load on " +
-                               channel.kind().key + ": add it to its certificate");
+                           tell<"%1 states no uncertainty of its load on %2: add it to its certificate">(
+                               calibration.calibrator.name, channel.kind().key));
         channel.u_calibrator = u.value_or(0.0);
     }
     return !problems.has_errors();

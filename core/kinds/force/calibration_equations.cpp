@@ -65,29 +65,30 @@ private:
         std::vector<Run>& runs = series().runs;
         std::erase_if(runs, [&](const Run& run) {
             if (!run.increasing.empty() && run.zero_before) return false;
-            warn("run " + std::to_string(run.number) + " of " + name() + " has no " +
-                 (run.zero_before ? "increasing loads" : "unloaded reading before") + ": it is left out");
+            warn(tell<"run %1 of %2 has no %3: it is left out">(
+                run.number, name(),
+                (run.zero_before ? tell<"increasing loads">() : tell<"unloaded reading before">())));
             return true;
         });
         const std::size_t planned = static_cast<std::size_t>(calibration_.plan.runs);
         if (runs.empty())
-            return refuse(name() + " was not calibrated: there are no runs with its axis loaded");
+            return refuse(tell<"%1 was not calibrated: there are no runs with its axis loaded">(name()));
         if (runs.size() == 1)
-            return refuse(name() + " has one run only: its repeatability needs two or more");
+            return refuse(tell<"%1 has one run only: its repeatability needs two or more">(name()));
         if (runs.size() < planned)
-            warn(name() + " has " + std::to_string(runs.size()) + " runs, " + std::to_string(planned) +
-                 " are planned: its means have " + std::to_string(runs.size() - 1) + " degrees of freedom");
+            warn(tell<"%1 has %2 runs, %3 are planned: its means have %4 degrees of freedom">(
+                name(), runs.size(), planned, runs.size() - 1));
         if (series().preloads.size() < static_cast<std::size_t>(calibration_.plan.preloads))
-            warn(name() + " has " + std::to_string(series().preloads.size()) + " preloads, " +
-                 std::to_string(calibration_.plan.preloads) + " are planned");
+            warn(tell<"%1 has %2 preloads, %3 are planned">(name(), series().preloads.size(),
+                                                            calibration_.plan.preloads));
         return true;
     }
 
-    bool refuse(const std::string& message) {
+    bool refuse(const Message& message) {
         problems_.error(sensor_fields().place(&StatedSensor::readings), message);
         return false;
     }
-    void warn(const std::string& message) {
+    void warn(const Message& message) {
         problems_.warning(sensor_fields().place(&StatedSensor::readings), message);
     }
 
@@ -121,26 +122,25 @@ private:
     void check_steps() {
         for (const StepStatistics& step : steps()) {
             if (step.n >= static_cast<double>(series().runs.size())) continue;
-            warn("step " + std::to_string(step.step) + " of " + name() + " is missing in " +
-                 std::to_string(series().runs.size() - static_cast<std::size_t>(step.n)) + " of " +
-                 std::to_string(series().runs.size()) + " runs: its mean is that of " +
-                 readable_number(step.n) + (step.n < 2.0 ? ", and it says nothing about repeatability" : ""));
+            warn(tell<"step %1 of %2 is missing in %3 of %4 runs: its mean is that of %5%6">(
+                step.step, name(), series().runs.size() - static_cast<std::size_t>(step.n),
+                series().runs.size(), readable_number(step.n),
+                (step.n < 2.0 ? tell<", and it says nothing about repeatability">() : Message())));
         }
         if (steps().size() < static_cast<std::size_t>(calibration_.plan.steps))
-            warn(name() + " was loaded in " + std::to_string(steps().size()) + " steps, " +
-                 std::to_string(calibration_.plan.steps) + " are planned");
+            warn(tell<"%1 was loaded in %2 steps, %3 are planned">(name(), steps().size(),
+                                                                   calibration_.plan.steps));
     }
 
     bool check_rated_load() {
         const ForceChannel& h = channel();
         const double largest = steps().back().load;
         if (std::abs(largest - h.rated_load) > 1e-3 * h.rated_load)
-            return refuse("the largest load on " + name() + " is " +
-                          quantity_words(h.load_unit().from_si(largest), h.load_unit()) +
-                          "; the rated output needs the rated load, " +
-                          quantity_words(h.load_unit().from_si(h.rated_load), h.load_unit()));
+            return refuse(tell<"the largest load on %1 is %2; the rated output needs the rated load, %3">(
+                name(), quantity_words(h.load_unit().from_si(largest), h.load_unit()),
+                quantity_words(h.load_unit().from_si(h.rated_load), h.load_unit())));
         if (!(h.u_a > 0.0))
-            warn(name() + " has the same reading in all runs: its repeatability is evaluated as zero");
+            warn(tell<"%1 has the same reading in all runs: its repeatability is evaluated as zero">(name()));
         return true;
     }
 
@@ -165,7 +165,9 @@ private:
             any = true;
             largest = std::max(largest, std::abs((*run.zero_after)[c_] - (*run.zero_before)[c_]));
         }
-        if (!any) warn(name() + " has no unloaded readings after a run: its non-zero error is taken as zero");
+        if (!any)
+            warn(
+                tell<"%1 has no unloaded readings after a run: its non-zero error is taken as zero">(name()));
         return largest;
     }
 
@@ -178,7 +180,9 @@ private:
                     any = true;
                     largest = std::max(largest, std::abs(up.net[c_] - down->net[c_]));
                 }
-        if (!any) warn(name() + " has no decreasing loads: its hysteresis is not known and is taken as zero");
+        if (!any)
+            warn(
+                tell<"%1 has no decreasing loads: its hysteresis is not known and is taken as zero">(name()));
         return largest;
     }
 
@@ -192,9 +196,9 @@ private:
                 if (std::abs(now.net[c_] - before.net[c_]) > 0.1 * expected ||
                     expected <= 20.0 * calibration_.resolution)
                     continue;
-                refuse("run " + std::to_string(run.number) + " of " + name() + " reads the same at steps " +
-                       std::to_string(before.step) + " and " + std::to_string(now.step) +
-                       " although the load rises: the indicator is saturated or the channel is stuck");
+                refuse(tell<"run %1 of %2 reads the same at steps %3 and %4 although the load rises: the "
+                            "indicator is saturated or the channel is stuck">(run.number, name(), before.step,
+                                                                              now.step));
                 return;
             }
     }
@@ -206,10 +210,9 @@ private:
                 const StepReading &before = run.increasing[i - 1], &now = run.increasing[i];
                 const double wait = now.time - before.time;
                 if (!(wait < 0.9 * calibration_.plan.load_time)) continue;
-                warn("run " + std::to_string(run.number) + " of " + name() + ": only " +
-                     readable_number(wait) + " s between steps " + std::to_string(before.step) + " and " +
-                     std::to_string(now.step) + ", " + readable_number(calibration_.plan.load_time) +
-                     " s are planned");
+                warn(tell<"run %1 of %2: only %3 s between steps %4 and %5, %6 s are planned">(
+                    run.number, name(), readable_number(wait), before.step, now.step,
+                    readable_number(calibration_.plan.load_time)));
                 return check_free_times();
             }
         check_free_times();
@@ -220,9 +223,8 @@ private:
         for (std::size_t i = 1; i < runs.size(); ++i) {
             const double wait = runs[i].time_before - runs[i - 1].time_after;
             if (!runs[i - 1].zero_after || !(wait < 0.9 * calibration_.plan.free_time)) continue;
-            warn("run " + std::to_string(runs[i].number) + " of " + name() + " begins " +
-                 readable_number(wait) + " s after the one before was unloaded, " +
-                 readable_number(calibration_.plan.free_time) + " s are planned");
+            warn(tell<"run %1 of %2 begins %3 s after the one before was unloaded, %4 s are planned">(
+                runs[i].number, name(), readable_number(wait), readable_number(calibration_.plan.free_time)));
             return;
         }
     }
@@ -239,15 +241,16 @@ void check_response(const Calibration& calibration, Problems& problems) {
         const std::string name = calibration.channels[h].kind().key;
         if (own <= 20.0 * calibration.resolution || own == 0.0) {
             problems.error(sensor_fields().place(&StatedSensor::readings),
-                           "channel " + name + " does not respond to its load: " + text_in_millivolts(own) +
-                               " at the rated load; look at its cable and its column");
+                           tell<"channel %1 does not respond to its load: %2 at the rated load; look at its "
+                                "cable and its column">(name, text_in_millivolts(own)));
             continue;
         }
         for (std::size_t c = 0; c < calibration.size(); ++c)
             if (c != h && std::abs(calibration.rated_outputs(at(h), at(c))) >= own) {
-                problems.error(sensor_fields().place(&StatedSensor::readings),
-                               "channel " + name + " responds to " + calibration.channels[c].kind().key +
-                                   " more than to its own load: are columns exchanged?");
+                problems.error(
+                    sensor_fields().place(&StatedSensor::readings),
+                    tell<"channel %1 responds to %2 more than to its own load: are columns exchanged?">(
+                        name, calibration.channels[c].kind().key));
                 break;
             }
     }

@@ -36,8 +36,9 @@ public:
             read_row(calibration_.readings[row_]);
         }
         if (calibration_.readings.empty())
-            problems_.error(sensor_fields().place(&StatedSensor::readings),
-                            "there are no readings: import them from a CSV file, or choose summary tables");
+            problems_.error(
+                sensor_fields().place(&StatedSensor::readings),
+                tell<"there are no readings: import them from a CSV file, or choose summary tables">());
         for (Series& series : calibration_.series)
             for (std::vector<Run>* runs : {&series.preloads, &series.runs})
                 for (Run& run : *runs) finish(run);
@@ -45,7 +46,7 @@ public:
 
 private:
     template <class M>
-    void refuse(M Reading::*column, const std::string& message, std::size_t element = 0) {
+    void refuse(M Reading::*column, const Message& message, std::size_t element = 0) {
         problems_.error(sensor_fields().place(&StatedSensor::readings, row_, column, element), message);
         ++messages_;
     }
@@ -53,9 +54,9 @@ private:
     void read_row(const Reading& row) {
         const auto channel = calibration_.channel_of(row.loaded_axis);
         if (!channel)
-            return refuse(&Reading::loaded_axis, std::string("the sensor has no channel ") +
-                                                     force_axes[row.loaded_axis].key +
-                                                     ": list it among its channels");
+            return refuse(&Reading::loaded_axis,
+                          tell<"the sensor has no channel %1: list it among its channels">(
+                              force_axes[row.loaded_axis].key));
         const auto load = load_of(row, calibration_.channels[*channel]);
         const auto readings = readings_of(row);
         if (!load || !readings) return;
@@ -78,14 +79,15 @@ private:
             const Result<Unit> parsed = Unit::parse(unit_text(given));
             if (!parsed) {
                 refuse(&Reading::load_unit,
-                       "'" + given + "' is no unit of a load: " + parsed.error().message);
+                       tell<"'%1' is no unit of a load: %2">(given, parsed.error().message));
                 return {};
             }
             if (parsed->dimension() != unit.dimension()) {
-                refuse(&Reading::load_unit, name +
-                                                (channel.kind().is_moment ? " is a moment" : " is a force") +
-                                                ", but its load is in " + given +
-                                                ": are forces and moments, or their units, exchanged?");
+                refuse(&Reading::load_unit, channel.kind().is_moment
+                                                ? tell<"%1 is a moment, but its load is in %2: are forces "
+                                                       "and moments, or their units, exchanged?">(name, given)
+                                                : tell<"%1 is a force, but its load is in %2: are forces and "
+                                                       "moments, or their units, exchanged?">(name, given));
                 return {};
             }
             unit = *parsed;
@@ -93,10 +95,9 @@ private:
         const double load = unit.to_si(row.load);
         if (std::abs(load) > 1.2 * channel.rated_load) {
             refuse(&Reading::load,
-                   "a load of " + quantity_words(channel.load_unit().from_si(load), channel.load_unit()) +
-                       " is more than 1.2 times the rated load of " + name + ", " +
-                       quantity_words(channel.load_unit().from_si(channel.rated_load), channel.load_unit()) +
-                       ": is its unit right?");
+                   tell<"a load of %1 is more than 1.2 times the rated load of %2, %3: is its unit right?">(
+                       quantity_words(channel.load_unit().from_si(load), channel.load_unit()), name,
+                       quantity_words(channel.load_unit().from_si(channel.rated_load), channel.load_unit())));
             return {};
         }
         return load;
@@ -107,16 +108,17 @@ private:
         for (std::size_t h = 0; h < calibration_.size(); ++h) {
             const ForceChannel& channel = calibration_.channels[h];
             const std::optional<double>& indicated = row.indicated[channel.axis];
-            const std::string name = std::string("channel ") + channel.kind().key;
+
             if (!indicated) {
-                refuse(&Reading::indicated, name + " has no reading in this row", channel.axis);
+                refuse(&Reading::indicated, tell<"channel %1 has no reading in this row">(channel.kind().key),
+                       channel.axis);
                 return {};
             }
             readings[h] = *indicated;
             if (calibration_.range && std::abs(readings[h]) >= *calibration_.range) {
                 refuse(&Reading::indicated,
-                       name + " indicates " + readable_number(1e3 * readings[h]) +
-                           " mV/V, which is the end of the indicator's range: the reading is saturated",
+                       tell<"channel %1 indicates %2 mV/V, which is the end of the indicator's range: the "
+                            "reading is saturated">(channel.kind().key, readable_number(1e3 * readings[h])),
                        channel.axis);
                 return {};
             }
@@ -129,7 +131,7 @@ private:
         if (row.phase == Phase::zero_before || row.phase == Phase::zero_after) {
             const bool before = row.phase == Phase::zero_before;
             auto& zero = before ? run.zero_before : run.zero_after;
-            if (zero) return refuse(&Reading::phase, "this run has its unloaded reading already");
+            if (zero) return refuse(&Reading::phase, tell<"this run has its unloaded reading already">());
             zero = readings;
             (before ? run.time_before : run.time_after) = time;
             return;
@@ -138,8 +140,7 @@ private:
         std::vector<StepReading>& steps = row.phase == Phase::decreasing ? run.decreasing : run.increasing;
         for (const StepReading& known : steps)
             if (known.step == reading.step)
-                return refuse(&Reading::step,
-                              "step " + std::to_string(reading.step) + " of this run is given twice");
+                return refuse(&Reading::step, tell<"step %1 of this run is given twice">(reading.step));
         steps.push_back(reading);
     }
 
@@ -205,10 +206,10 @@ void read_summary(Calibration& calibration, Problems& problems) {
         const std::string name = calibration.channels[h].kind().key;
         if (!stated[h])
             problems.error(sensor_fields().place(&StatedSensor::summary),
-                           "channel " + name + " has no row in the summary");
+                           tell<"channel %1 has no row in the summary">(name));
         if (!crossed[h])
             problems.warning(sensor_fields().place(&StatedSensor::interference),
-                             name + " has no row in the table of interference: taken as zero");
+                             tell<"%1 has no row in the table of interference: taken as zero">(name));
     }
 }
 

@@ -71,7 +71,7 @@ std::unique_ptr<Asset> create_calibrator(const SetupReader& setup, const AssetLi
         const CertifiedLoad& load = certificate.loads[row];
         if (loads[load.axis]) {
             problems.error(calibrator_fields().place(&Certificate::loads, row, &CertifiedLoad::axis),
-                           "axis " + std::string(force_axes[load.axis].key) + " is listed twice");
+                           tell<"axis %1 is listed twice">(std::string(force_axes[load.axis].key)));
             return nullptr;
         }
         loads[load.axis] = load;

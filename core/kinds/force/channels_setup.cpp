@@ -47,8 +47,8 @@ std::optional<ChannelSetup> read(const SetupReader& setup, const AssetLibrary& a
     if (!read.sensor) return {};
     if (read.pooled && !(read.channels()[0].pooled_degrees_of_freedom > 0.0))
         problems.warning(fields().place(&ChannelSetup::pooled),
-                         "the sensor's calibration is a summary: there are no steps to pool "
-                         "over, so the largest standard deviation is taken");
+                         tell<"the sensor's calibration is a summary: there are no steps to pool over, so "
+                              "the largest standard deviation is taken">());
     return read;
 }
 

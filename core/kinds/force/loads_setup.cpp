@@ -64,13 +64,13 @@ void check_condition(LoadsSetup& setup, Problems& problems) {
     const std::string alike = channels_alike(setup, svd.matrixV().col(s.size() - 1));
     if (!(setup.condition < singular))
         return problems.error(fields().place(&LoadsSetup::sensor),
-                              "the calibration matrix is singular: the channels answer to loads on " + alike +
-                                  " alike, so these cannot be told apart");
+                              tell<"the calibration matrix is singular: the channels answer to loads on %1 "
+                                   "alike, so these cannot be told apart">(alike));
     if (setup.condition > badly_conditioned)
-        problems.warning(fields().place(&LoadsSetup::sensor),
-                         "the calibration matrix has the condition number " +
-                             readable_number(std::round(setup.condition)) + ": loads on " + alike +
-                             " are hardly told apart");
+        problems.warning(
+            fields().place(&LoadsSetup::sensor),
+            tell<"the calibration matrix has the condition number %1: loads on %2 are hardly told apart">(
+                readable_number(std::round(setup.condition)), alike));
 }
 
 /// Rows by decreasing pivots, as partial pivoting would choose them at the estimates.
@@ -97,9 +97,9 @@ public:
 
     void run() {
         if ((setup_.*table_).empty())
-            return problems_.error(fields().place(table_), setup_.by_loads
-                                                               ? "add a row of loads to be evaluated"
-                                                               : "add a row of readings to be decoupled");
+            return problems_.error(fields().place(table_),
+                                   setup_.by_loads ? tell<"add a row of loads to be evaluated">()
+                                                   : tell<"add a row of readings to be decoupled">());
         for (std::size_t row = 0; row < (setup_.*table_).size(); ++row) add(row, (setup_.*table_)[row]);
     }
 
@@ -115,7 +115,7 @@ private:
         for (const Case& known : setup_.cases)
             if (known.name == added.name)
                 return problems_.error(fields().place(table_, row, &LoadsSetup::Given::name),
-                                       "two cases are called '" + added.name + "'");
+                                       tell<"two cases are called '%1'">(added.name));
         Eigen::VectorXd& figures = setup_.by_loads ? added.l : added.v;
         figures.setZero(Eigen::Index(setup_.size()));
         for (std::size_t c = 0; c < setup_.size(); ++c) {
@@ -124,8 +124,9 @@ private:
             if (const auto& figure = given.figures[channel.axis])
                 figures[Eigen::Index(c)] = *figure / rated;
             else if (!setup_.by_loads)
-                problems_.error(cell(row, channel.axis), std::string("channel ") + channel.kind().key +
-                                                             " has no reading: all channels are needed");
+                problems_.error(
+                    cell(row, channel.axis),
+                    tell<"channel %1 has no reading: all channels are needed">(channel.kind().key));
         }
         refuse_other_axes(row, given);
         complete(added);
@@ -137,8 +138,7 @@ private:
             const bool known = std::any_of(setup_.channels().begin(), setup_.channels().end(),
                                            [&](const ForceChannel& c) { return c.axis == axis; });
             if (!known && given.figures[axis])
-                problems_.error(cell(row, axis),
-                                std::string("the sensor has no channel ") + force_axes[axis].key);
+                problems_.error(cell(row, axis), tell<"the sensor has no channel %1">(force_axes[axis].key));
         }
     }
 
@@ -147,7 +147,7 @@ private:
             added.l = decoupled(setup_, added.v);
             if (!added.l.allFinite())
                 return problems_.error(added.source,
-                                       "no load gives these readings by the calibration matrix");
+                                       tell<"no load gives these readings by the calibration matrix">());
         } else {
             const auto n = Eigen::Index(setup_.size());
             added.v = setup_.A() * added.l;
@@ -157,10 +157,11 @@ private:
         }
         Eigen::Index most = 0;
         if (added.l.cwiseAbs().maxCoeff(&most) > 1.001)
-            problems_.warning(added.source,
-                              "the load on " + std::string(setup_.channels()[std::size_t(most)].kind().key) +
-                                  " is " + readable_number(std::round(100.0 * std::abs(added.l[most]))) +
-                                  " % of its rated load: the calibration says nothing about it");
+            problems_.warning(
+                added.source,
+                tell<"the load on %1 is %2 % of its rated load: the calibration says nothing about it">(
+                    std::string(setup_.channels()[std::size_t(most)].kind().key),
+                    readable_number(std::round(100.0 * std::abs(added.l[most])))));
     }
 
     LoadsSetup& setup_;
@@ -194,8 +195,8 @@ void fit_matrix(LoadsSetup& setup, Problems& problems) {
         const auto element = regressions[i].fit(setup.quadratic);
         if (!element)
             return problems.error(fields().place(&LoadsSetup::quadratic),
-                                  "loads on " + std::string(setup.channels()[i % n].kind().key) +
-                                      " are too few for this calibration matrix");
+                                  tell<"loads on %1 are too few for this calibration matrix">(
+                                      std::string(setup.channels()[i % n].kind().key)));
         setup.elements[i] = *element;
     }
     for (std::size_t h = 0; h < n && summary; ++h)
@@ -229,12 +230,11 @@ std::optional<LoadsSetup> read(const SetupReader& setup, const AssetLibrary& ass
     if (!read.sensor) return {};
     if (!read.sensor->has_signs())
         problems.error(fields().place(&LoadsSetup::sensor),
-                       "the interference of " + read.sensor.name +
-                           " is known without signs: it cannot be compensated. Give raw readings, or "
-                           "a table with signs");
+                       tell<"the interference of %1 is known without signs: it cannot be compensated. Give "
+                            "raw readings, or a table with signs">(read.sensor.name));
     else if (read.quadratic && read.sensor->increasing().empty())
         problems.error(fields().place(&LoadsSetup::quadratic),
-                       "quadratic terms need raw readings; " + read.sensor.name + " has a summary only");
+                       tell<"quadratic terms need raw readings; %1 has a summary only">(read.sensor.name));
     else
         fit_matrix(read, problems);
     if (!problems.has_errors()) CaseReader(read, problems).run();

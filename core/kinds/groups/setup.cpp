@@ -116,7 +116,7 @@ void take_observations(GroupSetup& setup, Problems& problems) {
         const auto series = type_a_evaluation(of_group);
         if (!series)
             return problems.error(group_fields().place(&StatedGroups::observations),
-                                  "group '" + group + "': " + series.error().message);
+                                  tell<"group '%1': %2">(group, series.error().message));
         setup.groups.push_back(
             {group, double(of_group.size()), series->mean,
              series->degrees_of_freedom * series->standard_deviation * series->standard_deviation});
@@ -130,11 +130,10 @@ void check(const GroupSetup& setup, Problems& problems) {
     for (const Group& group : setup.groups) observations += group.count;
     const auto groups = static_cast<double>(setup.groups.size());
     if (groups < 2.0)
-        problems.error(table, "an analysis of variance needs at least two groups");
+        problems.error(table, tell<"an analysis of variance needs at least two groups">());
     else if (!(observations > groups))
-        problems.error(table,
-                       "no group has more than one observation: nothing tells the scatter within "
-                       "the groups from that between them");
+        problems.error(table, tell<"no group has more than one observation: nothing tells the scatter within "
+                                   "the groups from that between them">());
 }
 
 }  // namespace

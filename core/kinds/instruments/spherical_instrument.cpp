@@ -274,15 +274,15 @@ void take_station(SensorData& data, Problems& problems) {
                             data.u_station[i], data.station_distribution);
     }
     if (!data.correlations.empty() && data.station_distribution != "normal")
-        problems.error(
-            sensor_fields().place(&StatedInstrument::station_distribution),
-            "correlated coordinates of a station are combinations of independent deviations, which "
-            "are normal: leave the distribution normal, or the correlation out");
+        problems.error(sensor_fields().place(&StatedInstrument::station_distribution),
+                       tell<"correlated coordinates of a station are combinations of independent deviations, "
+                            "which are normal: leave the distribution normal, or the correlation out">());
     for (std::size_t row = 0; row < data.correlations.size(); ++row)
         if (data.correlations[row].first == data.correlations[row].second) {
             data.correlations.resize(row);
-            problems.error(sensor_fields().place(&StatedInstrument::correlations, row),
-                           "a coordinate of the station is correlated with itself; name two different ones");
+            problems.error(
+                sensor_fields().place(&StatedInstrument::correlations, row),
+                tell<"a coordinate of the station is correlated with itself; name two different ones">());
         }
 }
 
@@ -292,9 +292,10 @@ void take_view(SensorData& data, Problems& problems) {
     if (data.view_azimuth) data.view.azimuth = 0.5 * *data.view_azimuth;
     if (data.view_elevation) data.view.elevation = 0.5 * *data.view_elevation;
     if (!(data.view_nearest < data.view_farthest))
-        problems.error(sensor_fields().place(&StatedInstrument::view_farthest),
-                       "the range ends before it begins: the longest distance must be "
-                       "greater than the shortest");
+        problems.error(
+            sensor_fields().place(&StatedInstrument::view_farthest),
+            tell<
+                "the range ends before it begins: the longest distance must be greater than the shortest">());
 }
 
 std::unique_ptr<Asset> create_instrument(const SetupReader& setup, const AssetLibrary& assets,
@@ -303,7 +304,7 @@ std::unique_ptr<Asset> create_instrument(const SetupReader& setup, const AssetLi
     data.reads = readings_of(data);
     if (!data.reads[0] && !data.reads[1] && !data.reads[2]) {
         problems.error(sensor_fields().place(&StatedInstrument::reads_distance),
-                       "the sensor reads nothing: choose a distance or an angle");
+                       tell<"the sensor reads nothing: choose a distance or an angle">());
         return nullptr;
     }
     data.glyph = glyph_of(data.kind);
@@ -322,7 +323,7 @@ std::unique_ptr<Asset> create_instrument(const SetupReader& setup, const AssetLi
     if (!has_valid_correlation(*offers<SensorSource>(instrument)))
         problems.error(
             sensor_fields().place(&StatedInstrument::correlations),
-            "these coefficients are not possible together: their matrix has a negative eigenvalue");
+            tell<"these coefficients are not possible together: their matrix has a negative eigenvalue">());
     return instrument;
 }
 

@@ -96,8 +96,8 @@ void locate_targets(network::NetworkSetup& setup, const InputSet& inputs, Proble
     if (!found)
         return problems.error(
             network::network_fields().place(&network::StatedNetwork::readings),
-            "the readings do not lead to a position of every target: the estimation does not "
-            "converge from the nominal coordinates; look for exchanged or mistyped readings");
+            tell<"the readings do not lead to a position of every target: the estimation does not converge "
+                 "from the nominal coordinates; look for exchanged or mistyped readings">());
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         network::Target& target = setup.targets[t];
         target.nominal = Eigen::Vector3d(y[3 * t], y[3 * t + 1], y[3 * t + 2]);
@@ -107,8 +107,9 @@ void locate_targets(network::NetworkSetup& setup, const InputSet& inputs, Proble
             const Eigen::Vector3d v = sensor->station().X_WS().inverse() * target.nominal;
             const network::ReadDirections<double> e(sight.reading[1], sight.reading[2]);
             if (e.r.dot(v) < 0.0)
-                problems.error(sight.source[1], sensor.name + " looks away from target " + target.name +
-                                                    ": its angles point to the opposite side");
+                problems.error(sight.source[1],
+                               tell<"%1 looks away from target %2: its angles point to the opposite side">(
+                                   sensor.name, target.name));
         }
     }
 }

@@ -29,7 +29,7 @@ struct Names {
     std::size_t target_called(const std::string& name, const std::string& path, Problems& problems) const {
         const auto found = targets.find(name);
         if (found != targets.end()) return found->second;
-        problems.error(path, "there is no target " + name);
+        problems.error(path, tell<"there is no target %1">(name));
         return 0;
     }
 };
@@ -83,15 +83,15 @@ private:
             ++counts[s];
             if (unseen_.size() <= most_single)
                 problems_.warning(place(&Stated::targets, t),
-                                  network_.sensors[s].name + " does not see target " +
-                                      network_.targets[t].name + ": it is out of its range or field of view");
+                                  tell<"%1 does not see target %2: it is out of its range or field of view">(
+                                      network_.sensors[s].name, network_.targets[t].name));
         }
         if (unseen_.size() <= most_single) return;
         for (const auto& [s, count] : counts)
-            problems_.warning(network_fields().place(&Stated::targets),
-                              network_.sensors[s].name + " does not see " + std::to_string(count) +
-                                  " of the " + std::to_string(network_.targets.size()) +
-                                  " targets: they are out of its range or field of view");
+            problems_.warning(
+                network_fields().place(&Stated::targets),
+                tell<"%1 does not see %2 of the %3 targets: they are out of its range or field of view">(
+                    network_.sensors[s].name, count, network_.targets.size()));
     }
 
     void take_readings() {
@@ -101,7 +101,7 @@ private:
             const std::size_t target = names_.target_called(stated.target, path, problems_);
             const auto sensor = names_.sensors.find(stated.sensor.id);
             if (sensor == names_.sensors.end()) {
-                problems_.error(path, "the sensor " + stated.sensor.id + " is not listed in the network");
+                problems_.error(path, tell<"the sensor %1 is not listed in the network">(stated.sensor.id));
                 continue;
             }
             Sight sight;
@@ -113,12 +113,12 @@ private:
                 if (!sight.has[i] || stated.sensor->reads(observables[i])) continue;
                 const auto& columns = network_fields().columns(&Stated::readings);
                 const std::string& column = columns.key(&Stated::Reading::values, i);
-                problems_.error(path + "/" + column,
-                                stated.sensor.name + " reads no " + column + " according to its description");
+                problems_.error(path + "/" + column, tell<"%1 reads no %2 according to its description">(
+                                                         stated.sensor.name, column));
             }
             if (network_.targets[target].sights.size() >= most_sensors)
-                problems_.error(path, "more than " + std::to_string(most_sensors) + " rows for target " +
-                                          network_.targets[target].name);
+                problems_.error(path, tell<"more than %1 rows for target %2">(most_sensors,
+                                                                              network_.targets[target].name));
             network_.targets[target].sights.push_back(sight);
         }
     }
@@ -130,12 +130,12 @@ private:
             const Eigen::Vector3d v = sensor->station().X_WS().inverse() * target.nominal;
             if (v.norm() == 0.0) {
                 problems_.error(sight.source[0],
-                                "target " + target.name + " is at the place of " + sensor.name);
+                                tell<"target %1 is at the place of %2">(target.name, sensor.name));
                 continue;
             }
             if (sensor->glyph() == "camera" && v.x() <= 0.0)
                 problems_.error(sight.source[0],
-                                "target " + target.name + " is behind the camera " + sensor.name);
+                                tell<"target %1 is behind the camera %2">(target.name, sensor.name));
             const LinearReading reading = sensitivity_of(network_, sight, target.nominal);
             sight.overhead = reading.overhead;
             for (std::size_t i = 0; i < 3; ++i)
@@ -187,9 +187,9 @@ private:
 
     void take_sensors() {
         if (stated_.sensors.rows.size() > most_sensors)
-            return problems_.error(sensor_list_fields().place(&SensorList::rows),
-                                   "a network has at most " + std::to_string(most_sensors) +
-                                       " sensors; divide it into several analyses");
+            return problems_.error(
+                sensor_list_fields().place(&SensorList::rows),
+                tell<"a network has at most %1 sensors; divide it into several analyses">(most_sensors));
         network_.sensors = sensors_of(stated_.sensors, problems_);
         for (std::size_t s = 0; s < network_.sensors.size(); ++s)
             names_.sensors.emplace(network_.sensors[s].id, s);
@@ -201,7 +201,7 @@ private:
             const Stated::Target& stated = stated_.targets[row];
             if (row > 0 && stated.new_set_up) ++set_up;
             if (!names_.targets.try_emplace(stated.name, row).second)
-                problems_.error(place(&Stated::targets, row), "two targets are called " + stated.name);
+                problems_.error(place(&Stated::targets, row), tell<"two targets are called %1">(stated.name));
             network_.targets.push_back({.name = stated.name, .nominal = stated.nominal, .set_up = set_up});
         }
         for (std::size_t t = 0; t < network_.targets.size(); ++t) {
@@ -222,7 +222,7 @@ private:
             const std::size_t from = called(stated_.distances[row].from, path);
             const std::size_t to = called(stated_.distances[row].to, path);
             if (!problems_.has_errors() && (from == to || (nominal(from) - nominal(to)).norm() == 0.0))
-                problems_.error(path, "a distance needs two targets at different places");
+                problems_.error(path, tell<"a distance needs two targets at different places">());
             network_.distances.push_back({from, to});
         }
     }
@@ -247,28 +247,29 @@ private:
         const double nominal_length = (nominal(bar.to) - nominal(bar.from)).norm();
         bar.length = nominal_length;
         if (nominal_length == 0.0)
-            return problems_.error(bar.source, "a calibrated length needs two targets at different places");
+            return problems_.error(bar.source,
+                                   tell<"a calibrated length needs two targets at different places">());
         if (!length) {
-            if (network_.measured) problems_.error(bar.source, "the calibrated length is missing");
+            if (network_.measured) problems_.error(bar.source, tell<"the calibrated length is missing">());
             return;
         }
         if (network_.measured)
             bar.length = *length;
         else if (std::abs(*length - nominal_length) > std::max(5.0 * bar.u, 1e-3 * *length))
-            problems_.warning(bar.source, "the nominal targets of the " + bar.name +
-                                              " are at another distance than its calibrated length; the "
-                                              "design takes their distance");
+            problems_.warning(bar.source,
+                              tell<"the nominal targets of the %1 are at another distance than its "
+                                   "calibrated length; the design takes their distance">(bar.name));
     }
 
     void check_constraint(const ScaleBar& bar) {
         if (network_.weights != Weights::with_stations)
             return problems_.error(bar.source,
-                                   "a calibrated length can be a constraint only of the non-linear estimator "
-                                   "with weights from readings and stations");
+                                   tell<"a calibrated length can be a constraint only of the non-linear "
+                                        "estimator with weights from readings and stations">());
         if (!problems_.has_errors() && network_.targets[bar.from].set_up != network_.targets[bar.to].set_up)
-            problems_.error(bar.source, "the targets of the " + bar.name +
-                                            " belong to two set-ups, which are estimated one after the "
-                                            "other: it can only be a check");
+            problems_.error(bar.source,
+                            tell<"the targets of the %1 belong to two set-ups, which are estimated one after "
+                                 "the other: it can only be a check">(bar.name));
     }
 
     const Eigen::Vector3d& nominal(std::size_t target) const { return network_.targets[target].nominal; }
@@ -281,9 +282,8 @@ private:
             if (problems_.has_errors()) continue;
             const double sine = sine_of_corner(nominal(angle.at), nominal(angle.from), nominal(angle.to));
             if (!(sine > least_sine))
-                problems_.error(path,
-                                "the targets of an angle must be at three places off one line: at 0° "
-                                "and 180° an angle has no sign and no derivative");
+                problems_.error(path, tell<"the targets of an angle must be at three places off one line: at "
+                                           "0° and 180° an angle has no sign and no derivative">());
             network_.angles.push_back(angle);
         }
     }
@@ -295,15 +295,18 @@ private:
             const auto& [name, origin, on_x, in_xy] = stated_.frames[row];
             TargetFrame frame{name, {called(origin, path), called(on_x, path), called(in_xy, path)}};
             if (!names.insert(frame.name).second || names_.targets.count(frame.name) > 0)
-                problems_.error(path, "the name " + frame.name + " is taken by another frame or a target");
+                problems_.error(path, tell<"the name %1 is taken by another frame or a target">(frame.name));
             if (problems_.has_errors()) continue;
             const auto& t = frame.targets;
             if (!(sine_of_corner(nominal(t[0]), nominal(t[1]), nominal(t[2])) > least_sine))
-                problems_.error(path, "the three targets of frame " + frame.name +
-                                          " lie on one line: its axes are undefined");
+                problems_.error(path,
+                                tell<"the three targets of frame %1 lie on one line: its axes are undefined">(
+                                    frame.name));
             else if (std::abs(frame_of(network_, frame).linear()(2, 0)) > 1.0 - least_sine)
-                problems_.warning(path, "the x-axis of frame " + frame.name +
-                                            " is vertical: its Z-Y-X angles are undefined (gimbal lock)");
+                problems_.warning(
+                    path,
+                    tell<"the x-axis of frame %1 is vertical: its Z-Y-X angles are undefined (gimbal lock)">(
+                        frame.name));
             network_.frames.push_back(std::move(frame));
         }
     }
@@ -326,7 +329,7 @@ std::vector<Sensor> sensors_of(const SensorList& list, Problems& problems) {
             sensors.push_back(sensor);
         else
             problems.error(sensor_list_fields().place(&SensorList::rows, row),
-                           "the sensor " + sensor.name + " is listed twice");
+                           tell<"the sensor %1 is listed twice">(sensor.name));
     }
     return sensors;
 }

@@ -167,12 +167,10 @@ public:
 
     void warn(Problems& problems) const {
         if (!too_large()) return;
-        problems.warning(worst_.source, test_words() +
-                                            " The residuals are larger than the uncertainties "
-                                            "allow; the largest for its uncertainty is the " +
-                                            worst_.name +
-                                            ". Look for mistyped or exchanged readings, or figures of the "
-                                            "instruments that are too small");
+        problems.warning(worst_.source,
+                         tell<"%1 The residuals are larger than the uncertainties allow; the largest for its "
+                              "uncertainty is the %2. Look for mistyped or exchanged readings, or figures of "
+                              "the instruments that are too small">(test_words(), worst_.name));
     }
 
 private:

@@ -56,16 +56,16 @@ public:
         Eigen::Map<Eigen::Matrix3d>(target.inverse_normal.data()) = own * own.transpose();
         find_linear_start(target, s);
         if (setup_.estimator != Estimator::nonlinear && !target.has_linear_start)
-            return problems_.error(path, "target " + target.name +
-                                             " has no linear equations that localise it (a distance without "
-                                             "angles has none): use the non-linear estimator");
+            return problems_.error(
+                path, tell<"target %1 has no linear equations that localise it (a distance without angles "
+                           "has none): use the non-linear estimator">(target.name));
     }
 
 private:
     void refuse(const Target& target, const std::string& path) {
         problems_.error(
-            path, "target " + target.name + " cannot be localised from what " + names_of(setup_, target) +
-                      " read: the readings leave a direction undetermined; add a sensor or a reading");
+            path, tell<"target %1 cannot be localised from what %2 read: the readings leave a direction "
+                       "undetermined; add a sensor or a reading">(target.name, names_of(setup_, target)));
     }
 
     void warn(const Target& target, const std::string& path, double u) {
@@ -75,14 +75,13 @@ private:
                 nearest,
                 (setup_.sensors[sight.sensor]->station().X_WS().translation() - target.nominal).norm());
         if (u > 0.01 * nearest)
-            problems_.warning(path, "target " + target.name + " is hardly localised: in one direction u is " +
-                                        format_short(u) + " m at a distance of " + format_short(nearest) +
-                                        " m");
+            problems_.warning(
+                path, tell<"target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m">(
+                          target.name, format_short(u), format_short(nearest)));
         if (only_distances(target) && spread_off_a_plane(setup_, target) < 1e-3)
-            problems_.warning(path,
-                              "the stations that measure target " + target.name +
-                                  " lie in one plane and read distances only: its mirror image behind that "
-                                  "plane fits as well; the one near the nominal coordinates is taken");
+            problems_.warning(path, tell<"the stations that measure target %1 lie in one plane and read "
+                                         "distances only: its mirror image behind that plane fits as well; "
+                                         "the one near the nominal coordinates is taken">(target.name));
     }
 
     static void keep_weights(Target& target, const Eigen::VectorXd& u) {
@@ -119,14 +118,11 @@ void divide_large_set_ups(NetworkSetup& setup, Problems& problems) {
         }
         if (!joint.bars.empty())
             problems.error(setup.bars[joint.bars.front()].source,
-                           "a calibrated length cannot be a constraint of a set-up with more than " +
-                               std::to_string(most_joint_rows) + " readings (this one has " +
-                               std::to_string(rows) + "): make it a check");
+                           tell<"a calibrated length cannot be a constraint of a set-up with more than %1 "
+                                "readings (this one has %2): make it a check">(most_joint_rows, rows));
         problems.warning(network_fields().place(&StatedNetwork::targets),
-                         "the " + std::to_string(rows) +
-                             " readings of one set-up are too many to be weighed together: each "
-                             "target is estimated from its own readings, weighted with the "
-                             "stations");
+                         tell<"the %1 readings of one set-up are too many to be weighed together: each "
+                              "target is estimated from its own readings, weighted with the stations">(rows));
         for (std::size_t t = 0; t < joint.targets; ++t) {
             setup.targets[joint.first + t].divided = true;
             divided.push_back({joint.index, joint.first + t, 1, {}});

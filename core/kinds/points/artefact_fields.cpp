@@ -95,9 +95,9 @@ void check_correction(const std::vector<ErrorBudget>& budgets, BiasTreatment bia
     if (bias != BiasTreatment::corrected) return;
     for (const ErrorBudget& b : budgets)
         if (std::isinf(b.observations))
-            problems.error(place, "to correct the bias of coordinate " + b.coordinate +
-                                      ", give the number of observations n in its row: the "
-                                      "uncertainty of the correction is u_var/sqrt(n)");
+            problems.error(place,
+                           tell<"to correct the bias of coordinate %1, give the number of observations n in "
+                                "its row: the uncertainty of the correction is u_var/sqrt(n)">(b.coordinate));
 }
 
 }  // namespace covaria

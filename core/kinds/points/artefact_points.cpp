@@ -132,7 +132,7 @@ public:
             const std::string& name = stated_.points[row].name;
             if (!names.insert(name).second)
                 problems_.error(artefact_fields().place(&StatedArtefact::points, row),
-                                "there are two points called '" + name + "'; rename one");
+                                tell<"there are two points called '%1'; rename one">(name));
             defines_.push_back(defined_by(row));
         }
     }
@@ -148,7 +148,7 @@ public:
             if (point == stated_.points.end()) {
                 problems_.error(
                     artefact_fields().place(&StatedArtefact::observations, row, &MeasuredPoint::point),
-                    "there is no calibrated point called '" + observation.point + "'");
+                    tell<"there is no calibrated point called '%1'">(observation.point));
                 continue;
             }
             ObservedErrors observed{observation.point, observation.run, {}};
@@ -172,7 +172,7 @@ private:
         const std::string& letters = stated_.points[row].defines;
         if (letters.find_first_not_of("xyz") != std::string::npos)
             problems_.error(artefact_fields().place(&StatedArtefact::points, row, &CalibratedPoint::defines),
-                            "'" + letters + "' must consist of the letters x, y and z");
+                            tell<"'%1' must consist of the letters x, y and z">(letters));
         const auto has = [&](char c) { return letters.find(c) != std::string::npos; };
         return {has('x'), has('y'), has('z')};
     }
@@ -186,9 +186,8 @@ private:
             Result<ErrorBudget> budget = budget_of_errors(coordinates[i], e);
             if (!budget) {
                 problems_.error(artefact_fields().place(&StatedArtefact::observations),
-                                std::string("coordinate ") + coordinates[i] +
-                                    " has fewer than two observations that do not define the "
-                                    "frame: measure more points or runs");
+                                tell<"coordinate %1 has fewer than two observations that do not define the "
+                                     "frame: measure more points or runs">(coordinates[i]));
                 continue;
             }
             budget->u_calibration = stated_.measured.u_calibration;
@@ -220,8 +219,7 @@ private:
                     budgets.push_back(row.printed.budget(coordinates[i]));
             if (found != 1)
                 problems_.error(artefact_fields().place(&StatedArtefact::components),
-                                std::string("coordinate ") + coordinates[i] + " has " +
-                                    std::to_string(found) + " rows; it must have one");
+                                tell<"coordinate %1 has %2 rows; it must have one">(coordinates[i], found));
         }
         return budgets;
     }

@@ -129,7 +129,7 @@ ErrorBudget measured_budget(const StatedStandard& stated, Problems& problems) {
     Result<ErrorBudget> budget = budget_of_errors("L", e);
     if (!budget) {
         problems.error(length_fields().place(&StatedStandard::observations),
-                       "the length standard needs at least two observations");
+                       tell<"the length standard needs at least two observations">());
         return {};
     }
     budget->u_calibration = stated.measured.u_calibration;
@@ -141,7 +141,7 @@ ErrorBudget measured_budget(const StatedStandard& stated, Problems& problems) {
 ErrorBudget printed_budget(const StatedStandard& stated, Problems& problems) {
     if (stated.components.size() == 1) return stated.components[0].budget("L");
     problems.error(length_fields().place(&StatedStandard::components),
-                   "the table must have one row; it has " + std::to_string(stated.components.size()));
+                   tell<"the table must have one row; it has %1">(stated.components.size()));
     return {};
 }
 

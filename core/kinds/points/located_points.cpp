@@ -29,7 +29,7 @@ void take_outputs(const PointOutputSource& outputs, const std::vector<LocatedPoi
             inputs.quantities[point.x_input + c].taken_from = outputs.coordinate(name, c);
         if (!outputs.coordinate(name, 0))
             problems.error(locator_fields().place(&PointLocator::instrument),
-                           "the analysis has no point called '" + name + "'");
+                           tell<"the analysis has no point called '%1'">(name));
     }
 }
 
@@ -86,9 +86,9 @@ void add_point_components(const PointLocator& locator, const std::vector<Located
         return take_outputs(*outputs, points, inputs, problems);
     std::vector<Eigen::Vector3d> places;
     for (const LocatedPoint& point : points) {
-        if (const std::string objection = locator.instrument->objection(point.p); !objection.empty())
+        if (const Message objection = locator.instrument->objection(point.p); !objection.empty())
             return problems.error(locator_fields().place(&PointLocator::instrument),
-                                  "point " + point.label + ": " + objection);
+                                  tell<"point %1: %2">(point.label, objection));
         places.push_back(point.p);
     }
     for (const JointDeviation& d : locator.instrument->joint_deviations(places))

@@ -188,11 +188,11 @@ void warn_of_large_uncertainty(const PoseSetup& setup, const InputSet& inputs, S
     double u = 0.0;
     for (std::size_t i = first; i < first + count; ++i) u = std::max(u, standard_uncertainty_of(inputs, i));
     if (u > 0.1 * height)
-        problems.warning(frame_fields(side).place(&FrameRule::points),
-                         "the standard uncertainty of a coordinate, " + format_short(1e3 * u) +
-                             " mm, is more than a tenth of the distance of point " + rule.points[2].name +
-                             " from the x-axis, " + format_short(1e3 * height) +
-                             " mm: the law of propagation is not reliable here, look at Monte Carlo");
+        problems.warning(
+            frame_fields(side).place(&FrameRule::points),
+            tell<"the standard uncertainty of a coordinate, %1 mm, is more than a tenth of the distance of "
+                 "point %2 from the x-axis, %3 mm: the law of propagation is not reliable here, look at "
+                 "Monte Carlo">(format_short(1e3 * u), rule.points[2].name, format_short(1e3 * height)));
 }
 
 void warn_of_other_axes(const FrameRule& rule, Side side, Problems& problems) {
@@ -202,11 +202,11 @@ void warn_of_other_axes(const FrameRule& rule, Side side, Problems& problems) {
     const double angle = Eigen::AngleAxisd(X.linear()).angle(), shift = X.translation().norm();
     const double size = (local[1] - local[0]).norm();
     if (angle < 1e-3 && shift < 1e-3 * size) return;
-    problems.warning(frame_fields(side).place(&FrameRule::points),
-                     "the frame made from these points lies " + format_short(1e3 * shift) + " mm and " +
-                         format_short(Unit::of("deg").from_si(angle)) +
-                         "° away from the axes in which they are given, so results differ from the table of "
-                         "poses; check the side of point 3 and the shift of the origin");
+    problems.warning(
+        frame_fields(side).place(&FrameRule::points),
+        tell<"the frame made from these points lies %1 mm and %2° away from the axes in which they are "
+             "given, so results differ from the table of poses; check the side of point 3 and the shift of "
+             "the origin">(format_short(1e3 * shift), format_short(Unit::of("deg").from_si(angle))));
 }
 
 void warn_of_singular_orientation(const PoseSetup& setup, std::size_t k, Problems& problems) {
@@ -218,22 +218,18 @@ void warn_of_singular_orientation(const PoseSetup& setup, std::size_t k, Problem
     const std::string where = pose_fields().place(&PoseSetup::poses, k), name = setup.poses[k].name;
     switch (setup.orientation) {
         case RotationConvention::zyx:
-            problems.warning(where,
-                             name +
-                                 ": beta is within 2° of ±90°, where Z-Y-X angles are undefined (gimbal "
-                                 "lock); state the orientation as a rotation vector");
+            problems.warning(where, tell<"%1: beta is within 2° of ±90°, where Z-Y-X angles are undefined "
+                                         "(gimbal lock); state the orientation as a rotation vector">(name));
             break;
         case RotationConvention::zyz:
-            problems.warning(where, name +
-                                        ": beta is within 2° of 0° or 180°, where Z-Y-Z angles are undefined "
-                                        "(gimbal lock); state the orientation as Z-Y-X angles or a rotation "
-                                        "vector");
+            problems.warning(
+                where, tell<"%1: beta is within 2° of 0° or 180°, where Z-Y-Z angles are undefined (gimbal "
+                            "lock); state the orientation as Z-Y-X angles or a rotation vector">(name));
             break;
         case RotationConvention::rotation_vector:
         case RotationConvention::quaternion:
-            problems.warning(where, name +
-                                        ": the rotation is within 4° of half a turn, where the sign of the "
-                                        "axis is undefined; state the orientation as angles");
+            problems.warning(where, tell<"%1: the rotation is within 4° of half a turn, where the sign of "
+                                         "the axis is undefined; state the orientation as angles">(name));
             break;
     }
 }
@@ -260,14 +256,13 @@ void check_measurable(const PoseSetup& setup, Problems& problems) {
             if (const std::string name = name_among_all(setup, rule.points[i], pose);
                 !output_of(uncertainty, name, 0))
                 problems.error(
-                    where, "the analysis " + uncertainty.source.name + " has no point called '" + name + "'");
+                    where, tell<"the analysis %1 has no point called '%2'">(uncertainty.source.name, name));
         const bool world = uncertainty.is_world();
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const std::string objection =
-                uncertainty.source->objection(world ? points[i] : rule.points[i].local);
+            const Message objection = uncertainty.source->objection(world ? points[i] : rule.points[i].local);
             if (!objection.empty())
-                problems.error(where, "point " + rule.points[i].name + " cannot be measured by " +
-                                          uncertainty.source.name + ": " + objection);
+                problems.error(where, tell<"point %1 cannot be measured by %2: %3">(
+                                          rule.points[i].name, uncertainty.source.name, objection));
         }
     };
     check(setup.base, setup.base_uncertainty, setup.base_points, 0,

@@ -41,7 +41,7 @@ private:
         for (std::size_t row = 0; row < rows.size(); ++row)
             if (!names.insert(rows[row].name).second)
                 problems_.error(table + "/rows/" + std::to_string(row) + "/name",
-                                "there are two " + what + " called '" + rows[row].name + "'; rename one");
+                                tell<"there are two %1 called '%2'; rename one">(what, rows[row].name));
     }
 
     void complete_frame(FrameRule& rule, Side side) {
@@ -50,8 +50,8 @@ private:
         if (rule.least_squares) return complete_least_squares(rule, fields.place(&FrameRule::points));
         if (rule.points.size() > 3)
             problems_.warning(fields.place(&FrameRule::points, 3),
-                              "the 3-2-1 method uses the first three points; point " + rule.points[3].name +
-                                  " and those after it are not used: choose least squares");
+                              tell<"the 3-2-1 method uses the first three points; point %1 and those after "
+                                   "it are not used: choose least squares">(rule.points[3].name));
         std::vector<Eigen::Vector3d> positions;
         for (const NominalPoint& p : rule.points) positions.push_back(p.local);
         check_three(rule, positions, side, fields.place(&FrameRule::points, 2));
@@ -63,13 +63,13 @@ private:
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = i + 1; j < 3; ++j)
                 if ((q[i] - q[j]).norm() <= smallest_sine * (q[0].norm() + q[1].norm() + q[2].norm())) {
-                    problems_.error(path, "points " + rule.points[i].name + " and " + rule.points[j].name +
-                                              " coincide: " + frame);
+                    problems_.error(path, tell<"points %1 and %2 coincide: %3">(rule.points[i].name,
+                                                                                rule.points[j].name, frame));
                     return;
                 }
         if (sine_of_corner(q[0], q[1], q[2]) < smallest_sine)
-            problems_.error(path, "point " + rule.points[2].name + " lies on the line through " +
-                                      rule.points[0].name + " and " + rule.points[1].name + ": " + frame);
+            problems_.error(path, tell<"point %1 lies on the line through %2 and %3: %4">(
+                                      rule.points[2].name, rule.points[0].name, rule.points[1].name, frame));
     }
 
     void complete_least_squares(FrameRule& rule, const std::string& table) {
@@ -79,7 +79,8 @@ private:
             rule.centroid += p.local / static_cast<double>(rule.points.size());
         }
         if (spread_off_a_line(positions) < smallest_sine)
-            problems_.error(table, "all points lie on one line or coincide: their frame is undefined");
+            problems_.error(table,
+                            tell<"all points lie on one line or coincide: their frame is undefined">());
         for (const Eigen::Vector3d& p : positions) rule.centred.push_back(p - rule.centroid);
     }
 
@@ -90,7 +91,7 @@ private:
                 if (rule.points[row].u[i])
                     return problems_.warning(
                         frame_fields(side).place(&FrameRule::points, row, &NominalPoint::u, i),
-                        "not used: the uncertainties come from an artefact or instrument");
+                        tell<"not used: the uncertainties come from an artefact or instrument">());
     }
 
     void complete_poses(PoseSetup& s) {
@@ -102,7 +103,7 @@ private:
             if (s.a_posteriori && pose.name == "base")
                 problems_.error(
                     pose_fields().place(&PoseSetup::poses, row, &Pose::name),
-                    "no pose may be called 'base': that names the base among the measured points");
+                    tell<"no pose may be called 'base': that names the base among the measured points">());
         }
     }
 
@@ -137,11 +138,11 @@ private:
             const auto& [set, point, number, p_0] = s.measured[row];
             if (set != "base" && std::none_of(s.poses.begin(), s.poses.end(), is_called(set)))
                 problems_.error(pose_fields().place(&PoseSetup::measured, row, &Repeat::set),
-                                "'" + set + "' is neither 'base' nor the name of a pose");
+                                tell<"'%1' is neither 'base' nor the name of a pose">(set));
             const auto& points = set == "base" ? s.base.points : s.moving.points;
             if (std::none_of(points.begin(), points.end(), is_called(point)))
                 problems_.error(pose_fields().place(&PoseSetup::measured, row, &Repeat::point),
-                                "there is no point called '" + point + "' in that frame");
+                                tell<"there is no point called '%1' in that frame">(point));
             Sum& sum = means[{set, point}];
             sum.sum += p_0;
             ++sum.count;
@@ -157,7 +158,7 @@ private:
                 points.push_back(found->second.sum / found->second.count);
             else
                 problems_.error(pose_fields().place(&PoseSetup::measured),
-                                "point " + p.name + " of '" + set + "' was not measured");
+                                tell<"point %1 of '%2' was not measured">(p.name, set));
         }
         return points;
     }

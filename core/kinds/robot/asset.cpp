@@ -42,7 +42,7 @@ public:
         data_.u_tool_angle = stated_.u_tool_angle;
         if (stated_.joints.size() > most_joints)
             problems_.error(place(&StatedRobot::joints),
-                            "an arm has at most " + std::to_string(most_joints) + " joints here");
+                            tell<"an arm has at most %1 joints here">(most_joints));
         for (std::size_t row = 0; row < stated_.joints.size(); ++row) read_joint(row);
         for (std::size_t row = 0; row < stated_.uncertainties.size(); ++row) read_uncertainties(row);
         for (std::size_t row = 0; row < stated_.correlations.size(); ++row) read_correlation(row);
@@ -76,9 +76,10 @@ private:
             if ((joint.*other)[i])
                 problems_.error(
                     place(&StatedRobot::joints, row, other, i),
-                    "joint " + std::to_string(row + 1) +
-                        (joint.slides ? " slides: state its readings as lengths, in the columns of s"
-                                      : " turns: state its readings as angles, or give it the type sliding"));
+                    joint.slides
+                        ? tell<"joint %1 slides: state its readings as lengths, in the columns of s">(row + 1)
+                        : tell<"joint %1 turns: state its readings as angles, or give it the type sliding">(
+                              row + 1));
     }
 
     void check_joint(const RobotJoint& joint, std::size_t row) {
@@ -88,17 +89,16 @@ private:
         };
         if (joint.parallel && stated_.convention != StatedRobot::Convention::modified)
             problems_.error(cell(JointParameter::beta),
-                            "only the convention with Ry(beta) has a beta; leave it empty for " + name +
-                                ", or choose that convention");
+                            tell<"only the convention with Ry(beta) has a beta; leave it empty for %1, or "
+                                 "choose that convention">(name));
         if (joint.parallel && joint.values.d != 0.0)
             problems_.error(cell(JointParameter::d),
-                            "d and beta of " + name +
-                                " describe the same place of a parallel axis: where beta is given, "
-                                "d is 0 by definition");
+                            tell<"d and beta of %1 describe the same place of a parallel axis: where beta is "
+                                 "given, d is 0 by definition">(name));
         if (!(joint.low < joint.high))
             problems_.error(
                 place(&StatedRobot::joints, row, stated_.joints[row].own(), std::size_t{StatedJoint::low}),
-                "the lowest reading of " + name + " is not below its highest");
+                tell<"the lowest reading of %1 is not below its highest">(name));
     }
 
     void read_uncertainties(std::size_t row) {
@@ -107,7 +107,7 @@ private:
         const std::size_t last = stated.joint ? *stated.joint : data_.joints.size();
         if (last > data_.joints.size())
             return problems_.error(place(&StatedRobot::uncertainties, row, &StatedUncertainty::joint),
-                                   "the robot has no joint " + std::to_string(last));
+                                   tell<"the robot has no joint %1">(last));
         for (std::size_t joint = first; joint < last; ++joint)
             for (JointParameter p : joint_parameters)
                 if (stated.u[index_of(p)].value_or(0.0) != 0.0) add_component(row, joint, p);
@@ -119,11 +119,12 @@ private:
         if (data_.joints[joint].has(p))
             data_.deviations.push_back({joint, p, component(stated, symbol, p)});
         else if (stated.joint)
-            problems_.error(place(&StatedRobot::uncertainties, row, &StatedUncertainty::u, index_of(p)),
-                            symbol + (p == JointParameter::d
-                                          ? " is 0 by definition, because the axis is parallel to the next"
-                                          : " is no parameter of this robot: give beta in the table of joints"
-                                            " where axes are parallel"));
+            problems_.error(
+                place(&StatedRobot::uncertainties, row, &StatedUncertainty::u, index_of(p)),
+                p == JointParameter::d
+                    ? tell<"%1 is 0 by definition, because the axis is parallel to the next">(symbol)
+                    : tell<"%1 is no parameter of this robot: give beta in the table of joints where "
+                           "axes are parallel">(symbol));
     }
 
     UncertaintyComponent component(const StatedUncertainty& stated, const std::string& symbol,
@@ -148,7 +149,7 @@ private:
         if (!first || !second) return;
         if (*first == *second)
             return problems_.error(place(&StatedRobot::correlations, row),
-                                   "a parameter is correlated with itself; name two different ones");
+                                   tell<"a parameter is correlated with itself; name two different ones">());
         data_.correlations.push_back({*first, *second, stated_.correlations[row].coefficient});
     }
 
@@ -164,12 +165,13 @@ private:
             ++count;
         }
         if (count == 1) return found;
-        problems_.error(place(&StatedRobot::correlations, row, which),
-                        count == 0 ? "there is no parameter '" + symbol +
-                                         "' with an uncertainty; write its symbol, such as d_3"
-                                   : symbol +
-                                         " has several components of uncertainty: give it one, the "
-                                         "combined, so that it can be correlated");
+        problems_.error(
+            place(&StatedRobot::correlations, row, which),
+            count == 0
+                ? tell<"there is no parameter '%1' with an uncertainty; write its symbol, such as d_3">(
+                      symbol)
+                : tell<"%1 has several components of uncertainty: give it one, the combined, so that it can "
+                       "be correlated">(symbol));
         return {};
     }
 

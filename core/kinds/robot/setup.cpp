@@ -33,7 +33,7 @@ public:
             read_place(row);
         if (read_.poses.empty())
             problems_.error(pose_fields().place(&PoseSetup::stated),
-                            "there is no pose: give joint readings or a place of the tool");
+                            tell<"there is no pose: give joint readings or a place of the tool">());
         if (problems_.has_errors()) return {};
         return std::move(read_);
     }
@@ -41,7 +41,7 @@ public:
 private:
     void add(Pose pose) {
         if (!names_.insert(pose.name).second)
-            problems_.error(pose.source, "two poses are called " + pose.name);
+            problems_.error(pose.source, tell<"two poses are called %1">(pose.name));
         for (std::size_t i = 0; i < pose.q.size(); ++i) warn_of_limits(pose, i);
         warn_of_singular_angles(pose);
         previous_ = pose.q;
@@ -51,19 +51,19 @@ private:
     void warn_of_limits(const Pose& pose, std::size_t i) {
         const RobotJoint& joint = read_.robot().joints()[i];
         if (pose.q[i] >= joint.low - 1e-9 && pose.q[i] <= joint.high + 1e-9) return;
-        problems_.warning(pose.source, "pose " + pose.name + ": reading " + reading_text(joint, pose.q[i]) +
-                                           " of joint " + std::to_string(i + 1) + " is beyond its limits, " +
-                                           reading_text(joint, joint.low) + " to " +
-                                           reading_text(joint, joint.high));
+        problems_.warning(pose.source, tell<"pose %1: reading %2 of joint %3 is beyond its limits, %4 to %5">(
+                                           pose.name, reading_text(joint, pose.q[i]), i + 1,
+                                           reading_text(joint, joint.low), reading_text(joint, joint.high)));
     }
 
     void warn_of_singular_angles(const Pose& pose) {
         if (!read_.orientation) return;
         const Eigen::Matrix3d R = link_frames(read_.robot(), pose.q).back().linear();
         if (regularity(*read_.orientation, R) > std::sin(2.0 * std::numbers::pi / 180.0)) return;
-        problems_.warning(pose.source, "pose " + pose.name + ": the orientation is within 2° of one that " +
-                                           std::string(rotation_convention(*read_.orientation).title) +
-                                           " cannot state (gimbal lock, half turn); state it otherwise");
+        problems_.warning(pose.source,
+                          tell<"pose %1: the orientation is within 2° of one that %2 cannot state (gimbal "
+                               "lock, half turn); state it otherwise">(
+                              pose.name, std::string(rotation_convention(*read_.orientation).title)));
     }
 
     void read_pose(std::size_t row) {
@@ -83,12 +83,16 @@ private:
         const std::size_t n = joints.size();
         if (i < n && joints[i].slides == (readings == &StatedPose::s)) return;
         const auto& fields = pose_fields();
-        problems_.error(fields.place(&PoseSetup::stated, row, readings, i),
-                        i >= n ? read_.arm.name + " has only " + std::to_string(n) + " joints; leave " +
-                                     fields.columns(&PoseSetup::stated).key(readings, i) + " empty"
-                               : "joint " + std::to_string(i + 1) + " of " + read_.arm.name +
-                                     (joints[i].slides ? " slides" : " turns") + ": its reading is " +
-                                     reading_symbol(read_.robot(), i));
+        const std::string place = fields.place(&PoseSetup::stated, row, readings, i);
+        if (i >= n)
+            return problems_.error(
+                place, tell<"%1 has only %2 joints; leave %3 empty">(
+                           read_.arm.name, n, fields.columns(&PoseSetup::stated).key(readings, i)));
+        const std::string symbol = reading_symbol(read_.robot(), i);
+        problems_.error(place,
+                        joints[i].slides
+                            ? tell<"joint %1 of %2 slides: its reading is %3">(i + 1, read_.arm.name, symbol)
+                            : tell<"joint %1 of %2 turns: its reading is %3">(i + 1, read_.arm.name, symbol));
     }
 
     void read_place(std::size_t row) {
@@ -99,7 +103,7 @@ private:
         if (angles[0] && angles[1] && angles[2])
             target.orientation = rotation_from_zyx<double>({*angles[0], *angles[1], *angles[2]});
         else if (angles[0] || angles[1] || angles[2])
-            return problems_.error(path, "pose " + name + ": give all three angles or none");
+            return problems_.error(path, tell<"pose %1: give all three angles or none">(name));
         InverseSolution found = solve_inverse(read_.robot(), target, previous_);
         if (found.q.empty()) return refuse(name, path, found.distance);
         add({.name = name, .source = path, .q = std::move(found.q)});
@@ -108,10 +112,12 @@ private:
     void refuse(const std::string& name, const std::string& path, double distance) {
         char text[32];
         std::snprintf(text, sizeof text, "%.3g mm", 1e3 * distance);
-        problems_.error(path, "pose " + name +
-                                  ": no readings within the limits of the joints bring the tool there; the "
-                                  "nearest attempt misses the place by " +
-                                  text + (distance < 1e-6 ? " but not the orientation" : ""));
+        problems_.error(
+            path, distance < 1e-6
+                      ? tell<"pose %1: no readings within the limits of the joints bring the tool there; the "
+                             "nearest attempt misses the place by %2 but not the orientation">(name, text)
+                      : tell<"pose %1: no readings within the limits of the joints bring the tool there; the "
+                             "nearest attempt misses the place by %2">(name, text));
     }
 
     Problems& problems_;

@@ -212,11 +212,10 @@ Result<ImportedAsset> import_urdf(const std::string& xml, const UrdfChoice& choi
     chain->remarks.insert(chain->remarks.begin(), frozen->begin(), frozen->end());
     const Axes axes = axes_of(*chain);
     if (axes.lines.size() > most_joints)
-        return refused_at(axes.joints[most_joints].line,
-                          "the chain to " + chain->tip + " has " + std::to_string(axes.lines.size()) +
-                              " moving joints; an arm has at most " + std::to_string(most_joints) +
-                              " here: freeze those before the arm, --freeze " + axes.joints.front().name +
-                              "=0");
+        return refused_at(
+            axes.joints[most_joints].line,
+            tell<"the chain to %1 has %2 moving joints; an arm has at most %3 here: freeze those before the "
+                 "arm, --freeze %4=0">(chain->tip, axes.lines.size(), most_joints, axes.joints.front().name));
     const FrameChain frames = frames_of(axes);
     ImportedAsset asset{.kind = "serial-robot",
                         .name = robot->name.empty() ? "Robot" : robot->name,

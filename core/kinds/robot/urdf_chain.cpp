@@ -95,20 +95,20 @@ public:
     Result<Chain> to(const std::string& tip) const {
         const auto found = holder_.find(tip);
         if (found == holder_.end())
-            return fail(ErrorCode::not_found, "no joint leads to a link called " + tip);
+            return fail(ErrorCode::not_found, tell<"no joint leads to a link called %1">(tip));
         if (!sorted_[found->second]) return ring();
         Chain way = chain(found->second);
         std::size_t moving = 0;
         for (Joint& joint : way.joints) {
             if (joint.kind == JointKind::other)
-                return refused_at(joint.line, "joint " + joint.name + " on the way to " + tip + " " +
-                                                  nature(joint) + ": freeze it, --freeze " + joint.name +
-                                                  "=0");
+                return refused_at(joint.line, tell<"joint %1 on the way to %2 %3: freeze it, --freeze %4=0">(
+                                                  joint.name, tip, nature(joint), joint.name));
             if (joint.moves() && called_a_finger(joint.name))
                 joint.freeze(joint.limited ? std::clamp(0.0, joint.low, joint.high) : 0.0);
             moving += joint.moves();
         }
-        if (moving == 0) return refused_at(joints_[found->second].line, "no moving joint leads to " + tip);
+        if (moving == 0)
+            return refused_at(joints_[found->second].line, tell<"no moving joint leads to %1">(tip));
         return remarked(found->second, std::move(way));
     }
 
@@ -117,7 +117,7 @@ private:
     tl::unexpected<Error> ring() const {
         const auto first = std::find(sorted_.begin(), sorted_.end(), false) - sorted_.begin();
         return refused_at(joints_[static_cast<std::size_t>(first)].line,
-                          "the links form a ring; URDF describes trees");
+                          tell<"the links form a ring; URDF describes trees">());
     }
 
     static std::string nature(const Joint& joint) {
@@ -176,20 +176,21 @@ private:
         if (order_.size() < joints_.size()) return ring();
         for (const std::size_t j : order_)
             if (places_[j].blocked == j)
-                return refused_at(joints_[j].line, "no arm: joint " + joints_[j].name + " " +
-                                                       (places_[j].gripper.empty()
+                return refused_at(joints_[j].line,
+                                  tell<"no arm: joint %1 %2">(
+                                      joints_[j].name, (places_[j].gripper.empty()
                                                             ? nature(joints_[j])
-                                                            : "was left out because " + places_[j].gripper));
-        return refused_at(line_, "the file has no moving joint");
+                                                            : "was left out because " + places_[j].gripper)));
+        return refused_at(line_, tell<"the file has no moving joint">());
     }
 
     Result<std::size_t> preferred(const std::vector<std::size_t>& ends) const {
         for (const std::size_t end : ends)
             if (places_[end].last != places_[ends.front()].last)
-                return refused_at(joints_[end].line, "the file has several arms of equal length, ending at " +
-                                                         joints_[ends.front()].child + " and " +
-                                                         joints_[end].child +
-                                                         ": name the tip link of the one to import");
+                return refused_at(
+                    joints_[end].line,
+                    tell<"the file has several arms of equal length, ending at %1 and %2: name the tip link "
+                         "of the one to import">(joints_[ends.front()].child, joints_[end].child));
         for (const char* wanted : {"tool0", "tcp", "flange"})
             for (const std::size_t end : ends)
                 if (joints_[end].child.find(wanted) != std::string::npos) return end;

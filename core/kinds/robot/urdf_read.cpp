@@ -23,7 +23,7 @@ Result<Eigen::Vector3d> vector_in(const pugi::xml_attribute& attribute, const Ei
     std::istringstream text(attribute.value());
     Eigen::Vector3d v;
     if (text >> v[0] >> v[1] >> v[2]) return v;
-    return fail(ErrorCode::bad_input, std::string("'") + attribute.value() + "' is not three numbers");
+    return fail(ErrorCode::bad_input, tell<"'%1' is not three numbers">(attribute.value()));
 }
 
 JointKind kind_of(const Joint& joint) {
@@ -39,17 +39,17 @@ Result<Joint> joint_in(const pugi::xml_node& node, int line) {
                 .child = node.child("child").attribute("link").value(),
                 .line = line};
     if (joint.parent.empty() || joint.child.empty())
-        return refused_at(line, "joint " + joint.name + " does not say which links it joins");
+        return refused_at(line, tell<"joint %1 does not say which links it joins">(joint.name));
     const auto xyz = vector_in(node.child("origin").attribute("xyz"), Eigen::Vector3d::Zero());
     const auto rpy = vector_in(node.child("origin").attribute("rpy"), Eigen::Vector3d::Zero());
     const auto axis = vector_in(node.child("axis").attribute("xyz"), Eigen::Vector3d::UnitX());
     for (const auto* v : {&xyz, &rpy, &axis})
-        if (!*v) return refused_at(line, "joint " + joint.name + ": " + v->error().message);
+        if (!*v) return refused_at(line, tell<"joint %1: %2">(joint.name, v->error().message));
     joint.X_PJ.translation() = *xyz;
     joint.X_PJ.linear() = rotation_from_zyx<double>(*rpy);
     const bool directed = joint.turns() || joint.slides();
     if (directed && !(axis->norm() > 1e-9))
-        return refused_at(line, "joint " + joint.name + ": its axis has no direction");
+        return refused_at(line, tell<"joint %1: its axis has no direction">(joint.name));
     if (directed) joint.axis = axis->normalized();
     if (const pugi::xml_node mimic = node.child("mimic")) joint.follows = mimic.attribute("joint").value();
     if (node.child("mimic") && joint.follows.empty()) joint.follows = "another one";
@@ -73,15 +73,14 @@ Result<Robot> read(const std::string& xml) {
     const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
     const TextPlaces places(xml);
     if (!parsed)
-        return refused_at(places.line(parsed.offset),
-                          std::string("not readable as XML: ") + parsed.description());
+        return refused_at(places.line(parsed.offset), tell<"not readable as XML: %1">(parsed.description()));
     const pugi::xml_node root = document.child("robot");
     if (!root)
         return refused_at(places.line(document.first_child().offset_debug()),
-                          "no URDF: its root element <robot> is missing");
+                          tell<"no URDF: its root element <robot> is missing">());
     if (const std::size_t xacro = xml.find("<xacro:"); xacro != std::string::npos)
         return refused_at(places.line(static_cast<std::ptrdiff_t>(xacro)),
-                          "the file has xacro macros: expand them first (xacro FILE > arm.urdf)");
+                          tell<"the file has xacro macros: expand them first (xacro FILE > arm.urdf)">());
     Robot robot{.name = root.attribute("name").value(), .line = places.line(root.offset_debug())};
     std::set<std::string> children;
     for (const pugi::xml_node& node : root.children("joint")) {
@@ -89,7 +88,7 @@ Result<Robot> read(const std::string& xml) {
         if (!joint) return fail(joint.error());
         if (!children.insert(joint->child).second)
             return refused_at(joint->line,
-                              "link " + joint->child + " hangs on two joints; URDF describes trees");
+                              tell<"link %1 hangs on two joints; URDF describes trees">(joint->child));
         robot.joints.push_back(std::move(*joint));
     }
     return robot;
@@ -106,14 +105,14 @@ Result<std::vector<Remark>> freeze(Robot& robot, const std::vector<FrozenJoint>&
     for (const FrozenJoint& wanted : frozen) {
         const auto found = by_name.find(wanted.name);
         if (found == by_name.end())
-            return fail(ErrorCode::not_found, "there is no joint " + in_quotes(wanted.name) + " to freeze" +
-                                                  did_you_mean(wanted.name, names));
+            return fail(ErrorCode::not_found, tell<"there is no joint %1 to freeze%2">(
+                                                  in_quotes(wanted.name), did_you_mean(wanted.name, names)));
         Joint& joint = *found->second;
         if (joint.kind == JointKind::fixed)
-            return refused_at(joint.line, "joint " + wanted.name + " does not move, or is frozen twice");
+            return refused_at(joint.line, tell<"joint %1 does not move, or is frozen twice">(wanted.name));
         if (!joint.slides() && !joint.turns() && wanted.value != 0.0)
-            return refused_at(joint.line, "joint " + wanted.name + " is of the type " + joint.type +
-                                              ": it can be frozen at 0 only");
+            return refused_at(joint.line, tell<"joint %1 is of the type %2: it can be frozen at 0 only">(
+                                              wanted.name, joint.type));
         const double value = Unit::of(joint.slides() ? "mm" : "deg").to_si(wanted.value);
         char text[64];
         std::snprintf(text, sizeof text, "frozen at %.10g%s", wanted.value, joint.slides() ? " mm" : "°");

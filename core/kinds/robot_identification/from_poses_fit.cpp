@@ -139,10 +139,10 @@ void warn_of_outlier(const Calibration& c, Index row, double size, Problems& pro
         "x", "y", "z", "rotation about x", "rotation about y", "rotation about z"};
     const auto m = static_cast<Index>(c.rows_per_pose());
     const MeasuredPose& pose = c.poses[static_cast<std::size_t>(row / m)];
-    problems.warning(pose.source, "pose " + pose.name + ": the residual of its " + names[row % m] + " is " +
-                                      format_short(size) + " times its standard uncertainty (limit " +
-                                      format_short(c.statistics.limit) +
-                                      "). Look at this pose first; hold it back by use = check");
+    problems.warning(pose.source,
+                     tell<"pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). "
+                          "Look at this pose first; hold it back by use = check">(
+                         pose.name, names[row % m], format_short(size), format_short(c.statistics.limit)));
 }
 
 /// Of residuals that the uncertainties do not explain.
@@ -155,11 +155,11 @@ void warn_of_residuals(const Calibration& c, Problems& problems) {
     if (size.maxCoeff(&worst) > s.limit && s.u_residuals[worst] > 0.0)
         warn_of_outlier(c, worst, size[worst], problems);
     if (s.scatter > std::sqrt(chi_squared_quantile(0.99, freedom) / freedom))
-        problems.warning(fields().place(&Calibration::measured),
-                         "the residuals are " + format_short(s.scatter) +
-                             " times as large as the uncertainties of points and readings explain: there "
-                             "is more than these (a joint's elasticity, temperature, an outlier), and "
-                             "the uncertainty of the parameters is stated too small");
+        problems.warning(
+            fields().place(&Calibration::measured),
+            tell<"the residuals are %1 times as large as the uncertainties of points and readings explain: "
+                 "there is more than these (a joint's elasticity, temperature, an outlier), and the "
+                 "uncertainty of the parameters is stated too small">(format_short(s.scatter)));
 }
 
 void warn_of_weakness(const Calibration& c, const std::string& place, Problems& problems) {
@@ -170,9 +170,11 @@ void warn_of_weakness(const Calibration& c, const std::string& place, Problems& 
     for (Index i = 0; i < s.weakest.size(); ++i)
         if (std::abs(s.weakest[i]) > 0.3)
             names += (names.empty() ? "" : ", ") + c.unknowns[static_cast<std::size_t>(i)].name();
-    problems.warning(place, "these poses hardly tell " + names + " apart (condition " +
-                                format_short(condition, 2) +
-                                "): turn more joints further, or hold one of them");
+    problems.warning(
+        place,
+        tell<
+            "these poses hardly tell %1 apart (condition %2): turn more joints further, or hold one of them">(
+            names, format_short(condition, 2)));
 }
 
 class Fit {
@@ -187,20 +189,16 @@ public:
         find_weights();
         select();
         if (c_.first_parameter() == c_.unknowns.size())
-            return refuse(
-                "no parameter of the arm can be told from these poses: every one of them is coupled "
-                "with others or held");
+            return refuse(tell<"no parameter of the arm can be told from these poses: every one of them is "
+                               "coupled with others or held">());
         if (c_.rows() <= c_.unknowns.size())
-            return refuse(
-                "the poses of the fit give " + std::to_string(c_.rows()) +
-                " coordinates, no more than there are unknowns to find: measure more poses, or hold "
-                "parameters");
+            return refuse(tell<"the poses of the fit give %1 coordinates, no more than there are unknowns to "
+                               "find: measure more poses, or hold parameters">(c_.rows()));
         Calibration nominal = without_parameters();
         std::vector<double> v = start_of(c_);
         if (!minimise(c_, w_, v))
-            return refuse(
-                "the fit does not converge: look for exchanged poses, readings of the wrong sign or "
-                "in another unit, and for a nominal robot that is another arm");
+            return refuse(tell<"the fit does not converge: look for exchanged poses, readings of the wrong "
+                               "sign or in another unit, and for a nominal robot that is another arm">());
         absorb_rotations(c_, v);
         c_.solution = v;
         if (!find_gain()) return false;
@@ -211,7 +209,7 @@ public:
     }
 
 private:
-    bool refuse(const std::string& message) {
+    bool refuse(const Message& message) {
         problems_.error(place_, message);
         return false;
     }
@@ -298,9 +296,8 @@ private:
         const auto svd = singular_values(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
         const VectorXd& s = svd.singularValues();
         if (!(s[s.size() - 1] > 1e-9 * s[0]))
-            return refuse(
-                "at the solution the unknowns cannot be told apart; hold one of those that the table "
-                "of observability names");
+            return refuse(tell<"at the solution the unknowns cannot be told apart; hold one of those that "
+                               "the table of observability names">());
         c_.statistics.singular_values = s;
         c_.statistics.weakest = svd.matrixV().rightCols<1>();
         c_.gain = length.cwiseInverse().asDiagonal() * svd.matrixV() * s.cwiseInverse().asDiagonal() *

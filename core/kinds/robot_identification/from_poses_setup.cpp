@@ -20,9 +20,8 @@ public:
     std::optional<Calibration> read() {
         if (const std::size_t sliding = first_sliding_joint(c_.robot()); sliding > 0) {
             problems_.error(fields().place(&Calibration::nominal),
-                            "joint " + std::to_string(sliding) +
-                                " slides: only arms whose joints turn are identified; take an arm "
-                                "without it, as it stands during the measurement");
+                            tell<"joint %1 slides: only arms whose joints turn are identified; take an arm "
+                                 "without it, as it stands during the measurement">(sliding));
             return {};
         }
         c_.X_MB = c_.robot().X_WB();
@@ -37,10 +36,10 @@ public:
         c_.fitted_poses = static_cast<std::size_t>(
             std::count_if(c_.poses.begin(), c_.poses.end(), [](const MeasuredPose& p) { return !p.check; }));
         if (c_.fitted_poses < 3) {
-            problems_.error(fields().place(&Calibration::measured),
-                            "the fit has " + std::to_string(c_.fitted_poses) +
-                                " poses; it needs three or more, and about twenty to tell all "
-                                "parameters");
+            problems_.error(
+                fields().place(&Calibration::measured),
+                tell<"the fit has %1 poses; it needs three or more, and about twenty to tell all parameters">(
+                    c_.fitted_poses));
             return {};
         }
         add_inputs();
@@ -87,15 +86,15 @@ private:
                           .source = fields().place(&Calibration::measured, row),
                           .check = stated.check};
         if (!names_.insert(pose.name).second)
-            problems_.error(pose.source, "two poses are called " + pose.name);
+            problems_.error(pose.source, tell<"two poses are called %1">(pose.name));
         for (std::size_t j = 0; j < most_joints; ++j)
             if (j < joints.size())
                 pose.q.push_back(stated.q[j].value_or(joints[j].zero));
             else if (stated.q[j])
-                problems_.error(fields().place(&Calibration::measured, row, &StatedPose::q, j),
-                                "the robot has only " + std::to_string(joints.size()) + " joints; leave " +
-                                    fields().columns(&Calibration::measured).key(&StatedPose::q, j) +
-                                    " empty");
+                problems_.error(
+                    fields().place(&Calibration::measured, row, &StatedPose::q, j),
+                    tell<"the robot has only %1 joints; leave %2 empty">(
+                        joints.size(), fields().columns(&Calibration::measured).key(&StatedPose::q, j)));
         pose.p = stated.p;
         if (c_.with_orientation) read_orientation(stated.angles, pose);
         add_pose(std::move(pose));
@@ -103,9 +102,9 @@ private:
 
     void read_orientation(const std::array<std::optional<double>, 3>& angles, MeasuredPose& pose) {
         if (!angles[0] || !angles[1] || !angles[2])
-            return problems_.error(pose.source, "pose " + pose.name +
-                                                    ": its orientation is missing; give alpha, beta and "
-                                                    "gamma of every pose, or fit positions alone");
+            return problems_.error(pose.source,
+                                   tell<"pose %1: its orientation is missing; give alpha, beta and gamma of "
+                                        "every pose, or fit positions alone">(pose.name));
         pose.R = rotation_from_zyx<double>({*angles[0], *angles[1], *angles[2]});
     }
 
@@ -189,7 +188,7 @@ private:
         for (const std::string& symbol : held)
             problems_.error(
                 fields().place(&Calibration::held_by_user),
-                "the robot has no parameter '" + symbol + "' to hold; write its symbol, such as d_3");
+                tell<"the robot has no parameter '%1' to hold; write its symbol, such as d_3">(symbol));
     }
 
     Problems& problems_;

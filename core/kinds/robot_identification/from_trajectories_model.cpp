@@ -56,7 +56,7 @@ std::unique_ptr<MeasurementModel> create_circle_points(const SetupReader& reader
     if (!id) return nullptr;
     if (!circle_points::estimates(*id)) {
         problems.error(circle_points::fields().place(&circle_points::Identification::points),
-                       "the points do not lead to parameters of the arm");
+                       tell<"the points do not lead to parameters of the arm">());
         return nullptr;
     }
     return std::make_unique<RobotCirclePoints>(std::move(*id));

@@ -52,9 +52,8 @@ public:
             if (axis(j).dot(R * nominal.z[j]) < 0.0)
                 problems_.error(
                     id_.simulated ? place(&Identification::nominal) : place(&Identification::points),
-                    "the points of " + joint_name(j) +
-                        " run against the positive direction of the joint: reverse their order, or give "
-                        "its readings");
+                    tell<"the points of %1 run against the positive direction of the joint: reverse their "
+                         "order, or give its readings">(joint_name(j)));
         const double limit = std::sin(id_.parallel_limit);
         const RobotJoint& first = id_.robot().joints()[0];
         id_.structure.theta_1 = first.values.theta;
@@ -109,15 +108,14 @@ private:
         const std::string names =
             "the axes of joints " + std::to_string(j + 1) + " and " + std::to_string(j + 2);
         if (parallel)
-            problems_.warning(place(&Identification::nominal),
-                              names + " are nearly parallel (" + degrees(std::asin(sine)) +
-                                  "): they are described by beta with d = 0, because the place of "
-                                  "their common perpendicular is hardly determined");
+            problems_.warning(
+                place(&Identification::nominal),
+                tell<"%1 are nearly parallel (%2): they are described by beta with d = 0, because the place "
+                     "of their common perpendicular is hardly determined">(names, degrees(std::asin(sine))));
         else
             problems_.warning(place(&Identification::nominal),
-                              names + " are " + degrees(std::asin(std::min(1.0, sine))) +
-                                  " apart: they are described by d without beta, although the nominal "
-                                  "robot has beta");
+                              tell<"%1 are %2 apart: they are described by d without beta, although the "
+                                   "nominal robot has beta">(names, degrees(std::asin(std::min(1.0, sine)))));
     }
 
     void decide_sides(const Eigen::Matrix3d& R, const NominalFrames& nominal) {
@@ -134,11 +132,10 @@ private:
             const Eigen::Vector3d x = R * nominal.x[j + 1];
             if (frames[j + 1].x.dot(x) < 0.0) id_.structure.side[j] = -1.0;
             if (!frames[j + 1].x.allFinite())
-                problems_.error(place(&Identification::points), "the axes of joints " +
-                                                                    std::to_string(j + 1) + " and " +
-                                                                    std::to_string(j + 2) +
-                                                                    " are the same line: nothing tells their "
-                                                                    "frames apart");
+                problems_.error(
+                    place(&Identification::points),
+                    tell<"the axes of joints %1 and %2 are the same line: nothing tells their frames apart">(
+                        j + 1, j + 2));
         }
     }
 
@@ -186,16 +183,13 @@ private:
     void check_robot() {
         const std::string nominal = place(&Identification::nominal);
         if (id_.robot().convention() == DhConvention::craig)
-            problems_.error(
-                nominal,
-                "parameters are identified by Eq 5: describe the nominal robot in that convention, not "
-                "in Craig's");
+            problems_.error(nominal, tell<"parameters are identified by Eq 5: describe the nominal robot in "
+                                          "that convention, not in Craig's">());
         if (const std::size_t sliding = first_sliding_joint(id_.robot()); sliding > 0)
-            problems_.error(nominal, "joint " + std::to_string(sliding) +
-                                         " slides and draws no circle: take an arm without it, as it stands "
-                                         "during the measurement");
+            problems_.error(nominal, tell<"joint %1 slides and draws no circle: take an arm without it, as "
+                                          "it stands during the measurement">(sliding));
         if (id_.robot().joints().size() < 2)
-            problems_.error(nominal, "an arm of one joint has no parameters between two axes");
+            problems_.error(nominal, tell<"an arm of one joint has no parameters between two axes">());
     }
 
     void simulate() {
@@ -221,7 +215,7 @@ private:
             const std::size_t j = point.joint - 1;
             if (j >= id_.trajectories.size()) {
                 problems_.error(place(&Identification::points, row, &StatedPoint::joint),
-                                "the robot has no " + joint_name(j));
+                                tell<"the robot has no %1">(joint_name(j)));
                 continue;
             }
             id_.trajectories[j].points.push_back(point.p);
@@ -231,8 +225,8 @@ private:
         for (std::size_t j = 0; j < id_.trajectories.size(); ++j)
             if (id_.trajectories[j].points.size() < 3)
                 problems_.error(place(&Identification::points),
-                                joint_name(j) + " has " + std::to_string(id_.trajectories[j].points.size()) +
-                                    " points; a circle needs three or more");
+                                tell<"%1 has %2 points; a circle needs three or more">(
+                                    joint_name(j), id_.trajectories[j].points.size()));
     }
 
     void add_inputs() {
@@ -279,30 +273,26 @@ private:
         const std::string where =
             id_.simulated ? place(&Identification::ball) : place(&Identification::points);
         if (t.shape.extents[0] < 10.0 * u)
-            return problems_.error(where,
-                                   "the ball hardly moves while " + joint_name(j) +
-                                       " turns: it lies on the axis of that joint and draws no circle. Fix "
-                                       "the ball off the axis");
+            return problems_.error(
+                where, tell<"the ball hardly moves while %1 turns: it lies on the axis of that joint and "
+                            "draws no circle. Fix the ball off the axis">(joint_name(j)));
         if (t.shape.extents[1] < 2.0 * u)
-            return problems_.error(where,
-                                   "the points of " + joint_name(j) +
-                                       " lie on a straight line, as far as their uncertainty lets it be "
-                                       "seen: no circle goes through them. Turn the joint further");
+            return problems_.error(
+                where, tell<"the points of %1 lie on a straight line, as far as their uncertainty lets it be "
+                            "seen: no circle goes through them. Turn the joint further">(joint_name(j)));
         if (t.shape.extents[1] < 10.0 * u)
             problems_.warning(where,
-                              "the arc of " + joint_name(j) + " over " + degrees(t.shape.arc) +
-                                  " is short for the uncertainty of its points: its axis will be known "
-                                  "poorly");
+                              tell<"the arc of %1 over %2 is short for the uncertainty of its points: its "
+                                   "axis will be known poorly">(joint_name(j), degrees(t.shape.arc)));
         orient(j);
         refine(j);
         const Eigen::Vector3d n = t.shape.start.axes.col(2);
         const double distance = std::abs(n.dot(t.shape.start.centre));
         if (id_.plane == PlaneFit::equation_1 && distance < 0.02 * t.shape.start.radius)
-            problems_.warning(place(&Identification::plane),
-                              "the plane of " + joint_name(j) + " passes the origin at " +
-                                  millimetres(distance) +
-                                  ": Eq 1 excludes planes through the origin and fails near it. Use "
-                                  "total least squares");
+            problems_.warning(
+                place(&Identification::plane),
+                tell<"the plane of %1 passes the origin at %2: Eq 1 excludes planes through the origin and "
+                     "fails near it. Use total least squares">(joint_name(j), millimetres(distance)));
     }
 
     /// Normal along the positive direction of the joint: by the readings where they are given, else by the
@@ -338,7 +328,7 @@ private:
         if (!circle.converged)
             problems_.error(
                 id_.simulated ? place(&Identification::half_range) : place(&Identification::points),
-                "no circle fits the points of " + joint_name(j) + "; look for exchanged points");
+                tell<"no circle fits the points of %1; look for exchanged points">(joint_name(j)));
     }
 
     Problems& problems_;

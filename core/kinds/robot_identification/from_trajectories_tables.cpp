@@ -143,7 +143,7 @@ std::optional<RobotData> identified(const Identification& id, Problems& problems
     const auto values = estimates(id);
     if (!values) {
         problems.error(fields().place(&Identification::points),
-                       "the points do not lead to parameters of the arm");
+                       tell<"the points do not lead to parameters of the arm">());
         return {};
     }
     const Eigen::MatrixXd S =

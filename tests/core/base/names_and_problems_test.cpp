@@ -63,7 +63,7 @@ TEST(CountedProblems, OfAKindAreCountedBeyondAHundred) {
     }
     count_beyond_a_hundred(problems);
     ASSERT_EQ(problems.items().size(), 2 * 103u + 2u);
-    EXPECT_EQ(problems.items().back().message, "and 150 more like these");
+    EXPECT_EQ(problems.items().back().message.english(), "and 150 more like these");
     EXPECT_EQ(problems.items().back().path, "/assets/1/t/rows/100/x");
 }
 
@@ -71,7 +71,7 @@ TEST(Guarded, MakesErrorsOfWhatIsThrown) {
     const auto impossible = guarded([]() -> int { throw ImpossibleValue("negative width"); });
     EXPECT_EQ(impossible.error().code, ErrorCode::bad_input);
     const auto memory = guarded([]() -> int { throw std::bad_alloc(); });
-    EXPECT_NE(memory.error().message.find("memory"), std::string::npos);
+    EXPECT_NE(memory.error().message.english().find("memory"), std::string::npos);
     EXPECT_EQ(*guarded([] { return 7; }), 7);
 }
 

@@ -103,7 +103,7 @@ const Definition definitions[] = {{"km", 1e3, "m"},
 TEST(UnitFactors, AgreeWithTheDefinitions) {
     for (const Definition& d : definitions) {
         const Result<Unit> unit = Unit::parse(d.unit);
-        ASSERT_TRUE(unit) << d.unit << ": " << unit.error().message;
+        ASSERT_TRUE(unit) << d.unit << ": " << unit.error().message.english();
         EXPECT_EQ(unit->dimension(), Unit::of(d.in_base_units).dimension()) << d.unit;
         EXPECT_NEAR(unit->to_si(1.0), d.factor, 2e-15 * d.factor) << d.unit;
         EXPECT_NEAR(unit->interval_from_si(d.factor), 1.0, 2e-15) << d.unit;
@@ -177,8 +177,8 @@ TEST(UnitFactors, WordsGetTheirSymbolsSuggested) {
                                                                          {"henry", "H"}}) {
         const Result<Unit> unit = Unit::parse(word);
         ASSERT_FALSE(unit) << word;
-        EXPECT_NE(unit.error().message.find("Did you mean \"" + symbol + "\"?"), std::string::npos)
-            << unit.error().message;
+        EXPECT_NE(unit.error().message.english().find("Did you mean \"" + symbol + "\"?"), std::string::npos)
+            << unit.error().message.english();
     }
 }
 

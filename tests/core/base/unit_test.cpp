@@ -15,7 +15,7 @@ namespace {
 std::string message_of(std::string_view text) {
     const Result<Unit> unit = Unit::parse(text);
     EXPECT_FALSE(unit.has_value()) << text;
-    return unit ? std::string() : unit.error().message;
+    return unit ? std::string() : unit.error().message.english();
 }
 
 bool contains(const std::string& text, std::string_view part) {

@@ -47,7 +47,8 @@ Evaluated shipped(const std::string& name) {
 
 std::string all_messages(const Problems& problems) {
     std::string all;
-    for (const Problem& problem : problems.items()) all += problem.path + ": " + problem.message + "\n";
+    for (const Problem& problem : problems.items())
+        all += problem.path + ": " + problem.message.english() + "\n";
     return all;
 }
 
@@ -68,7 +69,7 @@ TEST(Carried, ProjectsWithTheirFilesGiveTheSameBits) {
         EXPECT_FALSE(find(files, carried::certificate)) << name << " has no complete certificate";
         const LoadedProject back = load_carried("report.pdf", files);
         for (const Problem& problem : back.problems.items())
-            EXPECT_NE(problem.severity, Severity::error) << problem.message;
+            EXPECT_NE(problem.severity, Severity::error) << problem.message.english();
         ASSERT_TRUE(back.made) << name;
         EXPECT_EQ(fingerprint(back.project), fingerprint(evaluated.made->project())) << name;
         const std::vector<AttachedFile> again = data_of(writers_test::evaluate(back.project));
@@ -180,7 +181,9 @@ TEST(Carried, NamesThatLeaveTheFolderAreRefused) {
         hostile.push_back({name, "x", "", "", AttachedAs::data});
         const LoadedProject loaded = load_carried("report.pdf", hostile);
         EXPECT_TRUE(loaded.problems.has_errors()) << name;
-        EXPECT_NE(first_error(loaded.problems, "").find("would leave its folder"), std::string::npos) << name;
+        EXPECT_NE(first_error(loaded.problems, "").english().find("would leave its folder"),
+                  std::string::npos)
+            << name;
         EXPECT_FALSE(loaded.made);
         EXPECT_FALSE(fs::exists(beside)) << name;
     }
@@ -198,7 +201,8 @@ TEST(Carried, ReportsWithoutAProjectAreRefusedByName) {
                                       {"none.pdf", ""}}) {
         const auto files = carried_files(folder / name);
         ASSERT_FALSE(files) << name;
-        EXPECT_NE(files.error().message.find(words), std::string::npos) << files.error().message;
+        EXPECT_NE(files.error().message.english().find(words), std::string::npos)
+            << files.error().message.english();
         EXPECT_TRUE(load_carried(folder / name).problems.has_errors());
     }
 }

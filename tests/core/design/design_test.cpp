@@ -48,7 +48,8 @@ struct Equations {
                 quantities + R"(]}},"options":{"coverageFactor":1},"requirements":[)" + requirements +
                 R"(],"designs":[)" + design + "]}]}",
             {}, "test");
-        for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+        for (const Problem& p : loaded.problems.items())
+            ADD_FAILURE() << p.path << ": " << p.message.english();
         return loaded.project;
     }
 };
@@ -168,10 +169,10 @@ DesignResult run(const Project& project, int threads = 2) {
     Problems problems;
     const auto design = prepare_design(MadeProject::make(project), project.analyses.front().id,
                                        project.analyses.front().designs.front().id, problems);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
     if (!design) return {};
     auto result = run_design(*design, {{}, {}, threads});
-    if (!result) ADD_FAILURE() << result.error().message;
+    if (!result) ADD_FAILURE() << result.error().message.english();
     return result ? *std::move(result) : DesignResult{};
 }
 
@@ -241,7 +242,8 @@ struct Stations {
               ["Q",900,-200,500]]}},"designs":[)" +
                 design + "]}]}",
             {}, "test");
-        for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+        for (const Problem& p : loaded.problems.items())
+            ADD_FAILURE() << p.path << ": " << p.message.english();
         return loaded.project;
     }
 };
@@ -499,7 +501,7 @@ TEST(Design, TakenOverItGivesWhatItPromised) {
     ASSERT_TRUE(design);
     const DesignResult result = *run_design(*design);
     auto taken = take_over(project, *design, result);
-    ASSERT_TRUE(taken) << taken.error().message;
+    ASSERT_TRUE(taken) << taken.error().message.english();
     taken->analyses.front().options.method = Method::first_order;
     const auto analysis = made_analysis(*taken, "a", problems);
     ASSERT_TRUE(analysis);

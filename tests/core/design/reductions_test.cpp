@@ -193,7 +193,7 @@ Project two_components(double target_mm, const std::string& nu = "null") {
           {"target":"/inputs/p/components","least":0.05,"price":100,"law":"repeats"},
           {"target":"/inputs/q/components","least":0.05,"price":50,"law":"repeats"}]}]}]})",
         {}, "test");
-    for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
     return loaded.project;
 }
 
@@ -207,7 +207,7 @@ Result<DesignResult> run(const Project& project) {
 
 TEST(ReverseQuestion, IsAnsweredForAProjectWithThePriceOfItsTarget) {
     const auto found = run(two_components(5.0));
-    ASSERT_TRUE(found) << found.error().message;
+    ASSERT_TRUE(found) << found.error().message.english();
     EXPECT_TRUE(found->met());
     const double k = found->goals[0].after / 5e-3;
     EXPECT_NEAR(k, 1.0, 1e-9) << "not better than it has to be";
@@ -223,7 +223,7 @@ TEST(ReverseQuestion, IsAnsweredForAProjectWithThePriceOfItsTarget) {
 
 TEST(ReverseQuestion, CoverageFactorsAreThoseOfTheSolution) {
     const auto found = run(two_components(8.0, "6"));
-    ASSERT_TRUE(found) << found.error().message;
+    ASSERT_TRUE(found) << found.error().message.english();
     EXPECT_NEAR(found->goals[0].after, 8e-3, 1e-10);
 }
 
@@ -244,7 +244,7 @@ TEST(ReverseQuestion, IsTakenOver) {
     const auto found = run_design(*prepared);
     ASSERT_TRUE(found);
     const auto taken = take_over(project, *prepared, *found);
-    ASSERT_TRUE(taken) << taken.error().message;
+    ASSERT_TRUE(taken) << taken.error().message.english();
     const auto again = run(*taken);
     ASSERT_TRUE(again);
     EXPECT_NEAR(*again->goals[0].before, 5e-3, 1e-9);

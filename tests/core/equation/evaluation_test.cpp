@@ -15,7 +15,8 @@ Program compiled(const std::string& text, const std::vector<std::string>& names)
     for (const std::string& name : names) symbols.push_back({name, Unit{}});
     const std::vector<WantedOutput> wanted{{"y", std::nullopt}};
     Compiled result = compile(parsed, symbols, wanted, problems);
-    for (const TextProblem& p : problems) ADD_FAILURE() << text << ": " << place_words(p.place) << p.message;
+    for (const TextProblem& p : problems)
+        ADD_FAILURE() << text << ": " << place_words(p.place) << p.message.english();
     return result.program;
 }
 

@@ -25,7 +25,7 @@ double value_of(const std::string& text, const std::vector<std::pair<std::string
     for (const auto& [name, value] : quantities) symbols.push_back({name, Unit{}});
     const std::vector<WantedOutput> wanted{{"y", std::nullopt}};
     const Compiled compiled = compile(parsed, symbols, wanted, problems);
-    EXPECT_TRUE(problems.empty()) << text << ": " << (problems.empty() ? "" : problems[0].message);
+    EXPECT_TRUE(problems.empty()) << text << ": " << (problems.empty() ? "" : problems[0].message.english());
     if (!problems.empty()) return std::nan("");
     std::vector<double> registers(compiled.program.registers);
     put_constants(compiled.program, registers.data(), 1);
@@ -160,9 +160,10 @@ TEST(Language, RefusesWithThePlace) {
         ASSERT_FALSE(problems.empty()) << r.text;
         const bool found = std::any_of(problems.begin(), problems.end(), [&](const TextProblem& p) {
             return p.place.line == r.line && p.place.column == r.column &&
-                   p.message.find(r.words) != std::string::npos;
+                   p.message.english().find(r.words) != std::string::npos;
         });
-        EXPECT_TRUE(found) << r.text << " -> " << place_words(problems[0].place) << problems[0].message;
+        EXPECT_TRUE(found) << r.text << " -> " << place_words(problems[0].place)
+                           << problems[0].message.english();
     }
 }
 
@@ -176,7 +177,8 @@ TEST(Language, ChecksDimensions) {
           "y = exp(l/(2 [mm]))", "y = atan2(l, 2*l) + phi", "y = if(l > 3 [mm], l, 0)",
           "y = 2*pi*sqrt(l/9.81 [m/s^2]) + T", "solve y = 1 [mm]: y^2 = l*y"}) {
         const TextProblems problems = problems_of(good, known);
-        EXPECT_TRUE(problems.empty()) << good << ": " << (problems.empty() ? "" : problems[0].message);
+        EXPECT_TRUE(problems.empty())
+            << good << ": " << (problems.empty() ? "" : problems[0].message.english());
     }
     const std::vector<Refusal> refusals{
         {"y = l + t", 1, 7, "cannot be added"},
@@ -194,11 +196,11 @@ TEST(Language, ChecksDimensions) {
     };
     for (const Refusal& r : refusals) {
         const TextProblems problems = problems_of(r.text, known);
-        ASSERT_EQ(problems.size(), 1u) << r.text << (problems.empty() ? "" : problems[1].message);
+        ASSERT_EQ(problems.size(), 1u) << r.text << (problems.empty() ? "" : problems[1].message.english());
         EXPECT_EQ(problems[0].place.line, r.line) << r.text;
         EXPECT_EQ(problems[0].place.column, r.column) << r.text;
-        EXPECT_NE(problems[0].message.find(r.words), std::string::npos)
-            << r.text << ": " << problems[0].message;
+        EXPECT_NE(problems[0].message.english().find(r.words), std::string::npos)
+            << r.text << ": " << problems[0].message.english();
     }
 }
 
@@ -241,7 +243,7 @@ TEST(Language, SurvivesHostileTexts) {
         if (text == ";;;;") continue;  // nothing is said, and nothing is wrong with it
         ASSERT_FALSE(problems.empty()) << text.substr(0, 40);
         EXPECT_GE(problems[0].place.line, 1u);
-        EXPECT_FALSE(problems[0].message.empty());
+        EXPECT_FALSE(problems[0].message.english().empty());
         EXPECT_LT(problems.size(), 50u);
     }
     for (const std::string& text : {chain, sum, definitions + "a2500 = a\n"}) {
@@ -249,7 +251,7 @@ TEST(Language, SurvivesHostileTexts) {
         const ParsedText parsed = parse(text, problems);
         const std::vector<KnownSymbol> symbols{{"a", Unit{}}};
         compile(parsed, symbols, {}, problems);
-        EXPECT_TRUE(problems.empty()) << text.substr(0, 40) << problems[0].message;
+        EXPECT_TRUE(problems.empty()) << text.substr(0, 40) << problems[0].message.english();
         for (const Formula& f : formulas(parsed)) EXPECT_FALSE(to_unicode(f).empty());
     }
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -293,7 +295,7 @@ std::string objection(const std::string& text, std::optional<Unit> wanted = std:
     for (const char* name : {"t", "t_1", "t_2"}) symbols.push_back({name, Unit::of("degC")});
     const std::vector<WantedOutput> outputs{{"y", wanted}};
     if (problems.empty()) compile(parsed, symbols, outputs, problems);
-    return problems.empty() ? "" : problems[0].message;
+    return problems.empty() ? "" : problems[0].message.english();
 }
 
 TEST(Temperatures, DifferencesAreInKelvin) {

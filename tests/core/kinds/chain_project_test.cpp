@@ -49,7 +49,8 @@ class ChainByHand : public testing::Test {
 protected:
     void SetUp() override {
         LoadedProject loaded = load_project(data_directory() / "projects/chain.covaria");
-        for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+        for (const Problem& p : loaded.problems.items())
+            ADD_FAILURE() << p.path << ": " << p.message.english();
         project_ = loaded.project;
         Problems problems;
         analysis_ = made_analysis(project_, "tool", problems);
@@ -156,7 +157,7 @@ TEST_F(ChainByHand, EstimatesAndUncertaintiesByTheLawOfPropagation) {
     PreparedAnalysis first_order = *analysis_;
     first_order.options.method = Method::first_order;
     const auto result = run_analysis(first_order);
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     for (Eigen::Index j = 0; j < 3; ++j) {
         const auto& output = result->outputs[static_cast<std::size_t>(j)].first_order;
         EXPECT_NEAR(output.estimate, y[static_cast<std::size_t>(j)], 1e-9 * std::abs(output.estimate));
@@ -195,7 +196,7 @@ TEST_F(ChainByHand, MonteCarloWithinFourStandardErrors) {
     monte_carlo.options.method = Method::monte_carlo;
     monte_carlo.options.trials = 5'000;
     const auto result = run_analysis(monte_carlo);
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     EXPECT_EQ(result->failed_trials, 0u);
     for (Eigen::Index j = 0; j < 3; ++j) {
         const auto& output = *result->outputs[static_cast<std::size_t>(j)].monte_carlo;
@@ -212,7 +213,7 @@ TEST_F(ChainByHand, BudgetNamesTheCertificate) {
     PreparedAnalysis first_order = *analysis_;
     first_order.options.method = Method::first_order;
     const auto result = run_analysis(first_order);
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     double of_certificate = 0.0, of_scale = 0.0;
     for (const BudgetRow& row : result->budget.rows.at(0)) {
         const BudgetComponent& c = result->budget.components[row.component];
@@ -242,7 +243,7 @@ TEST_F(ChainByHand, APointThatTheNetworkHasNotIsNamed) {
     EXPECT_EQ(made_analysis(project, "flange", problems), nullptr);
     ASSERT_FALSE(problems.items().empty());
     EXPECT_EQ(problems.items().front().path, "/analyses/2/setup/poses/rows/0");
-    EXPECT_NE(problems.items().front().message.find("'P2 in pose 1'"), std::string::npos);
+    EXPECT_NE(problems.items().front().message.english().find("'P2 in pose 1'"), std::string::npos);
     // A set-up that refers to itself, and an analysis that offers nothing of the kind.
     project = project_;
     project.analyses[2].setup.values["base_asset"] = std::string("flange");
@@ -252,7 +253,7 @@ TEST_F(ChainByHand, APointThatTheNetworkHasNotIsNamed) {
     problems = {};
     EXPECT_EQ(made_analysis(project, "flange", problems), nullptr);
     ASSERT_FALSE(problems.items().empty());
-    EXPECT_NE(problems.items().front().message.find("does not offer"), std::string::npos);
+    EXPECT_NE(problems.items().front().message.english().find("does not offer"), std::string::npos);
 }
 
 }  // namespace

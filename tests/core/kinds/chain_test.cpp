@@ -60,14 +60,14 @@ LoadedProject parsed(const std::vector<Written>& analyses, const std::string& as
 
 Project project_of(const std::vector<Written>& analyses, const std::string& assets = "") {
     const LoadedProject loaded = parsed(analyses, assets);
-    for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
     return loaded.project;
 }
 
 std::shared_ptr<const PreparedAnalysis> prepared(const Project& project, const std::string& id) {
     Problems problems;
     auto analysis = made_analysis(project, id, problems);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << id << p.path << ": " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << id << p.path << ": " << p.message.english();
     return analysis;
 }
 
@@ -79,7 +79,7 @@ UncertaintyResult run(Project project, const std::string& id, std::uint64_t tria
     const auto analysis = prepared(project, id);
     if (!analysis) return {};
     auto result = run_analysis(*analysis);
-    EXPECT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(result) << result.error().message.english();
     return result ? *std::move(result) : UncertaintyResult{};
 }
 
@@ -105,8 +105,8 @@ Problem problem_of(const std::vector<Written>& analyses, const std::string& word
     const LoadedProject loaded = parsed(analyses);
     std::string all;
     for (const Problem& p : loaded.problems.items()) {
-        if (p.message.find(words) != std::string::npos) return p;
-        all += p.path + ": " + p.message + "\n";
+        if (p.message.english().find(words) != std::string::npos) return p;
+        all += p.path + ": " + p.message.english() + "\n";
     }
     ADD_FAILURE() << words << " is not among\n" << all;
     return {};
@@ -244,7 +244,7 @@ TEST(Chain, AnInstrumentOnTwoWaysIsOneInstrument) {
                           instrument + R"json(], "analyses": [)json" + analysis("one", "a") + ", " +
                           analysis("two", "b") + ", " + difference + "]}",
                       {}, "t");
-    for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
     const double u_y = run(loaded.project, "one").outputs.at(0).standard_uncertainty;
     const UncertaintyResult result = run(loaded.project, "d");
     const double u_d = result.outputs.at(0).standard_uncertainty;
@@ -332,10 +332,10 @@ TEST(Chain, AStudyVariesWhatIsDownstream) {
     project.analyses[0].studies = {study};
     Problems problems;
     const auto plan = prepare_study(MadeProject::make(project), "use", "s", problems);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
     ASSERT_TRUE(plan);
     const auto result = run_study(*plan);
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     EXPECT_NEAR(result->points.at(1).values.at(0).standard_uncertainty,
                 run(project, "use").outputs[0].standard_uncertainty, 1e-15);
     EXPECT_LT(result->points.at(0).values.at(0).standard_uncertainty,

@@ -44,7 +44,7 @@ struct Analysis {
 std::vector<Analysis> analyses_of(const ModelDescriptor& d) {
     const LoadedProject loaded = load_project(example_of(d));
     for (const Problem& p : loaded.problems.items())
-        ADD_FAILURE() << p.file << ":" << p.line << " " << p.message;
+        ADD_FAILURE() << p.file << ":" << p.line << " " << p.message.english();
     Problems problems;
     std::vector<Analysis> all;
     for (const AnalysisEntry& entry : loaded.project.analyses) {
@@ -52,7 +52,7 @@ std::vector<Analysis> analyses_of(const ModelDescriptor& d) {
         auto prepared = made_analysis(loaded.project, entry.id, problems);
         if (prepared) all.push_back({loaded.project, entry, prepared});
     }
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message.english();
     EXPECT_FALSE(all.empty()) << d.example << " has no analysis with " << d.id;
     return all;
 }
@@ -145,7 +145,7 @@ TEST_P(Contract, EveryFieldHasHelpAndItsUnit) {
 TEST_P(Contract, ExampleLoadsAndIsWrittenByteForByte) {
     const LoadedProject loaded = load_project(example_of(descriptor()));
     for (const Problem& p : loaded.problems.items())
-        ADD_FAILURE() << p.file << ":" << p.line << " " << p.message;
+        ADD_FAILURE() << p.file << ":" << p.line << " " << p.message.english();
     EXPECT_EQ(project_text(loaded.project), bytes_of(example_of(descriptor())));
 }
 

@@ -80,7 +80,7 @@ TEST(DegreesOfFreedom, OneStandardDeviationThatServesManyPointsCountsOnce) {
     EvaluationOptions options;
     options.trials = 200'000;
     const auto result = evaluate(*analysis->model, analysis->inputs, options);
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     for (const OutputResult& output : result->outputs) {
         EXPECT_NEAR(output.first_order.effective_degrees_of_freedom, 3.0, 1e-9) << output.quantity.symbol;
         EXPECT_NEAR(output.first_order.coverage_factor, 3.182, 5e-4);

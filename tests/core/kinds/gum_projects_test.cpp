@@ -27,7 +27,7 @@ std::string text_of(const std::filesystem::path& file) {
 
 std::vector<VerificationCase> shipped() {
     const auto cases = read_verification(text_of(data_directory() / "resources" / "verification.json"));
-    EXPECT_TRUE(cases) << cases.error().message;
+    EXPECT_TRUE(cases) << cases.error().message.english();
     return cases.value_or(std::vector<VerificationCase>{});
 }
 
@@ -36,7 +36,7 @@ class GumProject : public testing::TestWithParam<VerificationCase> {};
 /// The figures of a case, evaluated with this option.
 CheckedCase checked(const VerificationCase& verification, VarianceReduction reduction) {
     LoadedProject loaded = load_project(data_directory() / verification.project);
-    for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << " " << p.message;
+    for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << " " << p.message.english();
     std::vector<EvaluatedAnalysis> evaluated;
     std::set<std::string> wanted;
     for (const VerificationCheck& check : verification.checks) wanted.insert(check.analysis);
@@ -47,13 +47,13 @@ CheckedCase checked(const VerificationCase& verification, VarianceReduction redu
         const auto prepared = made_analysis(loaded.project, entry.id, problems);
         auto result = prepared ? run_analysis(*prepared)
                                : Result<UncertaintyResult>(fail(ErrorCode::bad_input, entry.id));
-        EXPECT_TRUE(result) << result.error().message;
+        EXPECT_TRUE(result) << result.error().message.english();
         if (!result) return {};
         evaluated.push_back(
             {prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}, {}});
     }
     const auto checked = check_case(verification, evaluated);
-    EXPECT_TRUE(checked) << checked.error().message;
+    EXPECT_TRUE(checked) << checked.error().message.english();
     return checked.value_or(CheckedCase{});
 }
 

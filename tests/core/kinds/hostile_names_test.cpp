@@ -40,7 +40,7 @@ Evaluated evaluated(Project project) {
     }
     const Problems problems = all.made->problems();
     for (const Problem& p : problems.items())
-        if (p.severity == Severity::error) ADD_FAILURE() << p.path << ": " << p.message;
+        if (p.severity == Severity::error) ADD_FAILURE() << p.path << ": " << p.message.english();
     EXPECT_EQ(all.analyses.size(), project.analyses.size());
     return all;
 }
@@ -82,7 +82,7 @@ void expect_whole_budgets(const Evaluated& all) {
             }
         for (const DataTable& table : result_tables(Project{}, analysis)) {
             const auto csv = read_csv(to_csv(table), ',');
-            ASSERT_TRUE(csv) << table.id << ": " << csv.error().message;
+            ASSERT_TRUE(csv) << table.id << ": " << csv.error().message.english();
             ASSERT_EQ(csv->rows.size(), table.rows.size() + 1) << table.id;
             for (std::size_t r = 0; r < table.rows.size(); ++r) {
                 if (table.rows[r].empty()) continue;
@@ -165,7 +165,7 @@ TEST(HostileSymbols, KeepTheirEstimatesInTheBudget) {
     EvaluationOptions options;
     options.method = Method::first_order;
     auto result = evaluate(Sum(inputs), inputs, options);
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     const BudgetComponent& both = result->budget.components[shared];
     EXPECT_EQ(both.quantities, (std::vector<std::string>{"q_1,1", "q_1,2"}));
     Evaluated all;

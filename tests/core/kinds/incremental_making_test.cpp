@@ -134,7 +134,7 @@ TEST_P(IncrementalMaking, IsMakingAnew) {
         ASSERT_EQ(now.items().size(), expected.items().size());
         for (std::size_t i = 0; i < now.items().size(); ++i) {
             EXPECT_EQ(now.items()[i].path, expected.items()[i].path);
-            EXPECT_EQ(now.items()[i].message, expected.items()[i].message);
+            EXPECT_EQ(now.items()[i].message.english(), expected.items()[i].message.english());
         }
         for (const AnalysisEntry& entry : editor.project().analyses) {
             SCOPED_TRACE(entry.id);

@@ -92,7 +92,7 @@ TEST_F(OwnLibrary, RefusesAssetsThatReferToOthers) {
     entry.setup.values["sensors"] = sensors;
     const Result<void> kept = add_to_own_library(entry);
     ASSERT_FALSE(kept);
-    EXPECT_NE(kept.error().message.find("Network refers to other assets"), std::string::npos);
+    EXPECT_NE(kept.error().message.english().find("Network refers to other assets"), std::string::npos);
     EXPECT_FALSE(fs::exists(folder_));
 }
 
@@ -102,7 +102,8 @@ TEST_F(OwnLibrary, BrokenFilesAreNamedAndLeftAlone) {
     const Library library = load_library();
     EXPECT_GE(library.items.size(), 12u) << "the rest is still there";
     ASSERT_TRUE(library.problems.has_errors());
-    EXPECT_NE(library.problems.items().front().message.find("my-library.covaria"), std::string::npos);
+    EXPECT_NE(library.problems.items().front().message.english().find("my-library.covaria"),
+              std::string::npos);
     EXPECT_FALSE(add_to_own_library(shipped("leica-ts60")));
     std::ifstream in(folder_ / "my-library.covaria");
     EXPECT_EQ(std::string((std::istreambuf_iterator<char>(in)), {}), "{ broken");

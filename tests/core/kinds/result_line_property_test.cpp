@@ -29,7 +29,7 @@ std::vector<Prepared> analyses_of(const Project& project) {
         if (!all.back()) all.pop_back();
     }
     for (const Problem& p : problems.items())
-        if (p.severity == Severity::error) ADD_FAILURE() << p.path << " " << p.message;
+        if (p.severity == Severity::error) ADD_FAILURE() << p.path << " " << p.message.english();
     return all;
 }
 
@@ -55,7 +55,7 @@ EvaluationOptions variant(EvaluationOptions options, Method method, std::optiona
 
 UncertaintyResult evaluated(const PreparedAnalysis& analysis, const EvaluationOptions& options) {
     auto result = evaluate(*analysis.model, analysis.inputs, options);
-    EXPECT_TRUE(result) << analysis.id << ": " << result.error().message;
+    EXPECT_TRUE(result) << analysis.id << ": " << result.error().message.english();
     return std::move(*result);
 }
 
@@ -130,7 +130,7 @@ TEST_P(ResultLines, SummariesStateTheSame) {
             for (std::size_t j = 0; j < outputs.size(); ++j) outputs[j] = j;
             const auto summary = evaluate_summary(*analysis->model, analysis->inputs, outputs, options,
                                                   [](std::uint64_t) { return true; });
-            ASSERT_TRUE(summary) << summary.error().message;
+            ASSERT_TRUE(summary) << summary.error().message.english();
             for (std::size_t j = 0; j < outputs.size(); ++j) {
                 const OutputResult& y = result.outputs[j];
                 const double U = summary->expanded_uncertainty(static_cast<Eigen::Index>(j));
@@ -148,7 +148,7 @@ TEST_P(ResultLines, DoublingEveryUDoublesFirstOrder) {
             for (Share& share : quantity.shares) scale_share(doubled, quantity, share, 2.0);
         const UncertaintyResult before = evaluated(*analysis, options);
         const auto after = evaluate(*analysis->model, doubled, options);
-        ASSERT_TRUE(after) << after.error().message;
+        ASSERT_TRUE(after) << after.error().message.english();
         for (std::size_t j = 0; j < before.outputs.size(); ++j) {
             const OutputResult &a = before.outputs[j], &b = after->outputs[j];
             const double rounding = 1e-9 * a.standard_uncertainty;
@@ -168,13 +168,13 @@ TEST_P(ResultLines, TheReverseBudgetMeetsItsTarget) {
         const double U = result.outputs[0].expanded_uncertainty, target = 0.9 * U;
         if (!(U > 0.0)) continue;
         const auto budget = reverse_budget(nullptr, result, 0, target);
-        ASSERT_TRUE(budget) << budget.error().message;
+        ASSERT_TRUE(budget) << budget.error().message.english();
         ASSERT_FALSE(budget->reductions.empty()) << analysis->id;
         for (const ReverseBudget::Reduction& reduction : budget->reductions) {
             InputSet changed = analysis->inputs;
             scale_component(changed, reduction.component, reduction.factor().value_or(0.0));
             const auto after = evaluate(*analysis->model, changed, options);
-            ASSERT_TRUE(after) << after.error().message;
+            ASSERT_TRUE(after) << after.error().message.english();
             const double reached = after->outputs[0].expanded_uncertainty;
             if (reduction.needed)
                 EXPECT_NEAR(reached, target, 1e-7 * target) << analysis->id;

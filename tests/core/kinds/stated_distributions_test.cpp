@@ -62,7 +62,7 @@ TEST(StatedDistributions, ReachTheComponentsOfShippedProjects) {
                 }
                 Problems problems;
                 const auto prepared = made_analysis(project, analysis.id, problems);
-                ASSERT_NE(prepared, nullptr) << name << ": " << problems.items().front().message;
+                ASSERT_NE(prepared, nullptr) << name << ": " << problems.items().front().message.english();
                 const auto result = run_analysis(*prepared, {});
                 ASSERT_TRUE(result) << name;
                 for (std::size_t j = 0; j < result->outputs.size(); ++j) {

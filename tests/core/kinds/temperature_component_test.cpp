@@ -17,14 +17,14 @@ constexpr const char* expansion = R"json({"format": "covaria", "schemaVersion": 
 std::shared_ptr<const PreparedAnalysis> prepared(const Project& project) {
     Problems problems;
     auto analysis = made_analysis(project, "a", problems);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
     return analysis;
 }
 
 // What the window does: the model's components are copied into the project, changed and added to.
 TEST(TemperatureComponent, AComponentOfATemperatureLeavesItsEstimate) {
     const LoadedProject loaded = parse_project(expansion, {}, "expansion");
-    for (const Problem& p : loaded.problems.items()) FAIL() << p.path << ": " << p.message;
+    for (const Problem& p : loaded.problems.items()) FAIL() << p.path << ": " << p.message.english();
     const auto plain = prepared(loaded.project);
     ASSERT_TRUE(plain);
     const std::size_t t = plain->inputs.find("t");

@@ -32,7 +32,7 @@ Project start() {
 }
 
 void expect_none(const Problems& problems) {
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
 }
 
 struct Edited : testing::Test {
@@ -192,7 +192,8 @@ TEST_F(Edited, ACircleIsRefusedWithItsWay) {
     now = MadeProject::make(project, before);
     const Problem circle = problem_with(now->problems(), "which refers back to this one");
     EXPECT_EQ(circle.path, "/assets/4/setup/block");
-    EXPECT_NE(circle.message.find("clamp_3 → clamp_4 → clamp_3"), std::string::npos) << circle.message;
+    EXPECT_NE(circle.message.english().find("clamp_3 → clamp_4 → clamp_3"), std::string::npos)
+        << circle.message;
     EXPECT_EQ(problem_with(now->problems(), "which has errors of its own").path, "/assets/3/setup/block");
     EXPECT_EQ(now->problems().items().size(), 2u);
     EXPECT_TRUE(has_same("sum-1")) << "and nothing else is concerned";

@@ -26,7 +26,8 @@ Project plain_project() {
 std::shared_ptr<const PreparedAnalysis> prepared(const Project& project) {
     Problems problems;
     auto analysis = made_analysis(project, "sum-1", problems);
-    for (const Problem& problem : problems.items()) ADD_FAILURE() << problem.path << ": " << problem.message;
+    for (const Problem& problem : problems.items())
+        ADD_FAILURE() << problem.path << ": " << problem.message.english();
     return analysis;
 }
 
@@ -115,7 +116,7 @@ TEST(PreparedAnalysis, HeldQuantityIsConstantAndOthersStay) {
     EXPECT_EQ(analysis->inputs.quantities[0].shares.size(), 1u);
     EXPECT_EQ(analysis->inputs.quantities[1].shares.size(), 2u);
     const auto result = run_analysis(*analysis);
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     // y = 2 (b + c) + constant: b has 2 and 1 um, c has 2 um
     EXPECT_NEAR(result->outputs[0].standard_uncertainty, 2 * 3.0 * micrometre, 1e-15);
 }
@@ -128,7 +129,7 @@ TEST(PreparedAnalysis, ComponentIsHeldByItsId) {
     const auto analysis = prepared(project);
     ASSERT_TRUE(analysis);
     const auto result = run_analysis(*analysis);
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     EXPECT_NEAR(result->outputs[0].standard_uncertainty, 2 * std::sqrt(12.0) * micrometre, 1e-15);
 }
 
@@ -185,7 +186,7 @@ TEST(PreparedAnalysis, RunHasItsProvenance) {
     const auto analysis = prepared(project);
     ASSERT_TRUE(analysis);
     const auto result = run_analysis(*analysis);
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     EXPECT_EQ(result->trials, 1000u);
     EXPECT_EQ(result->provenance.seed, 42u);
     EXPECT_EQ(result->provenance.project_fingerprint, analysis->fingerprint());
@@ -201,10 +202,10 @@ TEST(PreparedAnalysis, WarningsAreThoseOfTheAssetsThatAreUsedAndOfTheAnalysis) {
     for (const char* symbol : {"a", "b", "c"})
         project.analyses[0].inputs.push_back({.symbol = symbol, .held = true});
     const auto made = MadeProject::make(project);
-    const std::vector<std::string> warnings = made->warnings_of("sum-1");
+    const std::vector<Message> warnings = made->warnings_of("sum-1");
     ASSERT_EQ(warnings.size(), 2u);
     EXPECT_EQ(warnings[0], "asset block-1: one round does not say how well it repeats");
-    EXPECT_TRUE(warnings[1].starts_with("no input quantity has an uncertainty")) << warnings[1];
+    EXPECT_TRUE(warnings[1].english().starts_with("no input quantity has an uncertainty")) << warnings[1];
     EXPECT_TRUE(made->warnings_of("nothing").empty());
 }
 

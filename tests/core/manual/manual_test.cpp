@@ -20,7 +20,7 @@ namespace covaria::manual_test {
 const ReportDocument& manual() {
     static const auto made =
         build_manual({{"run", "Evaluate a project", {{"--out DIR", "folder for the results"}}}});
-    EXPECT_TRUE(made) << (made ? "" : made.error().message);
+    EXPECT_TRUE(made) << (made ? "" : made.error().message.english());
     return *made;
 }
 
@@ -99,6 +99,64 @@ TEST(Glossary, EveryTermIsInOrderAndSaysWhatItIs) {
                              "effective-degrees-of-freedom", "sensitivity-coefficient", "index",
                              "combined-standard-uncertainty", "probability-density-function"})
         EXPECT_NE(std::find(terms.begin(), terms.end(), term), terms.end()) << term;
+}
+
+/// What a translation has in common with its page: kinds of blocks, places, sizes of tables, words in code.
+std::vector<std::string> frame_of(const std::vector<ReportBlock>& blocks) {
+    std::vector<std::string> frame;
+    std::multiset<std::string> code;
+    const auto take_code = [&](const std::vector<ProseSpan>& spans) {
+        for (const ProseSpan& span : spans)
+            if (span.code) code.insert(span.text);
+    };
+    for (const ReportBlock& block : blocks) {
+        std::string words = std::to_string(block.index());
+        if (const auto* heading = std::get_if<HeadingBlock>(&block))
+            words += " " + std::to_string(heading->level) + " " + heading->anchor;
+        if (const auto* prose = std::get_if<ProseBlock>(&block)) {
+            words += " " + prose->mark;
+            take_code(prose->spans);
+        }
+        if (const auto* table = std::get_if<TableBlock>(&block))
+            words += " " + std::to_string(table->table.columns.size()) + "x" +
+                     std::to_string(table->table.rows.size());
+        frame.push_back(words);
+    }
+    frame.insert(frame.end(), code.begin(), code.end());
+    return frame;
+}
+
+TEST(HelpPages, TranslationsHaveTheBlocksAndPlacesOfTheirPages) {
+    std::size_t translations = 0;
+    const std::filesystem::path folder = data_directory() / "resources" / "help";
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (!entry.is_directory()) continue;
+        const std::string code = entry.path().filename().string();
+        const DocumentLanguage language(code, {}, [](const std::string& text) { return text; });
+        for (const auto& file : std::filesystem::directory_iterator(entry.path())) {
+            const std::string page = file.path().stem().string();
+            const auto english = shipped_page(page), translated = shipped_page(page, language);
+            ASSERT_TRUE(english && translated) << file.path();
+            EXPECT_EQ(frame_of(translated->blocks), frame_of(english->blocks)) << file.path();
+            EXPECT_NE(translated->title, "");
+            ++translations;
+        }
+    }
+    EXPECT_GE(translations, 16u);
+}
+
+TEST(HelpPages, FieldsAreInTheLanguage) {
+    const DocumentLanguage brackets("xx", {}, [](const std::string& text) { return "[" + text + "]"; });
+    const auto pages = help_pages(brackets);
+    ASSERT_TRUE(pages);
+    for (const HelpPage& page : *pages)
+        for (const ReportBlock& block : page.blocks)
+            if (const auto* prose = std::get_if<ProseBlock>(&block);
+                prose && prose->anchor.find("-field-") != std::string::npos) {
+                EXPECT_TRUE(prose->spans.front().text.starts_with("[")) << prose_words(prose->spans);
+                EXPECT_TRUE(prose->spans.back().text.empty() || prose->spans.back().text.starts_with(": ["))
+                    << prose_words(prose->spans);
+            }
 }
 
 TEST(Markdown, ReadsWhatHelpPagesHave) {

@@ -72,7 +72,8 @@ Fields<Stated> declared() {
 struct FieldsTest : testing::Test {
     Stated read() {
         check_setup(schema, setup, problems);
-        EXPECT_FALSE(problems.has_errors()) << (problems.items().empty() ? "" : problems.items()[0].message);
+        EXPECT_FALSE(problems.has_errors())
+            << (problems.items().empty() ? "" : problems.items()[0].message.english());
         return fields.read(SetupReader(schema, setup), assets, problems);
     }
     Fields<Stated> fields = declared();
@@ -160,7 +161,7 @@ TEST_F(FieldsTest, AReferenceIsTheCapability) {
         EXPECT_FALSE(read().lamp);
         ASSERT_EQ(problems.items().size(), 1u);
         EXPECT_EQ(problems.items()[0].path, "/lamp");
-        EXPECT_EQ(problems.items()[0].message, "'" + id + "' does not offer 'light'");
+        EXPECT_EQ(problems.items()[0].message.english(), "'" + id + "' does not offer 'light'");
     }
 }
 
@@ -315,7 +316,7 @@ TEST(PartsOfFields, AreReadIntoTheirStruct) {
     ASSERT_EQ(read.rows.size(), 1u);
     EXPECT_EQ(read.rows[0].spread.u, (std::array{5.0, 6.0}));
     ASSERT_EQ(problems.items().size(), 1u);
-    EXPECT_EQ(problems.items()[0].message, "'nobody' has no plug");
+    EXPECT_EQ(problems.items()[0].message.english(), "'nobody' has no plug");
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(Parts, UnitsAreFoundInWhicheverFileHasThem) {
     ASSERT_TRUE(write_part(path / "b.part", part_of({0, 2}, "b")));
     ASSERT_TRUE(write_part(path / "a.part", part_of({3, 4}, "a")));
     const auto folder = PartsFolder::open(path);
-    ASSERT_TRUE(folder) << folder.error().message;
+    ASSERT_TRUE(folder) << folder.error().message.english();
     EXPECT_EQ((*folder)->request().arguments, (std::vector<std::string>{"--trials", "50000"}));
     EXPECT_EQ((*folder)->find(work, 1), std::string("b\0001", 3));
     EXPECT_EQ((*folder)->find(work, 3), std::string("a\0003", 3));
@@ -81,7 +81,7 @@ TEST(Parts, OtherProgramsAndInstructionsAreRefusedByName) {
     const fs::path path = fresh_folder("foreign");
     const auto refused = [&] {
         const auto folder = PartsFolder::open(path);
-        return folder ? std::string() : folder.error().message;
+        return folder ? std::string() : folder.error().message.english();
     };
     ASSERT_TRUE(write_part(path / "x.part", part_of({0, 1}, "x"), other));
     EXPECT_NE(refused().find("x.part"), std::string::npos);

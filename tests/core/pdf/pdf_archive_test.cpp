@@ -51,7 +51,7 @@ std::vector<AttachedFile> some_files() {
 TEST(PdfArchive, SaysWhatItIsAndIsMadeTwiceWithEqualBytes) {
     const PdfProperties properties{"Title <&> Ä\x02", "Covaria 1"};
     const auto made = archived_pdf(small_pdf(), properties, some_files());
-    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_TRUE(made) << made.error().message.english();
     EXPECT_EQ(*made, *archived_pdf(small_pdf(), properties, some_files()));
     EXPECT_NE(*made, *archived_pdf(small_pdf(), {"Other", "Covaria 1"}, some_files()));
     EXPECT_TRUE(made->starts_with("%PDF-1.7\n%"));
@@ -69,7 +69,7 @@ TEST(PdfArchive, SaysWhatItIsAndIsMadeTwiceWithEqualBytes) {
 TEST(PdfArchive, FilesComeBackAsTheyWere) {
     const std::vector<AttachedFile> files = some_files();
     const auto back = files_in_pdf(archived_pdf(small_pdf(), {"t", "c"}, files).value());
-    ASSERT_TRUE(back) << back.error().message;
+    ASSERT_TRUE(back) << back.error().message.english();
     ASSERT_EQ(back->size(), files.size());
     for (const AttachedFile& file : files) {
         const auto found = std::find_if(back->begin(), back->end(),
@@ -96,9 +96,10 @@ TEST(PdfArchive, CompressedTablesAreRefusedBeforeTheyAreInflated) {
     for (const char* name : {"/XRef ", "/XR#65f\n", "/#58#52#45#66/", "/XRef"}) {
         const auto files = files_in_pdf(good + name);
         const bool is_it = std::string(name).find("#45") == std::string::npos;  // #45 is E
-        EXPECT_EQ(!files && files.error().message.find("is compressed") != std::string::npos, is_it) << name;
+        EXPECT_EQ(!files && files.error().message.english().find("is compressed") != std::string::npos, is_it)
+            << name;
     }
-    EXPECT_TRUE(files_in_pdf(good)) << files_in_pdf(good).error().message;
+    EXPECT_TRUE(files_in_pdf(good)) << files_in_pdf(good).error().message.english();
 }
 
 TEST(PdfArchive, FilesThatInflateTooFarAreRefused) {
@@ -122,7 +123,7 @@ TEST(PdfArchive, ChangedBytesEndInFilesOrInASentence) {
         const auto files = files_in_pdf(bad);
         if (!files) {
             ++refused;
-            EXPECT_FALSE(files.error().message.empty());
+            EXPECT_FALSE(files.error().message.english().empty());
         }
     }
     EXPECT_GT(refused, 100u);

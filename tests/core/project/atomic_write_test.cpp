@@ -53,7 +53,7 @@ TEST(AtomicWrite, RelativeNames) {
     fs::current_path(folder);
     const auto written = write_file_atomically("a.txt", "one");
     fs::current_path(before);
-    ASSERT_TRUE(written) << written.error().message;
+    ASSERT_TRUE(written) << written.error().message.english();
     EXPECT_EQ(bytes_of(folder / "a.txt"), "one");
 }
 
@@ -78,8 +78,8 @@ TEST(AtomicWrite, FullDiskLeavesTheOldFile) {
     }
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().code, ErrorCode::io);
-    EXPECT_NE(written.error().message.find("writing failed: File too large"), std::string::npos)
-        << written.error().message;
+    EXPECT_NE(written.error().message.english().find("writing failed: File too large"), std::string::npos)
+        << written.error().message.english();
     EXPECT_EQ(bytes_of(folder / "a.txt"), "old");
     EXPECT_EQ(files_in(folder), 1u);
 }
@@ -87,8 +87,8 @@ TEST(AtomicWrite, FullDiskLeavesTheOldFile) {
 TEST(AtomicWrite, DevicesAreWrittenInPlace) {
     const auto full = write_file_atomically("/dev/full", "x");
     ASSERT_FALSE(full);
-    EXPECT_NE(full.error().message.find("No space left on device"), std::string::npos)
-        << full.error().message;
+    EXPECT_NE(full.error().message.english().find("No space left on device"), std::string::npos)
+        << full.error().message.english();
     EXPECT_TRUE(write_file_atomically("/dev/null", "x"));
     EXPECT_FALSE(fs::is_regular_file("/dev/null"));
 }
@@ -101,14 +101,15 @@ TEST(AtomicWrite, FoldersThatTakeNoFile) {
         const auto written = write_file_atomically(file, "new");
         ASSERT_FALSE(written) << file;
         EXPECT_EQ(written.error().code, ErrorCode::io);
-        EXPECT_NE(written.error().message.find("cannot be created in its folder"), std::string::npos)
-            << written.error().message;
+        EXPECT_NE(written.error().message.english().find("cannot be created in its folder"),
+                  std::string::npos)
+            << written.error().message.english();
         EXPECT_EQ(written.error().file, file.string());
     }
     EXPECT_EQ(bytes_of(folder / "file"), "old");
     const auto onto_folder = write_file_atomically(folder, "new");
     ASSERT_FALSE(onto_folder);
-    EXPECT_NE(onto_folder.error().message.find("it is a folder"), std::string::npos);
+    EXPECT_NE(onto_folder.error().message.english().find("it is a folder"), std::string::npos);
 }
 
 TEST(SaveProject, SavesCanonicalText) {

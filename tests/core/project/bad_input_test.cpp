@@ -123,10 +123,25 @@ TEST_P(BadInputTest, IsNamedWithItsPlace) {
     const BadInput& input = GetParam();
     const LoadedProject loaded = parse(changed(input.from, input.to));
     const Problem problem = problem_with(loaded.problems, input.message);
-    EXPECT_EQ(problem.severity, Severity::error) << problem.message;
+    EXPECT_EQ(problem.severity, Severity::error) << problem.message.english();
     EXPECT_EQ(problem.path, input.path);
     EXPECT_EQ(problem.line, input.line);
     EXPECT_EQ(problem.file, "test.covaria");
+}
+
+/// What is left of a message when the words of the program are taken away: symbols and names in quotes.
+TEST_P(BadInputTest, IsSaidInTheLanguageOfTheWindow) {
+    const LoadedProject loaded = parse(changed(GetParam().from, GetParam().to));
+    const Problem problem = problem_with(loaded.problems, GetParam().message);
+    const std::string without_words = problem.message.in([](const std::string& words) {
+        std::string placeholders;
+        for (std::size_t i = 0; i + 1 < words.size(); ++i)
+            if (words[i] == '%') placeholders += words.substr(i, 2) + "|";
+        return placeholders;
+    });
+    for (const char* word : {" is ", " must ", " the ", " not ", " of ", " no ", " has "})
+        EXPECT_EQ(without_words.find(word), std::string::npos)
+            << problem.message << " leaves " << without_words;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, BadInputTest, testing::ValuesIn(bad_inputs),
@@ -146,7 +161,7 @@ TEST(BadInput, WhatCannotBeReadIsNotAlsoMissing) {
     const LoadedProject loaded = parse(changed("\"b2\", 1e-07", "\"b2\", \"1e-07\""));
     ASSERT_GE(loaded.problems.items().size(), 1u);
     for (const Problem& problem : loaded.problems.items())
-        EXPECT_EQ(problem.message.find("is empty"), std::string::npos) << problem.message;
+        EXPECT_EQ(problem.message.english().find("is empty"), std::string::npos) << problem.message.english();
 }
 
 TEST(BadInput, MatrixThatIsNoCorrelationMatrix) {
@@ -158,7 +173,8 @@ TEST(BadInput, MatrixThatIsNoCorrelationMatrix) {
     ASSERT_EQ(loaded.problems.items().size(), 1u);
     const Problem problem = loaded.problems.items().front();
     EXPECT_EQ(problem.path, "/analyses/0/correlations");
-    EXPECT_NE(problem.message.find("contradict each other"), std::string::npos) << problem.message;
+    EXPECT_NE(problem.message.english().find("contradict each other"), std::string::npos)
+        << problem.message.english();
 }
 
 TEST(BadInput, ACorrelationIsGivenOnce) {

@@ -24,9 +24,9 @@ struct CertificateLogo : testing::Test {
         std::string all;
         const Problems problems = MadeProject::make(project)->problems();
         for (const Problem& problem : problems.items()) {
-            EXPECT_EQ(problem.path, "/certificate/laboratory/logo") << problem.message;
+            EXPECT_EQ(problem.path, "/certificate/laboratory/logo") << problem.message.english();
             EXPECT_EQ(problem.severity, Severity::warning) << "the results do not need it";
-            all += problem.message;
+            all += problem.message.english();
         }
         EXPECT_EQ(all.empty(), certificate_logo(project).has_value()) << name;
         return all;

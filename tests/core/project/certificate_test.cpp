@@ -33,7 +33,8 @@ Certificate full_certificate() {
 
 std::string messages(const Problems& problems) {
     std::string all;
-    for (const Problem& problem : problems.items()) all += problem.path + ": " + problem.message + "\n";
+    for (const Problem& problem : problems.items())
+        all += problem.path + ": " + problem.message.english() + "\n";
     return all;
 }
 

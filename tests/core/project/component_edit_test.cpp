@@ -26,8 +26,9 @@ std::vector<double> parameters_of(const DistributionKindInfo& kind) {
 
 void expect_same(const ComponentEdit& before, const ComponentEdit& after) {
     const auto a = distribution_of(before), b = distribution_of(after);
-    ASSERT_TRUE(a) << before.distribution << ": " << a.error().message;
-    ASSERT_TRUE(b) << before.distribution << " in " << after.unit.text() << ": " << b.error().message;
+    ASSERT_TRUE(a) << before.distribution << ": " << a.error().message.english();
+    ASSERT_TRUE(b) << before.distribution << " in " << after.unit.text() << ": "
+                   << b.error().message.english();
     const double tolerance = 1e-13 * (std::abs(a->mean()) + a->standard_uncertainty());
     EXPECT_NEAR(b->mean(), a->mean(), tolerance) << before.distribution << " in " << after.unit.text();
     EXPECT_NEAR(b->standard_uncertainty(), a->standard_uncertainty(), tolerance) << after.unit.text();

@@ -23,7 +23,7 @@ FieldSpec readings_field() {
 std::vector<Cells> rows_of(const std::string& text) {
     const auto csv = read_csv(text);
     std::vector<Cells> rows;
-    if (!csv) return {{"error", csv.error().message, std::to_string(csv.error().line)}};
+    if (!csv) return {{"error", csv.error().message.english(), std::to_string(csv.error().line)}};
     for (const CsvRow& row : csv->rows) rows.push_back(row.cells);
     return rows;
 }
@@ -110,7 +110,7 @@ TEST(CsvNumber, AsPeopleWriteThem) {
 
 TEST(CsvTable, KeysTitlesUnitsAndOrder) {
     const CsvTable read = table_of("reading [um];Name of the point;used;role\n1,5;b1;yes;a nest\n-2;b2;0;\n");
-    ASSERT_TRUE(read.problems.empty()) << read.problems.items()[0].message;
+    ASSERT_TRUE(read.problems.empty()) << read.problems.items()[0].message.english();
     EXPECT_EQ(read.table.units[1], Unit::of("um"));
     ASSERT_EQ(read.table.rows.size(), 2u);
     EXPECT_EQ(read.table.rows[0],
@@ -151,7 +151,7 @@ TEST(CsvTable, BlocksWithoutHeader) {
 
 TEST(CsvFile, RowsAreReadAndTheNameIsSaved) {
     const LoadedProject loaded = with_csv("point,value [um]\nb1,1.5\n");
-    ASSERT_TRUE(loaded.problems.empty()) << loaded.problems.items()[0].message;
+    ASSERT_TRUE(loaded.problems.empty()) << loaded.problems.items()[0].message.english();
     const SetupTable& table = std::get<SetupTable>(loaded.project.assets[0].setup.values.at("readings"));
     EXPECT_EQ(std::get<double>(table.rows.at(0)[1]), 1.5);
     EXPECT_NE(project_text(loaded.project).find("\"readings\": {\"csv\": \"readings.csv\"}\n"),
@@ -176,7 +176,7 @@ TEST(CsvFile, ColumnsMayHaveOtherNames) {
         ", \"columns\": {\"Pt.\": \"point\", \"r_um\": \"value [um]\", \"operator\": \"\"}";
     const LoadedProject loaded =
         with_csv("operator,r_um,Pt.\nAnna,1.5,b1\nBen,2.5,b2\n", "readings.csv", columns);
-    ASSERT_TRUE(loaded.problems.empty()) << loaded.problems.items()[0].message;
+    ASSERT_TRUE(loaded.problems.empty()) << loaded.problems.items()[0].message.english();
     const SetupTable& table = std::get<SetupTable>(loaded.project.assets[0].setup.values.at("readings"));
     ASSERT_EQ(table.rows.size(), 2u);
     EXPECT_EQ(std::get<std::string>(table.rows[1][0]), "b2");
@@ -216,7 +216,7 @@ TEST(CsvFile, MustLieInTheFolderOfTheProject) {
 TEST(CsvFile, MissingFileNamesWhereItWasLookedFor) {
     const LoadedProject loaded = with_csv("", "none.csv");
     const Problem problem = problem_with(loaded.problems, "does not exist: looked for '");
-    EXPECT_NE(problem.message.find("/none.csv'"), std::string::npos) << problem.message;
+    EXPECT_NE(problem.message.english().find("/none.csv'"), std::string::npos) << problem.message.english();
     EXPECT_EQ(problem.line, 30);
     EXPECT_EQ(std::filesystem::path(problem.file).filename(), "p.covaria");
 }

@@ -114,7 +114,7 @@ class BadDesigns : public testing::TestWithParam<BadDesign> {};
 TEST(DesignJson, ComesBackByteForByte) {
     const LoadedProject loaded = parse(with_designs(canonical));
     for (const Problem& problem : loaded.problems.items())
-        ADD_FAILURE() << problem.path << ": " << problem.message;
+        ADD_FAILURE() << problem.path << ": " << problem.message.english();
     EXPECT_EQ(project_text(loaded.project), with_designs(canonical));
     const std::vector<Design>& designs = loaded.project.analyses[0].designs;
     ASSERT_EQ(designs.size(), 3u);
@@ -145,7 +145,8 @@ TEST_P(BadDesigns, AreSaidWithTheirPlace) {
     const LoadedProject loaded =
         parse(with_designs(std::string("[{\"id\": \"d\", ") + GetParam().design + "}]"));
     const Problem problem = problem_with(loaded.problems, GetParam().message);
-    EXPECT_EQ(problem.path, std::string("/analyses/0/designs/0") + GetParam().path) << problem.message;
+    EXPECT_EQ(problem.path, std::string("/analyses/0/designs/0") + GetParam().path)
+        << problem.message.english();
     EXPECT_EQ(problem.severity, Severity::error);
 }
 INSTANTIATE_TEST_SUITE_P(All, BadDesigns, testing::ValuesIn(bad_designs),
@@ -159,7 +160,7 @@ TEST(DesignTable, HasTheCandidatesOfAFileBehindItsRows) {
     const auto table = find_design_table(
         project, project.analyses[0],
         {.asset = "block-1", .table = "/setup/points/rows", .keep = 1, .candidates = "more.csv"}, problems);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
     ASSERT_TRUE(table);
     EXPECT_EQ(table->present, 3u);
     ASSERT_EQ(table->rows.rows.size(), 4u);

@@ -30,7 +30,7 @@ void expect_problem_or_project(const std::string& text, const std::string& what)
     const LoadedProject loaded = parse(text);
     if (loaded.problems.has_errors()) {
         for (const Problem& problem : loaded.problems.items()) {
-            EXPECT_FALSE(problem.message.empty()) << what;
+            EXPECT_FALSE(problem.message.english().empty()) << what;
             EXPECT_EQ(problem.file, "test.covaria") << what;
         }
         return;
@@ -48,9 +48,9 @@ TEST(Fuzz, TruncatedAtEveryByte) {
         const LoadedProject loaded = parse(text.substr(0, size));
         ASSERT_EQ(loaded.problems.items().size(), 1u) << size;
         const Problem& problem = loaded.problems.items().front();
-        const bool said =
-            problem.message.find("truncated") != std::string::npos || problem.message == "the file is empty";
-        EXPECT_TRUE(said) << size << ": " << problem.message;
+        const bool said = problem.message.english().find("truncated") != std::string::npos ||
+                          problem.message.english() == "the file is empty";
+        EXPECT_TRUE(said) << size << ": " << problem.message.english();
     }
 }
 

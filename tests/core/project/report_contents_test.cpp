@@ -51,7 +51,8 @@ TEST(ReportContents, WhatThereIsNotIsRefusedAndAnAnalysisThatIsGoneIsWarnedOf) {
     ASSERT_EQ(problems.items().size(), 2U);
     EXPECT_EQ(problems.items()[0].path, "/report/withoutChapters/1");
     EXPECT_EQ(problems.items()[0].severity, Severity::error);
-    EXPECT_NE(problems.items()[0].message.find("'scene'"), std::string::npos) << problems.items()[0].message;
+    EXPECT_NE(problems.items()[0].message.english().find("'scene'"), std::string::npos)
+        << problems.items()[0].message.english();
     EXPECT_EQ(problems.items()[1].path, "/report/withoutAnalyses/1");
     EXPECT_EQ(problems.items()[1].severity, Severity::warning);
 }

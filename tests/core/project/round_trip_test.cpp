@@ -13,7 +13,8 @@ namespace {
 
 std::string all_messages(const Problems& problems) {
     std::string all;
-    for (const Problem& problem : problems.items()) all += problem.path + ": " + problem.message + "\n";
+    for (const Problem& problem : problems.items())
+        all += problem.path + ": " + problem.message.english() + "\n";
     return all;
 }
 
@@ -96,7 +97,7 @@ TEST(RoundTrip, WhatCannotBeWrittenIsNotSaved) {
     project.assets[0].setup.values["length"] = Quantity{std::nan(""), Unit::of("mm")};
     const auto saved = save_project(project, folder / "p.covaria");
     ASSERT_FALSE(saved);
-    EXPECT_NE(saved.error().message.find("not finite"), std::string::npos);
+    EXPECT_NE(saved.error().message.english().find("not finite"), std::string::npos);
     project = parse(whole_project).project;
     project.assets[0].setup.values["lenght"] = Quantity{1.0};
     EXPECT_FALSE(save_project(project, folder / "p.covaria"));
@@ -124,7 +125,7 @@ TEST(Migration, EvaluationsBecomeAnalyses) {
 TEST(Migration, NewerVersionIsLeftAlone) {
     const LoadedProject loaded = parse(changed("\"schemaVersion\": 1", "\"schemaVersion\": 7"));
     const Problem problem = problem_with(loaded.problems, "newer version");
-    EXPECT_EQ(problem.message,
+    EXPECT_EQ(problem.message.english(),
               "written by a newer version of Covaria (schema 7, this program reads up to 1); "
               "nothing was changed");
     EXPECT_EQ(problem.line, 3);

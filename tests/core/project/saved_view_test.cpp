@@ -54,7 +54,7 @@ std::string problems_with(const std::string& was, const std::string& now) {
     std::string words;
     const LoadedProject loaded = parse(text.replace(at, was.size(), now));
     for (const Problem& problem : loaded.problems.items())
-        words += problem.path + ": " + problem.message + "\n";
+        words += problem.path + ": " + problem.message.english() + "\n";
     return words;
 }
 

@@ -99,7 +99,8 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
     // What is read is what was written: a key that the reader does not know is a problem.
     const LoadedProject again = parse_project(project_text(project), {}, "full");
     for (const Problem& p : again.problems.items())
-        EXPECT_EQ(p.message.find("there is no '"), std::string::npos) << p.path << ": " << p.message;
+        EXPECT_EQ(p.message.english().find("there is no '"), std::string::npos)
+            << p.path << ": " << p.message.english();
     ASSERT_EQ(again.project.analyses.size(), 1u);
     EXPECT_EQ(again.project.analyses[0].links, project.analyses[0].links);
     EXPECT_EQ(again.project.analyses[0].inputs, project.analyses[0].inputs);
@@ -141,7 +142,7 @@ TEST(JsonSchema, StatesTheDefaults) {
     EXPECT_EQ(with_defaults("requirement")["guardFactor"].get<double>(), Requirement{}.guard_factor);
     EXPECT_EQ(with_defaults("component")["type"], "B");
     EXPECT_EQ(with_defaults("inputEdit")["held"], false);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
 }
 
 /// The entry of an option in the schema, as its declaration makes it.

@@ -16,14 +16,14 @@ const std::string project =
 
 json changed(const std::string& pointer, const std::string& value) {
     const auto text = with_values(project, {{pointer, value}});
-    EXPECT_TRUE(text.has_value()) << pointer << ": " << (text ? "" : text.error().message);
+    EXPECT_TRUE(text.has_value()) << pointer << ": " << (text ? "" : text.error().message.english());
     return text ? json::parse(*text) : json();
 }
 
 std::string refusal(const std::string& pointer, const std::string& value) {
     const auto text = with_values(project, {{pointer, value}});
     EXPECT_FALSE(text.has_value()) << pointer;
-    return text ? "" : text.error().path + ": " + text.error().message;
+    return text ? "" : text.error().path + ": " + text.error().message.english();
 }
 
 TEST(SetValues, ANumberTakesTheUnitThatStandsThere) {

@@ -91,7 +91,7 @@ class BadStudies : public testing::TestWithParam<BadStudy> {};
 TEST(StudyJson, ComesBackByteForByte) {
     const LoadedProject loaded = parse(with_studies(canonical));
     for (const Problem& problem : loaded.problems.items())
-        ADD_FAILURE() << problem.path << ": " << problem.message;
+        ADD_FAILURE() << problem.path << ": " << problem.message.english();
     EXPECT_EQ(project_text(loaded.project), with_studies(canonical));
     const std::vector<Study>& studies = loaded.project.analyses[0].studies;
     ASSERT_EQ(studies.size(), 2u);
@@ -113,7 +113,8 @@ TEST(StudyJson, DoesNotChangeTheFingerprintOfTheAnalysis) {
 TEST_P(BadStudies, AreSaidWithTheirPlace) {
     const LoadedProject loaded = parse(with_axis(GetParam().axis));
     const Problem problem = problem_with(loaded.problems, GetParam().message);
-    EXPECT_EQ(problem.path, std::string("/analyses/0/studies/0") + GetParam().path) << problem.message;
+    EXPECT_EQ(problem.path, std::string("/analyses/0/studies/0") + GetParam().path)
+        << problem.message.english();
     EXPECT_EQ(problem.severity, Severity::error);
 }
 INSTANTIATE_TEST_SUITE_P(All, BadStudies, testing::ValuesIn(bad_studies),

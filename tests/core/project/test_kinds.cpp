@@ -125,7 +125,7 @@ ModelDescriptor sum_model() {
     descriptor.create = [](const SetupReader& reader, const AssetLibrary&,
                            Problems& problems) -> std::unique_ptr<MeasurementModel> {
         if (number(reader, "gain") == 0.0) {
-            problems.error("/gain", "a gain of zero measures nothing");
+            problems.error("/gain", tell<"a gain of zero measures nothing">());
             return nullptr;
         }
         return std::make_unique<SumModel>(number(reader, "gain"));
@@ -270,8 +270,8 @@ std::string changed(const std::string& from, const std::string& to) {
 Problem problem_with(const Problems& problems, const std::string& words) {
     std::string all = "no such problem; there are:";
     for (const Problem& problem : problems.items()) {
-        if (problem.message.find(words) != std::string::npos) return problem;
-        all += "\n  " + problem.path + ": " + problem.message;
+        if (problem.message.english().find(words) != std::string::npos) return problem;
+        all += "\n  " + problem.path + ": " + problem.message.english();
     }
     return {Severity::warning, "", all, "", -1};
 }

@@ -24,7 +24,7 @@ EvaluationOptions adaptive(std::uint64_t seed, int digits) {
 
 std::string all_warnings(const UncertaintyResult& result) {
     std::string text;
-    for (const std::string& warning : result.warnings) text += warning;
+    for (const Message& warning : result.warnings) text += warning.english();
     return text;
 }
 
@@ -47,7 +47,7 @@ TEST(AdaptiveWithStudentT, StabilisedMeansWithinTheTolerance) {
         int beyond = 0;
         for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
             const auto result = evaluate(sum_model(inputs), inputs, adaptive(seed, digits));
-            ASSERT_TRUE(result) << result.error().message;
+            ASSERT_TRUE(result) << result.error().message.english();
             ASSERT_TRUE(result->stabilised) << nu;
             const double error = largest_error(*result->outputs[0].monte_carlo, nu, digits == 1 ? 0.5 : 0.05);
             beyond += error > 1.0;

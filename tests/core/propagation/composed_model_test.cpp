@@ -56,7 +56,7 @@ UncertaintyResult run(const MeasurementModel& model, std::uint64_t trials = 0) {
     options.method = trials == 0 ? Method::first_order : Method::monte_carlo;
     if (trials > 0) options.trials = trials;
     auto result = evaluate(model, model.inputs(), options, {});
-    EXPECT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(result) << result.error().message.english();
     return result ? *std::move(result) : UncertaintyResult{};
 }
 

@@ -95,7 +95,7 @@ TEST(VectorsOfRandomDirection, AreDrawnTogetherInARun) {
     const UncertaintyResult torn = evaluate(model, inputs, options).value();
     EXPECT_GT(torn.outputs[0].standard_uncertainty, 0.1);
     ASSERT_FALSE(torn.warnings.empty());
-    EXPECT_NE(torn.warnings[0].find("drawn independently"), std::string::npos);
+    EXPECT_NE(torn.warnings[0].english().find("drawn independently"), std::string::npos);
 }
 
 }  // namespace

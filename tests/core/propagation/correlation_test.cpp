@@ -90,7 +90,7 @@ TEST(StatedCorrelation, UncertaintyOfADifference) {
         EvaluationOptions options;
         options.trials = 1'000'000;
         const auto result = evaluate(sum_model(inputs), inputs, options);
-        ASSERT_TRUE(result) << result.error().message;
+        ASSERT_TRUE(result) << result.error().message.english();
         const double u = d.standard_deviation() * std::sqrt(2.0 * (1.0 - 0.9));
         // A t distribution with four degrees of freedom has no fourth moment: seeds scatter by 1 %.
         EXPECT_NEAR(result->outputs[0].standard_uncertainty, u, (d.kind() == "student-t" ? 0.03 : 0.008) * u)
@@ -107,7 +107,7 @@ TEST(StatedCorrelation, MemberOfAnEstimateWithAnotherComponent) {
         inputs.rest_on_estimate("s", 0);
         add_quantity(inputs, "other", other);
         inputs.correlations = {{0, 1, 0.8}};
-        ASSERT_TRUE(resolved_correlations(inputs)) << resolved_correlations(inputs).error().message;
+        ASSERT_TRUE(resolved_correlations(inputs)) << resolved_correlations(inputs).error().message.english();
         const Estimated ratio = variance_ratio(inputs, 0.8, 3);
         EXPECT_NEAR(ratio.value, 1.0, 4.0 * ratio.standard_error) << other.title();
     }
@@ -123,7 +123,8 @@ TEST(StatedCorrelation, WhatCannotHoldTogetherIsSaid) {
     const auto result = evaluate(sum_model(inputs), inputs, options);
     ASSERT_TRUE(result);
     ASSERT_EQ(result->warnings.size(), 1u);
-    EXPECT_NE(result->warnings[0].find("cannot all hold with these distributions"), std::string::npos);
+    EXPECT_NE(result->warnings[0].english().find("cannot all hold with these distributions"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST(Engine, TheSameBitsForAnyNumberOfThreads) {
         options.maximum_trials = 400'000;
         options.one_at_a_time_trials = 3'000;
         const auto one = evaluate(model, model.inputs(), options, with_threads(1));
-        ASSERT_TRUE(one) << one.error().message;
+        ASSERT_TRUE(one) << one.error().message.english();
         for (int threads : {2, 7}) {
             const auto many = evaluate(model, model.inputs(), options, with_threads(threads));
             ASSERT_TRUE(many);
@@ -164,9 +164,9 @@ TEST(Engine, CountsTrialsWithoutAValue) {
     ASSERT_TRUE(result);
     EXPECT_NEAR(static_cast<double>(result->failed_trials), 2500, 4 * std::sqrt(2500 * 0.975));
     ASSERT_FALSE(result->warnings.empty());
-    EXPECT_NE(result->warnings[0].find("have no value"), std::string::npos);
+    EXPECT_NE(result->warnings[0].english().find("have no value"), std::string::npos);
     EXPECT_FALSE(represents_measurand(*result));
-    EXPECT_NE(result->warnings[0].find(does_not_represent), std::string::npos);
+    EXPECT_NE(result->warnings[0].english().find(does_not_represent), std::string::npos);
     std::uint64_t counted =
         result->outputs[0].monte_carlo->histogram.below + result->outputs[0].monte_carlo->histogram.above;
     for (std::uint64_t c : result->outputs[0].monte_carlo->histogram.counts) counted += c;
@@ -220,8 +220,8 @@ TEST(Engine, AnglesAreUnwrappedToTheEstimate) {
     const auto wide = evaluate(model, normal_inputs({{-0.01, 1}, {0, 1}}), options_for(50'000));
     ASSERT_TRUE(wide);
     bool said = false;
-    for (const std::string& w : wide->warnings)
-        said = said || w.find("hardly determined") != std::string::npos;
+    for (const Message& w : wide->warnings)
+        said = said || w.english().find("hardly determined") != std::string::npos;
     EXPECT_TRUE(said);
 }
 
@@ -231,7 +231,7 @@ TEST(Engine, ZeroUncertaintyGivesZero) {
     for (Method method : {Method::monte_carlo, Method::adaptive}) {
         options.method = method;
         const auto result = evaluate(model, model.inputs(), options);
-        ASSERT_TRUE(result) << result.error().message;
+        ASSERT_TRUE(result) << result.error().message.english();
         EXPECT_TRUE(result->stabilised);
         for (double number : numbers_of(*result)) EXPECT_TRUE(std::isfinite(number));
         for (const OutputResult& output : result->outputs) {
@@ -266,7 +266,7 @@ TEST(Engine, ArithmeticCombinationAddsLinearly) {
     inputs.quantities[1].shares = {};
     inputs.quantities[0].combination = Combination::arithmetic;
     const auto result = evaluate(sum_model(inputs), inputs, options_for(200'000));
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     EXPECT_NEAR(result->outputs[0].first_order.standard_uncertainty, 3.0, 1e-12);
     EXPECT_NEAR(result->outputs[0].standard_uncertainty, 3.0, 4 * 3.0 / std::sqrt(4e5));
 }
@@ -345,7 +345,7 @@ TEST(Engine, DiscreteOutputsCostNoMemoryAndHaveExactIntervals) {
     InputSet inputs;
     add_quantity(inputs, "d", Distribution::of(Discrete{{0, 1, 2}, {0.5, 0.4, 0.1}}));
     const auto result = evaluate(sum_model(inputs), inputs, options_for(100'000));
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     const MonteCarloOutput& y = *result->outputs[0].monte_carlo;
     EXPECT_EQ(y.symmetric.low, 0.0);
     EXPECT_EQ(y.symmetric.high, 2.0);
@@ -389,7 +389,7 @@ TEST(Engine, AdaptiveSaysWhenItHasNotStabilised) {
     EXPECT_FALSE(result->stabilised);
     EXPECT_EQ(result->trials, 120'000u);
     EXPECT_EQ(result->batches, 12u);
-    EXPECT_NE(result->warnings.back().find("stopped at 120000 trials"), std::string::npos);
+    EXPECT_NE(result->warnings.back().english().find("stopped at 120000 trials"), std::string::npos);
 }
 
 TEST(Engine, AdaptiveTakesAtLeastTheMinimumOfBatches) {

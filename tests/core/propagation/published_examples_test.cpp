@@ -20,7 +20,7 @@ EvaluationOptions monte_carlo(std::uint64_t trials, double probability = 0.95) {
 
 UncertaintyResult run(const MeasurementModel& model, const EvaluationOptions& options) {
     auto result = evaluate(model, model.inputs(), options);
-    EXPECT_TRUE(result) << (result ? "" : result.error().message);
+    EXPECT_TRUE(result) << (result ? "" : result.error().message.english());
     return std::move(result.value());
 }
 

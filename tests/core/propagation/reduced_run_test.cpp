@@ -29,7 +29,7 @@ EvaluationOptions options_with(VarianceReduction reduction, std::uint64_t trials
 UncertaintyResult evaluated(const MeasurementModel& model, const EvaluationOptions& options,
                             int threads = 1) {
     auto result = evaluate(model, model.inputs(), options, {{}, {}, threads});
-    EXPECT_TRUE(result) << (result ? "" : result.error().message);
+    EXPECT_TRUE(result) << (result ? "" : result.error().message.english());
     return result ? *result : UncertaintyResult{};
 }
 
@@ -315,7 +315,8 @@ TEST(ControlVariate, FallsBackWhereThereIsNoLinearPart) {
     EXPECT_NEAR(output_of(fallen).standard_uncertainty, output_of(plain).standard_uncertainty, 1e-17);
     EXPECT_EQ(*least_gain(fallen), 1.0);
     ASSERT_EQ(fallen.warnings.size(), 1u);
-    EXPECT_NE(fallen.warnings[0].find("Without control variate: y"), std::string::npos) << fallen.warnings[0];
+    EXPECT_NE(fallen.warnings[0].english().find("Without control variate: y"), std::string::npos)
+        << fallen.warnings[0];
 }
 
 TEST(ControlVariate, IsNotUsedWhereTrialsAreLost) {
@@ -328,14 +329,14 @@ TEST(ControlVariate, IsNotUsedWhereTrialsAreLost) {
     const UncertaintyResult lost = evaluated(model, options_with(VarianceReduction::control_variate, 50'000));
     EXPECT_EQ(output_of(lost).symmetric.high, output_of(plain).symmetric.high);
     EXPECT_NEAR(output_of(lost).mean, output_of(plain).mean, 1e-14);
-    EXPECT_NE(lost.warnings.back().find("Control variates are not used"), std::string::npos);
+    EXPECT_NE(lost.warnings.back().english().find("Control variates are not used"), std::string::npos);
 }
 
 TEST(ControlVariate, TooFewTrialsAreSaidToBe) {
     const UncertaintyResult few =
         evaluated(bent_model(), options_with(VarianceReduction::control_variate, 5'000));
     EXPECT_TRUE(std::isnan(output_of(few).reduced->standard_errors.mean));
-    EXPECT_NE(few.warnings.back().find("fewer than 10 batches"), std::string::npos);
+    EXPECT_NE(few.warnings.back().english().find("fewer than 10 batches"), std::string::npos);
 }
 
 TEST(ControlVariate, AdaptiveRunsStopEarlier) {

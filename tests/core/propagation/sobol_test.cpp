@@ -49,7 +49,7 @@ TEST(Sobol, IshigamiFunction) {
     const double v1 = 0.5 * std::pow(1 + b * std::pow(pi, 4) / 5, 2), v2 = a * a / 8;
     const double v13 = b * b * std::pow(pi, 8) * (1.0 / 18 - 1.0 / 50), v = v1 + v2 + v13;
     const auto result = evaluate(model, inputs, sobol(200'000));
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     EXPECT_EQ(result->sobol_trials, 200'000u);
     ASSERT_EQ(result->sobol.at(0).size(), 3u);
     expect_index(index_of(*result, result->inputs.components[0].id), v1 / v, (v1 + v13) / v);

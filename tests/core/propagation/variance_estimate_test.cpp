@@ -27,7 +27,7 @@ InputSet members_of_one(double nu, const std::vector<double>& scales) {
 /// Values of all quantities, trial by trial, in blocks of odd lengths.
 std::vector<std::vector<double>> drawn(const InputSet& inputs, std::size_t trials, std::uint64_t seed = 1) {
     const auto correlations = resolved_correlations(inputs);
-    EXPECT_TRUE(correlations) << correlations.error().message;
+    EXPECT_TRUE(correlations) << correlations.error().message.english();
     const DrawPlan plan(inputs, *correlations);
     detail::TrialRows rows(inputs.quantities.size());
     detail::DrawWorkspace workspace(plan.latent_rows());
@@ -94,7 +94,7 @@ TEST(VarianceEstimate, StandardDeviationOfAMember) {
             options.trials = 1'000'000;
             return options;
         }());
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().message.english();
     const OutputResult& y = result->outputs[0];
     EXPECT_NEAR(y.first_order.effective_degrees_of_freedom, 12.0, 1e-12);
     EXPECT_NEAR(y.first_order.standard_uncertainty, 5.0, 1e-12);
@@ -154,7 +154,8 @@ TEST(VarianceEstimate, RefusesWhatCannotShareIt) {
     InputSet inputs = members_of_one(3.0, {1.0, 2.0});
     inputs.components[1].degrees_of_freedom = 4.0;
     ASSERT_FALSE(resolved_correlations(inputs));
-    EXPECT_NE(resolved_correlations(inputs).error().message.find("\"x2\" rests on the estimate of variance"),
+    EXPECT_NE(resolved_correlations(inputs).error().message.english().find(
+                  "\"x2\" rests on the estimate of variance"),
               std::string::npos);
     inputs.components[1].degrees_of_freedom = 3.0;
     EXPECT_TRUE(resolved_correlations(inputs));
@@ -182,7 +183,7 @@ TEST(WelchSatterthwaite, IsTheVarianceOfEstimatedVariances) {
         }
         inputs.correlations = {{0, 4, 0.8}, {1, 5, -0.5}};
         const auto law = evaluate_first_order(sum_model(inputs), inputs, {});
-        ASSERT_TRUE(law) << law.error().message;
+        ASSERT_TRUE(law) << law.error().message.english();
         const double u2 = std::pow(law->outputs[0].first_order.standard_uncertainty, 2);
         const double nu = law->outputs[0].first_order.effective_degrees_of_freedom;
         EXPECT_LE(nu, largest_nu + nus[3] + 1e-9) << "more than all distinct estimates together";

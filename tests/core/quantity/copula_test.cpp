@@ -49,7 +49,7 @@ TEST(Copula, RefusesWhatTheDistributionsCannotHave) {
     EXPECT_TRUE(rho(exponential, exponential, -0.64));  // lowest: 1 - pi^2/6 = -0.645
     const auto refused = rho(exponential, exponential, -0.9);
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message,
+    EXPECT_EQ(refused.error().message.english(),
               "the components \"a\" (exponential) and \"b\" (exponential) cannot have the correlation -0.9: "
               "with these distributions it lies between -0.645 and 1.");
     EXPECT_TRUE(rho(exponential, exponential.scaled(-1.0), -0.9)) << "mirrored";
@@ -65,7 +65,7 @@ TEST(Copula, ArithmeticCombinationAndWhatHasNoCorrelationStay) {
                {{.id = "a", .name = "a", .distribution = Distribution::normal(1.0)},
                 {.id = "b", .name = "b", .distribution = Distribution::of(Exponential{1.0})}});
     const auto resolved = resolved_correlations(inputs);
-    ASSERT_TRUE(resolved) << resolved.error().message;
+    ASSERT_TRUE(resolved) << resolved.error().message.english();
     EXPECT_EQ(detail::copula_coefficients(inputs, *resolved)->front().coefficient, 1.0);
     const Distribution cauchy = Distribution::of(StudentT{0.0, 1.0, 1.0});
     EXPECT_EQ(*rho(cauchy, Distribution::normal(1.0), 0.99), 0.99);

@@ -16,7 +16,7 @@ constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 void expect_refused(const DistributionParameters& parameters, std::string_view part) {
     const Result<Distribution> made = Distribution::make(parameters);
     ASSERT_FALSE(made.has_value()) << part;
-    EXPECT_NE(made.error().message.find(part), std::string::npos) << made.error().message;
+    EXPECT_NE(made.error().message.english().find(part), std::string::npos) << made.error().message.english();
     EXPECT_EQ(made.error().code, ErrorCode::bad_input);
 }
 
@@ -78,7 +78,10 @@ TEST(DistributionChecks, TheLimitsOfTheShapesCanBeComputed) {
 TEST(DistributionChecks, OfThrowsOnABadParameter) {
     EXPECT_THROW(Distribution::normal(-1.0), ImpossibleValue);
     EXPECT_THROW(Distribution::normal(1e160), ImpossibleValue);
-    EXPECT_NE(guarded([] { return Distribution::normal(-1.0); }).error().message.find("standard deviation"),
+    EXPECT_NE(guarded([] { return Distribution::normal(-1.0); })
+                  .error()
+                  .message.english()
+                  .find("standard deviation"),
               std::string::npos);
 }
 
@@ -115,11 +118,14 @@ TEST(DistributionKinds, RoundTripThroughTheirParameters) {
 TEST(DistributionKinds, RefuseWhatDoesNotFit) {
     EXPECT_NE(distribution_from("gaussian", std::vector{0.0, 1.0})
                   .error()
-                  .message.find("Known distributions: normal"),
+                  .message.english()
+                  .find("Known distributions: normal"),
               std::string::npos);
-    EXPECT_NE(
-        distribution_from("normal", std::vector{0.0}).error().message.find("2 parameters are needed, 1"),
-        std::string::npos);
+    EXPECT_NE(distribution_from("normal", std::vector{0.0})
+                  .error()
+                  .message.english()
+                  .find("2 parameters are needed, 1"),
+              std::string::npos);
     EXPECT_FALSE(distribution_from("discrete", std::vector{0.0, 1.0, 1.0}).has_value());
     EXPECT_FALSE(distribution_from("discrete", {}).has_value());
     EXPECT_FALSE(distribution_from("normal", std::vector{0.0, -1.0}).has_value());

@@ -108,7 +108,7 @@ TEST(ResolvedCorrelations, NameContradictoryGroups) {
     inputs.correlations = {{0, 1, 0.9}, {1, 2, 0.9}, {0, 2, -0.9}};
     const auto resolved = resolved_correlations(inputs);
     ASSERT_FALSE(resolved.has_value());
-    const std::string& message = resolved.error().message;
+    const std::string& message = resolved.error().message.english();
     EXPECT_NE(message.find("\"p\", \"q\", \"r\" contradict"), std::string::npos) << message;
     EXPECT_NE(message.find("smallest eigenvalue of their correlation matrix is -0.8"), std::string::npos)
         << message;
@@ -120,7 +120,7 @@ TEST(ResolvedCorrelations, AcceptSingularAndSeparateGroups) {
     for (const char* id : {"a", "b", "c", "d", "e"}) inputs.add(component(id, 1.0));
     inputs.correlations = {{1, 0, 1.0}, {2, 0, -1.0}, {1, 2, -1.0}, {3, 4, 0.3}, {4, 3, 0.3}};
     const auto resolved = resolved_correlations(inputs);
-    ASSERT_TRUE(resolved.has_value()) << resolved.error().message;
+    ASSERT_TRUE(resolved.has_value()) << resolved.error().message.english();
     EXPECT_EQ(resolved->size(), 4u);  // the repeated pair once
     EXPECT_TRUE(resolved_correlations(InputSet{})->empty());
 }
@@ -131,7 +131,7 @@ TEST(ResolvedCorrelations, RefuseBadEntries) {
     const auto message_for = [&](ComponentCorrelation c) {
         inputs.correlations = {c};
         const auto resolved = resolved_correlations(inputs);
-        return resolved ? std::string("accepted") : resolved.error().message;
+        return resolved ? std::string("accepted") : resolved.error().message.english();
     };
     EXPECT_NE(message_for({0, 1, 1.01}).find("between -1 and 1"), std::string::npos);
     EXPECT_NE(message_for({0, 1, std::nan("")}).find("\"a\" and \"b\" must lie"), std::string::npos);

@@ -93,7 +93,7 @@ TEST(IsotropicVector, EditedCoordinatesAreNoVectorAnyMore) {
     inputs.correlations.push_back({0, 1, 0.5});
     const auto refused = resolved_correlations(inputs);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.find("random direction"), std::string::npos);
+    EXPECT_NE(refused.error().message.english().find("random direction"), std::string::npos);
     inputs.components[0].distribution = Distribution::normal(1.0);
     EXPECT_TRUE(vectors_of_random_direction(inputs).empty());
     EXPECT_TRUE(resolved_correlations(inputs));

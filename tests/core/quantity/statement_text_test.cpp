@@ -19,13 +19,13 @@ std::string plain(double value) {
 
 TypedStatement typed(std::string_view text, const Unit& unit = nm, std::optional<double> value = {}) {
     const auto read = read_statement(text, unit, value);
-    EXPECT_TRUE(read) << text << ": " << (read ? "" : read.error().message);
+    EXPECT_TRUE(read) << text << ": " << (read ? "" : read.error().message.english());
     return read.value_or(TypedStatement{});
 }
 std::string objection(std::string_view text, const Unit& unit = nm, std::optional<double> value = {}) {
     const auto read = read_statement(text, unit, value);
     EXPECT_FALSE(read) << text;
-    return read ? "" : read.error().message;
+    return read ? "" : read.error().message.english();
 }
 
 TEST(StatementText, IsReadAsPeopleNoteIt) {

@@ -27,13 +27,14 @@ void expect_refused(const std::string& reader, const std::vector<Refusal>& cases
         const auto read = read_with(reader, c.text);
         ASSERT_FALSE(read) << c.words;
         EXPECT_EQ(read.error().line, c.line) << c.words;
-        EXPECT_NE(read.error().message.find(c.words), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.english().find(c.words), std::string::npos)
+            << read.error().message.english();
     }
 }
 
 TEST(ReadGumWorkbench, TheBudgetGivesWhatTheFileStates) {
     const auto read = read_with("gum-workbench", data("mass.smu"), {.file_name = "mass.smu"});
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     EXPECT_EQ(read->title, "Mass of a weight");
     const OutputResult m = first_order(*read).outputs.at(0);
@@ -60,7 +61,7 @@ TEST(ReadGumWorkbench, WhatIsNotKnownHasAPlace) {
 
 TEST(ReadSuncal, StatementsUnitsAndCorrelationsAreTaken) {
     const auto read = read_with("suncal", data("resistor.yaml"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     ASSERT_EQ(read->analyses.size(), 1u);
     const AnalysisEntry& analysis = read->analyses[0];
@@ -94,7 +95,7 @@ const char* const pitot_system =
 
 TEST(ReadSuncal, ASystemIsOneModel) {
     const auto read = read_with("suncal", pitot_system);
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     const UncertaintyResult result = first_order(*read);
     ASSERT_EQ(result.outputs.size(), 2u) << "the airspeed, and w, which no equation uses";
@@ -114,7 +115,7 @@ TEST(ReadSuncal, ObservationsOfASystemAreTypeAAndCorrelated) {
         "  - {type: direct, symbol: I, testpoint: 19.6, units: milliampere,\n"
         "     typea: [19.663,19.639,19.640,19.685,19.678]}\n"
         "  - {type: indirect, symbol: R, equation: V/I, units: ohm}\n");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     const OutputResult r = first_order(*read).outputs.at(0);
     EXPECT_NEAR(r.estimate, 254.2597019480189, 1e-9);
@@ -129,7 +130,7 @@ TEST(ReadSuncal, FiguresMayBeShares) {
         "  - {name: B, mean: 2.0, typea: [1.9, 2.1, 2.0], numnewmeas: 1,\n"
         "     uncerts: [{dist: normal, unc: 10 ppm + .01%range(10), k: '2'}]}\n"
         "  - {name: C, mean: 100.0, typea_uncert: 0.5, uncerts: [{dist: poisson, v: '81', k: 2, unc: 1}]}\n");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     const AnalysisEntry& analysis = read->analyses.at(0);
     const SetupSchema& schema = find_model(analysis.model)->schema;
@@ -150,7 +151,7 @@ TEST(ReadSuncal, ImplicitFunctionsAreSolved) {
         "  - {name: F, mean: 13.7, units: newton}\n  - {name: A, mean: 0.000335, units: meter ** 2}\n"
         "  - {name: l, mean: 4.0e-06, units: 1 / pascal}\n";
     const auto read = read_with("suncal", file);
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     const double b = 13.7 / 0.000335;  // 4e-6 p² + p = b
     EXPECT_NEAR(first_order(*read).outputs.at(0).estimate, (std::sqrt(1.0 + 16e-6 * b) - 1.0) / 8e-6, 1e-6);

@@ -29,7 +29,7 @@ SetupCell stated(const Proposals& proposals, std::size_t row, const std::string&
 
 TEST(ReadCertificate, ALengthBecomesAQuantityAndAStandard) {
     const auto read = read_with("dcc", data("bar.xml"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(read->title, "Scale bar");
     ASSERT_EQ(read->assets.size(), 1u) << "the deviation is no length standard";
     EXPECT_EQ(read->assets[0].name, "Length: length at 20 °C");
@@ -57,7 +57,7 @@ TEST(ReadCertificate, AListMayStateOneUncertaintyForAllItsValues) {
                                  "><s:expandedUnc><s:uncertainty>0.1</s:uncertainty><s:coverageFactor>2"
                                  "</s:coverageFactor></s:expandedUnc></s:" +
                                  name + ">" + values + "</s:list>")));
-        ASSERT_TRUE(read) << read.error().message;
+        ASSERT_TRUE(read) << read.error().message.english();
         for (std::size_t row = 0; row < 2; ++row) {
             EXPECT_EQ(stated(*read, row, "statement"), SetupCell(std::string("certificate-k"))) << element;
             EXPECT_EQ(stated(*read, row, "a"), SetupCell(0.1)) << element;
@@ -86,7 +86,7 @@ TEST(ReadCertificate, EveryFormOfUncertainty) {
             quantity("<s:real>" + value + "</s:real>") +
             quantity("<s:real>" + value +
                      "<s:expandedUnc><s:uncertainty>1</s:uncertainty></s:expandedUnc></s:real>")));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(stated(*read, 0, "a"), SetupCell(0.5));
     EXPECT_EQ(stated(*read, 1, "a"), SetupCell(0.25));
     EXPECT_EQ(stated(*read, 2, "statement"), SetupCell(std::string("certificate-p")));
@@ -110,7 +110,7 @@ TEST(ReadCertificate, ListsAndHybridsOfTemperatures) {
                             "\\decibel</s:unitXMLList></s:realListXMLList><s:realListXMLList><s:valueXMLList>"
                             "20.5 30</s:valueXMLList><s:unitXMLList>\\degreecelsius</s:unitXMLList>" +
                             u + "</s:realListXMLList></s:hybrid>")));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(stated(*read, 0, "value"), SetupCell(20.5));
     EXPECT_EQ(stated(*read, 1, "a"), SetupCell(0.2));
     EXPECT_EQ(stated(*read, 1, "b"), SetupCell(2.0));
@@ -144,7 +144,7 @@ std::string vector_with(const std::string& covariance) {
 
 TEST(ReadCertificate, CovariancesBecomeCorrelations) {
     const auto read = read_with("dcc", vector_with("-1"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_NEAR(std::get<double>(stated(*read, 0, "a")), 2.0, 1e-12);
     EXPECT_EQ(stated(*read, 0, "name"), SetupCell(std::string("q [x]")));
     ASSERT_EQ(read->analyses[0].correlations.size(), 1u);
@@ -175,8 +175,10 @@ TEST(ReadCertificate, WhatIsWrongHasAPlace) {
         const auto read = read_with("dcc", c.text);
         ASSERT_FALSE(read) << c.text;
         EXPECT_EQ(read.error().line, c.line) << c.text;
-        EXPECT_NE(read.error().message.find("column "), std::string::npos) << read.error().message;
-        EXPECT_NE(read.error().message.find(c.words), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.english().find("column "), std::string::npos)
+            << read.error().message.english();
+        EXPECT_NE(read.error().message.english().find(c.words), std::string::npos)
+            << read.error().message.english();
     }
 }
 
@@ -202,7 +204,7 @@ TEST(ReadCertificate, UnitsOfDsi) {
           {"\\kilogram\\metre\\tothe{-3}\\kilogram\\tothe{-1}\\metre\\tothe{3}", "1"},
           {"\\micro\\metre\\per\\metre\\per\\kelvin", "um/(m*K)"}}) {
         const auto read = unit_of_dsi(dsi);
-        ASSERT_TRUE(read) << dsi << " " << read.error().message;
+        ASSERT_TRUE(read) << dsi << " " << read.error().message.english();
         EXPECT_EQ(read->text(), Unit::of(unit).text()) << dsi;
     }
     for (const char* wrong :

@@ -15,7 +15,7 @@ constexpr double gon = std::numbers::pi / 200.0;
 
 TEST(ReadGsi, RoundsInTwoFacesBecomeAnInstrumentAndItsTargets) {
     const auto read = read_with("gsi", data("rounds.gsi"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     ASSERT_EQ(read->assets.size(), 1u);
     const AssetEntry& instrument = read->assets[0];
@@ -63,7 +63,7 @@ TEST(ReadGsi, UnitsOfAnglesAndLengths) {
         "87..16-0000000000012000 \n"
         "110002+0000P  2 21.325+16000000 22.322+10000000 31...7+00010000 81..00+00001000 82..01+00001000 "
         "83..06-00010000");
-    ASSERT_TRUE(blocks) << blocks.error().message;
+    ASSERT_TRUE(blocks) << blocks.error().message.english();
     ASSERT_EQ(blocks->size(), 2u);
     EXPECT_NEAR(*(*blocks)[0].azimuth, (359.0 + 45.0 / 60.0 + 30.0 / 3600.0) * std::numbers::pi / 180.0,
                 1e-12);
@@ -81,7 +81,7 @@ TEST(ReadGsi, FilesWithoutLineEndsAndWithCarriageReturns) {
     const std::string block = "110001+00000A01 81..00+00001000 82..00+00002000 83..00+00003000 ";
     for (const std::string& text : {block + block, "\r" + block + "\r" + block, block + "\r\n" + block}) {
         const auto read = read_with("gsi", text);
-        ASSERT_TRUE(read) << read.error().message;
+        ASSERT_TRUE(read) << read.error().message.english();
         ASSERT_EQ(read->assets.size(), 1u);
         EXPECT_EQ(std::get<SetupTable>(read->assets[0].setup.values.at("points")).rows.size(), 2u);
     }
@@ -92,7 +92,7 @@ TEST(ReadGsi, ReadingsThatDoNotRepeatAreOnlyPoints) {
                                 "110001+00000A01 21.322+00000000 22.322+10000000 31..00+00010000\n"
                                 "110001+00000A01 21.322+10000000 22.322+10000000 31..00+00010000\n"
                                 "110001+00000A02 21.322+10000000 22.322+10000000 31..00+00000000\n");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_TRUE(read->analyses.empty());
     EXPECT_EQ(std::get<SetupTable>(read->assets[0].setup.values.at("points")).rows.size(), 2u);
     EXPECT_NE(all_found(*read).find("3 the reading of 'A02'"), std::string::npos) << all_found(*read);
@@ -113,7 +113,8 @@ TEST(ReadGsi, WhatIsWrongHasLineAndColumn) {
         const auto read = read_with("gsi", c.text);
         ASSERT_FALSE(read) << c.text;
         EXPECT_EQ(read.error().line, c.line) << c.text;
-        EXPECT_NE(read.error().message.find(c.words), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.english().find(c.words), std::string::npos)
+            << read.error().message.english();
     }
 }
 

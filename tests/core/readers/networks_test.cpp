@@ -14,7 +14,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST(ReadGama, ObservedCoordinatesKeepTheirCovariance) {
     const auto read = read_with("gama", data("frame.gkf"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     ASSERT_EQ(read->analyses.size(), 2u);
     const AnalysisEntry& analysis = read->analyses[0];
@@ -39,7 +39,7 @@ TEST(ReadGama, PlanarNetworksAndLeftHandedFramesAreSaid) {
     const auto read = read_with("gama",
                                 "<gama-local><network><points-observations><point id='1' x='1' y='2'/>"
                                 "</points-observations></network></gama-local>");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_NE(all_found(*read).find("1 points have no z: it is taken as 0"), std::string::npos);
     EXPECT_NE(all_found(*read).find("left-handed"), std::string::npos) << all_found(*read);
 }
@@ -63,7 +63,8 @@ TEST(ReadGama, WhatIsWrongHasAPlace) {
         const auto read = read_with("gama", c.text);
         ASSERT_FALSE(read) << c.words;
         EXPECT_EQ(read.error().line, c.line) << c.words;
-        EXPECT_NE(read.error().message.find(c.words), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.english().find(c.words), std::string::npos)
+            << read.error().message.english();
     }
 }
 
@@ -77,7 +78,7 @@ TEST(ReadGama, ObservationsKeepUnitsDeviationsAndBands) {
                   "<vectors><vec from='A' to='B' dx='1' dy='2' dz='3'/>"
                   "<cov-mat dim='3' band='1'>4 1 9 -3 16</cov-mat></vectors>"
                   "</points-observations></network></gama-local>");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     ASSERT_EQ(read->analyses.size(), 1u);
     const AnalysisEntry& analysis = read->analyses[0];
@@ -104,7 +105,7 @@ TEST(ReadGama, AdjustedCoordinatesKeepTheirCovariance) {
         "<flt>0</flt><flt>9</flt><flt>1</flt><flt>9</flt><flt>100</flt></cov-mat>"
         "</coordinates></gama-local-adjustment>";
     const auto read = read_with("gama", file);
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     ASSERT_EQ(read->analyses.size(), 1u);
     const AnalysisEntry& analysis = read->analyses[0];
@@ -123,7 +124,7 @@ TEST(ReadComp3d, CodesSayWhatIsConstrained) {
                                 "-1 gone\n2 A 1 2 3 0.001 0.002 0.003\n3 B 4 5 6 0.001 0.001 0.004\n"
                                 "1 C 7 8 9 0.005 -0.005 0.005 1.5 -2\n0 D 1 1 1 0.5 0.6\n",
                                 {.file_name = "a.cor"});
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     ASSERT_EQ(read->analyses.size(), 1u);
     const AnalysisEntry& analysis = read->analyses[0];
@@ -146,7 +147,7 @@ TEST(ReadComp3d, ObservationsAreQuantities) {
         "-4 A B 0.1 0.001\n9 A B 0 -0.02 0.001 0 0\n18 axe @axe.obs\n@more.obs\n";
     const ReadChoice choice{.file_name = "a.obs"};
     const auto read = read_with("comp3d-obs", file, choice);
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     const AnalysisEntry& analysis = read->analyses.at(0);
     const SetupSchema& schema = find_model(analysis.model)->schema;
@@ -172,12 +173,12 @@ TEST(ReadComp3d, ObservationsAreQuantities) {
     const auto wrong = read_with("comp3d-obs", "3 A B 1 0.001\n3 A B x 0.001\n", choice);
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().line, 2);
-    EXPECT_EQ(wrong.error().message, "column 4: 'x' is not a number");
+    EXPECT_EQ(wrong.error().message.english(), "column 4: 'x' is not a number");
 }
 
 TEST(ReadComp3d, OnlyConstrainedPointsHaveUncertainties) {
     const auto read = read_with("comp3d", data("stations.cor"), {.file_name = "stations.cor"});
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     const std::string said = all_found(*read);
     for (const char* words :
@@ -198,7 +199,8 @@ TEST(ReadComp3d, WhatIsWrongHasAPlace) {
         const auto read = read_with("comp3d", text);
         ASSERT_FALSE(read) << text;
         EXPECT_EQ(read.error().line, 2) << text;
-        EXPECT_NE(read.error().message.find(words), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.english().find(words), std::string::npos)
+            << read.error().message.english();
     }
 }
 

@@ -17,7 +17,7 @@ double u_cal(const AssetEntry& asset, std::size_t axis) {
 
 TEST(ReadPoints, GroupsOfSpatialAnalyzerBecomeArtefacts) {
     const auto read = read_with("spatialanalyzer", data("sa-groups.txt"), {.chosen = true});
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     ASSERT_EQ(read->assets.size(), 2u);
     EXPECT_EQ(read->assets[0].name, "Jig");
     EXPECT_EQ(read->assets[1].id, "wall");
@@ -33,7 +33,8 @@ TEST(ReadPoints, SixNumbersAreUncertaintiesOnlyWhereThatIsSaid) {
     const auto read = read_with("spatialanalyzer", data("sa-groups.txt"));
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::usage);
-    EXPECT_NE(read.error().message.find("Ux Uy Uz"), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().message.english().find("Ux Uy Uz"), std::string::npos)
+        << read.error().message.english();
     for (const char* text : {"1 0 0 0\n", "A 1 2 3 note\n", "A 1 2 3 4\n", "A 1 2 3 4 5 6 7\n"}) {
         const auto other = read_with("spatialanalyzer", text);
         ASSERT_FALSE(other) << text;
@@ -45,7 +46,7 @@ TEST(ReadPoints, SixNumbersAreUncertaintiesOnlyWhereThatIsSaid) {
 
 TEST(ReadPoints, HeadersUnitsAndDecimalCommas) {
     const auto read = read_with("points", data("points.csv"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     ASSERT_EQ(read->assets.size(), 1u);
     EXPECT_EQ(point_cell(read->assets[0], 0, "x"), SetupCell(1.5));
     EXPECT_EQ(std::get<SetupTable>(read->assets[0].setup.values.at("points")).units[1], Unit::of("m"));
@@ -62,7 +63,7 @@ TEST(ReadPoints, HeadersUnitsAndDecimalCommas) {
 TEST(ReadPoints, StatedColumnsAndUnit) {
     const auto read = read_with("points", "9 1 2 3 0.2\n",
                                 {.length_unit = Unit::of("in"), .columns = {"name", "x", "y", "z", "U"}});
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(point_cell(read->assets[0], 0, "name"), SetupCell(std::string("9")));
     EXPECT_EQ(u_cal(read->assets[0], 1), 0.1) << "an expanded uncertainty, k = 2";
     EXPECT_NE(all_found(*read).find("expanded uncertainty, k = 2"), std::string::npos);
@@ -78,11 +79,12 @@ TEST(ReadPoints, AHeaderThatMayMeanTwoThingsIsAskedFor) {
     const auto read = read_with("points", "name,x,y,z,U_x\na,1,2,3,4\n");
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::usage);
-    EXPECT_NE(read.error().message.find("'U_x' may mean"), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().message.english().find("'U_x' may mean"), std::string::npos)
+        << read.error().message.english();
     const auto twice = read_with("points", "name,x,y,z,X\na,1,2,3,4\n");
     ASSERT_FALSE(twice);
-    EXPECT_NE(twice.error().message.find("columns 2 (x) and 5 (X) are the same"), std::string::npos)
-        << twice.error().message;
+    EXPECT_NE(twice.error().message.english().find("columns 2 (x) and 5 (X) are the same"), std::string::npos)
+        << twice.error().message.english();
 }
 
 TEST(ReadPoints, ErrorsHaveLineAndColumn) {
@@ -102,13 +104,14 @@ TEST(ReadPoints, ErrorsHaveLineAndColumn) {
         const auto read = read_with("points", c.text);
         ASSERT_FALSE(read) << c.text;
         EXPECT_EQ(read.error().line, c.line) << c.text;
-        EXPECT_NE(read.error().message.find(c.words), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.english().find(c.words), std::string::npos)
+            << read.error().message.english();
     }
 }
 
 TEST(ReadPoints, NamesThatOccurAgainGetANumber) {
     const auto read = read_with("points", "name x y z\na 1 2 3\na 4 5 6\n\"a (2)\" 7 8 9\n");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     EXPECT_NE(all_found(*read).find("2 names occur again"), std::string::npos) << all_found(*read);
 }
@@ -117,7 +120,7 @@ TEST(ReadPoints, ManyGroupsAreOneArtefactAndManyPointsHaveNoAnalysis) {
     std::string text = "group,name,x,y,z,u_x\n";
     for (int i = 0; i < 200; ++i) text += "g" + std::to_string(i) + ",p,1,2,3," + std::to_string(i) + "\n";
     const auto read = read_with("points", text);
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     ASSERT_EQ(read->assets.size(), 1u);
     EXPECT_EQ(point_cell(read->assets[0], 199, "name"), SetupCell(std::string("g199/p")));
     EXPECT_EQ(u_cal(read->assets[0], 0), 199.0);
@@ -134,7 +137,7 @@ TEST(ReadPoints, HeadersAsProgramsWriteThem) {
           "[um]\nP1,1.5,2.5,3.5,10\n"}) {
         ASSERT_TRUE(reader_for(text, "a.csv")) << text;
         const auto read = read_with("points", text);
-        ASSERT_TRUE(read) << text << read.error().message;
+        ASSERT_TRUE(read) << text << read.error().message.english();
         EXPECT_EQ(point_cell(read->assets[0], 0, "name"), SetupCell(std::string("P1"))) << text;
         EXPECT_EQ(point_cell(read->assets[0], 0, "z"), SetupCell(3.5)) << text;
         EXPECT_DOUBLE_EQ(u_cal(read->assets[0], 0), 0.01) << text;
@@ -151,13 +154,14 @@ TEST(ReadPoints, LinesOfColumnsWithoutEndAreRefused) {
             for (std::size_t i = 0; i < columns; ++i) text += std::string(1, separator) + "q";
             const auto read = read_with("points", text + "\n");
             ASSERT_FALSE(read);
-            EXPECT_NE(read.error().message.find("columns"), std::string::npos) << read.error().message;
+            EXPECT_NE(read.error().message.english().find("columns"), std::string::npos)
+                << read.error().message.english();
         }
 }
 
 TEST(ReadSpatialAnalyzer, NamesWithBlanksStandBetweenTabs) {
     const auto read = read_with("spatialanalyzer", "Jig A\tMain Group\tP 1\t1.0\t2.0\t3.0\n");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(point_cell(read->assets[0], 0, "name"), SetupCell(std::string("P 1")));
 }
 

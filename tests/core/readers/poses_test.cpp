@@ -19,7 +19,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST(ReadMotive, TheMeanPoseHasTheCovarianceOfItsFrames) {
     const auto read = read_with("motive", data("take.csv"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     const UncertaintyResult result = first_order(*read);
     ASSERT_EQ(result.outputs.size(), 6u);
@@ -56,7 +56,8 @@ TEST(ReadMotive, WhatIsNotAPoseHasAPlace) {
         const auto read = read_with("motive", c.text);
         ASSERT_FALSE(read) << c.words;
         EXPECT_EQ(read.error().line, c.line) << c.words;
-        EXPECT_NE(read.error().message.find(c.words), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.english().find(c.words), std::string::npos)
+            << read.error().message.english();
     }
     const auto unit = read_with("motive", replaced(file, "Meters", "Parsecs"));
     ASSERT_FALSE(unit);
@@ -65,7 +66,7 @@ TEST(ReadMotive, WhatIsNotAPoseHasAPlace) {
 
 TEST(ReadRobotCalibration, TheRobotStandsWhereTheFramesLead) {
     const auto read = read_with("robot-calibration", data("arm_calibration.yaml"));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     ASSERT_EQ(read->assets.size(), 1u);
     EXPECT_EQ(read->assets[0].kind, "serial-robot");
@@ -104,8 +105,9 @@ TEST(ReadRobotCalibration, WhatIsMissingHasAPlace) {
           Case{"shoulder:\n  x: 1\n", 1, "'kinematics' is missing"}}) {
         const auto read = read_with("robot-calibration", c.text);
         ASSERT_FALSE(read) << c.words;
-        EXPECT_EQ(read.error().line, c.line) << c.words << read.error().message;
-        EXPECT_NE(read.error().message.find(c.words), std::string::npos) << read.error().message;
+        EXPECT_EQ(read.error().line, c.line) << c.words << read.error().message.english();
+        EXPECT_NE(read.error().message.english().find(c.words), std::string::npos)
+            << read.error().message.english();
     }
 }
 

@@ -32,7 +32,8 @@ inline std::string errors_of(Proposals proposals) {
     std::string errors;
     const Problems problems = MadeProject::make(project)->problems();
     for (const Problem& problem : problems.items())
-        if (problem.severity == Severity::error) errors += problem.path + ": " + problem.message + "\n";
+        if (problem.severity == Severity::error)
+            errors += problem.path + ": " + problem.message.english() + "\n";
     return errors;
 }
 
@@ -52,8 +53,9 @@ inline UncertaintyResult first_order(Proposals proposals) {
 
 inline std::string all_found(const Proposals& proposals) {
     std::string all;
-    for (const std::string& line : proposals.found) all += line + "\n";
-    for (const LeftOut& left : proposals.left_out) all += std::to_string(left.line) + " " + left.what + "\n";
+    for (const Message& line : proposals.found) all += line.english() + "\n";
+    for (const LeftOut& left : proposals.left_out)
+        all += std::to_string(left.line) + " " + left.what.english() + "\n";
     return all;
 }
 

@@ -24,7 +24,7 @@ TEST(Readers, EveryReaderRefusesWhatIsNothing) {
         for (const std::string& text : {std::string(), std::string("\n\n"), std::string(100, '\0')}) {
             const auto read = reader.read(text, {.file_name = "x"});
             ASSERT_FALSE(read) << reader.name;
-            EXPECT_FALSE(read.error().message.empty()) << reader.name;
+            EXPECT_FALSE(read.error().message.english().empty()) << reader.name;
         }
 }
 
@@ -74,7 +74,7 @@ TEST(UnstatedUnits, AreListedAndCheckedByName) {
     const auto checked = check_stated_units(choice, proposals);
     ASSERT_FALSE(checked);
     EXPECT_EQ(checked.error().code, ErrorCode::usage);
-    EXPECT_NE(checked.error().message.find("'F'"), std::string::npos);
+    EXPECT_NE(checked.error().message.english().find("'F'"), std::string::npos);
 }
 
 }  // namespace

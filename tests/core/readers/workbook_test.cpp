@@ -43,7 +43,7 @@ Result<Proposals> read_rows(std::vector<std::vector<std::string>> rows, ReadChoi
 
 TEST(ReadWorkbook, TheContributionsDecideTheUnitsOfCoefficients) {
     const auto read = read_with("xlsx", data("budget.xlsx"), {.file_name = "budget.xlsx"});
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     const OutputResult l = first_order(*read).outputs.at(0);
     EXPECT_EQ(l.quantity.symbol, "l_X");
@@ -63,7 +63,7 @@ TEST(ReadWorkbook, DivisorsAndDistributionsAgree) {
                                  {"b", v(2), "mm", v(0.2), v(2), "", v(1)},
                                  {"c1", v(3), "mm", v(0.6), v(2 * std::sqrt(3.0)), "rectangular", v(1)},
                                  {"d", v(4), "mm", v(0.5), "", "triangular", v(-1)}});
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     const OutputResult y = first_order(*read).outputs.at(0);
     EXPECT_NEAR(y.estimate, 3e-3, 1e-15) << "2 a + b + c1 - d";
     EXPECT_NEAR(y.standard_uncertainty, 1e-3 * std::sqrt(0.12 + 0.01 + 0.03 + 0.25 / 6.0), 1e-9);
@@ -90,7 +90,8 @@ TEST(ReadWorkbook, CellsThatSayNothingAreRefusedByTheirPlace) {
         const auto read = read_rows({good, row});
         ASSERT_FALSE(read) << c.words;
         EXPECT_EQ(read.error().line, 3) << c.words;
-        EXPECT_NE(read.error().message.find(c.words), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.english().find(c.words), std::string::npos)
+            << read.error().message.english();
     }
 }
 
@@ -100,14 +101,14 @@ TEST(ReadWorkbook, ColumnsMayBeStated) {
     ASSERT_FALSE(unknown);
     EXPECT_EQ(unknown.error().code, ErrorCode::usage);
     const auto read = read_with("xlsx", bytes, {.columns = {"name", "value [mm]", "U", "divisor"}});
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_NEAR(first_order(*read).outputs.at(0).standard_uncertainty, 5e-5, 1e-18);
     // The unit behind a header stays where the column is stated.
     const auto again = read_with("xlsx", data("budget.xlsx"),
                                  {.columns = {"quantity", "name", "value", "unit", "U", "divisor",
                                               "distribution", "nu", "c", "contribution", "-"},
                                   .sheet = "Budget"});
-    ASSERT_TRUE(again) << again.error().message;
+    ASSERT_TRUE(again) << again.error().message.english();
     EXPECT_EQ(first_order(*again).outputs.at(0).standard_uncertainty,
               first_order(*read_with("xlsx", data("budget.xlsx"))).outputs.at(0).standard_uncertainty);
     const auto table = find_reader("xlsx")->table(data("budget.xlsx"), {});
@@ -125,7 +126,8 @@ TEST(ReadWorkbook, BombsAreRefusedWithinBounds) {
     const auto refused = [&](const Parts& parts, const char* words) {
         const auto read = read_with("xlsx", zipped(parts));
         ASSERT_FALSE(read) << words;
-        EXPECT_NE(read.error().message.find(words), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.english().find(words), std::string::npos)
+            << read.error().message.english();
     };
     refused(bomb, "unpack to more than 16 MB");
     Parts entities = workbook({});
@@ -141,7 +143,8 @@ TEST(ReadWorkbook, BombsAreRefusedWithinBounds) {
     std::string cut = data("budget.xlsx");
     cut.resize(cut.size() / 2);
     EXPECT_FALSE(read_with("xlsx", cut));
-    EXPECT_NE(read_with("xlsx", "\xD0\xCF\x11\xE0 old").error().message.find("password"), std::string::npos);
+    EXPECT_NE(read_with("xlsx", "\xD0\xCF\x11\xE0 old").error().message.english().find("password"),
+              std::string::npos);
 }
 
 TEST(ReadWorkbook, HeadersOfEa402AreKnown) {

@@ -51,7 +51,8 @@ std::string problems_of(const Setup& setup) {
     Problems problems;
     check_setup(schema(), setup, problems);
     std::string all;
-    for (const Problem& problem : problems.items()) all += problem.path + ": " + problem.message + "\n";
+    for (const Problem& problem : problems.items())
+        all += problem.path + ": " + problem.message.english() + "\n";
     return all;
 }
 
@@ -184,7 +185,7 @@ TEST(Words, Dimensions) {
     EXPECT_EQ(dimension_words(Unit::of("um/m")), "a pure number");
     EXPECT_EQ(dimension_words(Unit::of("1/K")), "an expansion coefficient");
     EXPECT_EQ(dimension_words(Unit::of("arcsec")), "an angle");
-    EXPECT_EQ(dimension_words(Unit::of("kg*m")).substr(0, 12), "measured in ");
+    EXPECT_EQ(dimension_words(Unit::of("kg*m")).english().substr(0, 12), "measured in ");
 }
 
 }  // namespace covaria::setup_test

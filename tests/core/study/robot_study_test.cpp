@@ -15,7 +15,7 @@ using robot_test::Robot;
 StudyResult run(Robot& robot, const char* analysis, const char* study) {
     Problems problems;
     const auto prepared = prepare_study(MadeProject::make(robot.project), analysis, study, problems);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message.english();
     return run_study(*prepared).value();
 }
 

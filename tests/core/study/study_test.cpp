@@ -35,7 +35,8 @@ std::shared_ptr<const PreparedStudy> prepared(const Project& project, Problems& 
 StudyResult run(const Project& project, int threads = 2) {
     Problems problems;
     const auto study = prepared(project, problems);
-    for (const Problem& problem : problems.items()) ADD_FAILURE() << problem.path << ": " << problem.message;
+    for (const Problem& problem : problems.items())
+        ADD_FAILURE() << problem.path << ": " << problem.message.english();
     return *run_study(*study, {{}, {}, threads});
 }
 
@@ -220,7 +221,7 @@ TEST(Study, DefaultsOfTheSchemaCanBeVaried) {
                                               .values = 2}}}};
     Problems problems;
     const auto study = prepared(project, problems);
-    if (!study) GTEST_FAIL() << problems.items()[0].message;
+    if (!study) GTEST_FAIL() << problems.items()[0].message.english();
     const StudyResult result = *run_study(*study);
     EXPECT_TRUE(result.points[0].has_values() && result.points[1].has_values());
 }
@@ -264,7 +265,7 @@ TEST(Study, AssetThatIsNotUsedIsRefused) {
     EXPECT_FALSE(prepared(project, problems));
     ASSERT_FALSE(problems.empty());
     EXPECT_EQ(problems.items()[0].path, "/analyses/0/studies/0/axes/0/asset");
-    EXPECT_NE(problems.items()[0].message.find("does not use"), std::string::npos);
+    EXPECT_NE(problems.items()[0].message.english().find("does not use"), std::string::npos);
 }
 
 TEST(Study, FingerprintFollowsWhatMatters) {

@@ -89,12 +89,12 @@ TEST(WriteCertificate, IsValidByItsSchema) {
         project.certificate = full_certificate();
         const Evaluated evaluated = evaluate(std::move(project));
         const auto written = write_as("dcc", evaluated.source());
-        ASSERT_TRUE(written) << file << ": " << written.error().message;
+        ASSERT_TRUE(written) << file << ": " << written.error().message.english();
         EXPECT_EQ(invalid_because(written->bytes), "") << file;
         EXPECT_EQ(written->bytes, write_as("dcc", evaluated.source())->bytes);
     }
     const auto trials = write_as("dcc", certified("stewart-platform", 20'000).source());
-    ASSERT_TRUE(trials) << trials.error().message;
+    ASSERT_TRUE(trials) << trials.error().message.english();
     EXPECT_EQ(invalid_because(trials->bytes), "");
 }
 
@@ -114,9 +114,9 @@ struct ReadQuantities {
 
 ReadQuantities read_back(const std::string& xml, std::string* left_out = nullptr) {
     const auto read = find_reader("dcc")->read(xml, {.file_name = "c.xml"});
-    EXPECT_TRUE(read) << read.error().message;
+    EXPECT_TRUE(read) << read.error().message.english();
     if (read && left_out)
-        for (const LeftOut& left : read->left_out) *left_out += left.what + "\n";
+        for (const LeftOut& left : read->left_out) *left_out += left.what.english() + "\n";
     return read ? ReadQuantities{read->analyses.at(0)} : ReadQuantities{};
 }
 
@@ -149,7 +149,7 @@ TEST(WriteCertificate, StatesConformityByItsRule) {
             entry.requirements[0].upper_limit->value = 50000850;  // accepted without guard band only
         const Evaluated evaluated = evaluate(std::move(project));
         const auto written = write_as("dcc", evaluated.source());
-        ASSERT_TRUE(written) << written.error().message;
+        ASSERT_TRUE(written) << written.error().message.english();
         if (has_xmllint()) {
             EXPECT_EQ(invalid_because(written->bytes), "");
         }
@@ -215,7 +215,7 @@ TEST(WriteCertificate, ScalarsComeBackWithUAndK) {
 TEST(WriteCertificate, PosesComeBackWithTheirCovariance) {
     const Evaluated evaluated = certified("stewart-platform");
     const auto written = write_as("dcc", {*evaluated.made, {evaluated.analyses.front()}});
-    ASSERT_TRUE(written) << written.error().message;
+    ASSERT_TRUE(written) << written.error().message.english();
     const UncertaintyResult& result = *evaluated.analyses.front().result;
     std::vector<CoverageRegion> poses;  // positions alone have regions, too
     for (const CoverageRegion& region : result.regions)
@@ -270,12 +270,12 @@ TEST(WriteCertificate, ASkewedResultStatesItsInterval) {
             "quantities": {"columns": ["symbol", "value", "unit", "statement", "a"],
                            "rows": [["x", 0.1, "mm", "standard", 1]]}}}]})",
         ".", "t");
-    for (const Problem& problem : made.problems.items()) EXPECT_EQ(problem.message, "");
+    for (const Problem& problem : made.problems.items()) EXPECT_EQ(problem.message.english(), "");
     Project skewed = made.project;
     skewed.certificate = full_certificate();
     const Evaluated evaluated = evaluate(skewed, 50'000);
     const auto written = write_as("dcc", evaluated.source());
-    ASSERT_TRUE(written) << written.error().message;
+    ASSERT_TRUE(written) << written.error().message.english();
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(written->bytes.c_str()));
     const auto interval = document.select_node("//si:coverageInterval").node();
@@ -300,7 +300,8 @@ TEST(WriteCertificate, WhatIsMissingIsSaidByItsField) {
         const auto written = write_as("dcc", {*made, full.analyses});
         ASSERT_FALSE(written) << field.title;
         EXPECT_EQ(written.error().path, pointer_of(field));
-        EXPECT_NE(written.error().message.find("'" + std::string(field.title) + "'"), std::string::npos);
+        EXPECT_NE(written.error().message.english().find("'" + std::string(field.title) + "'"),
+                  std::string::npos);
         EXPECT_TRUE(find_writer("dcc")->missing(project).has_errors());
     }
     EXPECT_TRUE(find_writer("dcc")->missing(full.made->project()).empty());
@@ -315,7 +316,8 @@ TEST(WriteCertificate, AnInfiniteUncertaintyHasNoPlace) {
     changed.result = std::make_shared<const UncertaintyResult>(result);
     const auto written = write_as("dcc", {*full.made, {changed}});
     ASSERT_FALSE(written);
-    EXPECT_NE(written.error().message.find("is not finite"), std::string::npos) << written.error().message;
+    EXPECT_NE(written.error().message.english().find("is not finite"), std::string::npos)
+        << written.error().message.english();
 }
 
 TEST(DsiUnits, AreReadBackOrStatedInSi) {

@@ -94,7 +94,7 @@ struct ReadPoint {
 /// By `covaria import`: the points of its analysis "Points as stated".
 std::vector<ReadPoint> points_back(const std::string& text) {
     const auto read = find_reader("spatialanalyzer")->read(text, {.file_name = "points.txt", .chosen = true});
-    EXPECT_TRUE(read) << read.error().message << "\n" << text;
+    EXPECT_TRUE(read) << read.error().message.english() << "\n" << text;
     if (!read || read->analyses.empty()) return {};
     const AnalysisEntry& analysis = read->analyses.at(0);
     const SetupSchema& schema = find_model(analysis.model)->schema;
@@ -129,7 +129,7 @@ TEST(WritePoints, ComeBackToTheLastDigitWhateverTheyAreCalled) {
     for (const std::string group : {"Group", "Run 2 b 3", "12", "=x", "", "#", "1 2 3", "a;b", "nan"}) {
         const std::vector<EvaluatedAnalysis> analyses{analysis_of("id", group, names)};
         const auto written = write_as("points", {*MadeProject::make(Project{}), analyses});
-        ASSERT_TRUE(written) << written.error().message;
+        ASSERT_TRUE(written) << written.error().message.english();
         const auto points = points_back(written->bytes);
         ASSERT_EQ(points.size(), names.size()) << group << "\n" << written->bytes;
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -181,7 +181,7 @@ TEST(WritePoints, OfShippedProjectsComeBack) {
         const Evaluated evaluated =
             evaluate(loaded(data_directory() / "projects" / (std::string(name) + ".covaria")));
         const auto written = write_as("points", evaluated.source());
-        ASSERT_TRUE(written) << name << ": " << written.error().message;
+        ASSERT_TRUE(written) << name << ": " << written.error().message.english();
         EXPECT_EQ(written->bytes, write_as("points", evaluated.source())->bytes);
         const auto points = points_back(written->bytes);
         std::istringstream lines(written->bytes);

@@ -25,7 +25,7 @@ MadeProject::Pointer made_of(AssetEntry robot) {
     auto made = MadeProject::make(std::move(project));
     const Problems problems = made->problems();
     for (const Problem& problem : problems.items())
-        EXPECT_NE(problem.severity, Severity::error) << problem.path << " " << problem.message;
+        EXPECT_NE(problem.severity, Severity::error) << problem.path << " " << problem.message.english();
     return made;
 }
 
@@ -42,14 +42,14 @@ Result<WrittenFile> written(const std::string& writer, const MadeProject& made) 
 
 MadeProject::Pointer back_from_urdf(const std::string& text) {
     auto robot = import_urdf(text);
-    if (!robot) throw std::runtime_error(robot.error().message + "\n" + text);
+    if (!robot) throw std::runtime_error(robot.error().message.english() + "\n" + text);
     return made_of({.id = "back", .kind = robot->kind, .name = robot->name, .setup = robot->setup});
 }
 
 MadeProject::Pointer back_from_calibration(const std::string& text) {
     const auto read =
         find_reader("robot-calibration")->read(text, {.file_name = "back.yaml", .chosen = true});
-    if (!read) throw std::runtime_error(read.error().message + "\n" + text);
+    if (!read) throw std::runtime_error(read.error().message.english() + "\n" + text);
     AssetEntry asset = read->assets.at(0);
     asset.id = "back";
     return made_of(std::move(asset));
@@ -112,7 +112,7 @@ TEST(WriteRobots, UrdfIsTheSameChain) {
     for (unsigned seed = 1; seed <= 60; ++seed) {
         const auto made = made_of(random_arm(seed, 1 + seed % 7, seed % 2 == 0));
         const auto file = written("urdf", *made);
-        ASSERT_TRUE(file) << file.error().message;
+        ASSERT_TRUE(file) << file.error().message.english();
         EXPECT_EQ(file->bytes, written("urdf", *made)->bytes);
         const auto back = back_from_urdf(file->bytes);
         const SerialRobotSource &a = robot_in(*made, "arm"), &b = robot_in(*back, "back");
@@ -135,7 +135,7 @@ TEST(WriteRobots, UrdfOfTheLibraryComesBack) {
             continue;
         }
         const auto file = written("urdf", *made);
-        ASSERT_TRUE(file) << file.error().message;
+        ASSERT_TRUE(file) << file.error().message.english();
         expect_same_tool(robot_in(*made, item.asset.id), robot_in(*back_from_urdf(file->bytes), "back"),
                          item.asset.id);
         ++robots;
@@ -149,7 +149,7 @@ TEST(WriteRobots, ACalibrationComesBackToTheSameNumbers) {
     ASSERT_TRUE(text);
     const auto first = back_from_calibration(*text);
     const auto file = written("ur-calibration", *first);
-    ASSERT_TRUE(file) << file.error().message;
+    ASSERT_TRUE(file) << file.error().message.english();
     expect_same_tool(robot_in(*first, "back"), robot_in(*back_from_calibration(file->bytes), "back"),
                      "calibration");
     EXPECT_NE(file->bytes.find("\n  hash: calib_"), std::string::npos) << file->bytes;
@@ -164,7 +164,7 @@ TEST(WriteRobots, ACalibrationIsTheArmUpToTheFrameOfWrist3) {
         if (seed % 2) arm.setup.values.erase("base");
         const auto made = made_of(arm);
         const auto file = written("ur-calibration", *made);
-        ASSERT_TRUE(file) << file.error().message;
+        ASSERT_TRUE(file) << file.error().message.english();
         const auto back = back_from_calibration(file->bytes);
         const SerialRobotSource &a = robot_in(*made, "arm"), &b = robot_in(*back, "back");
         // The tool that the file has no place for stands in wrist_3 the same at all readings.
@@ -192,7 +192,7 @@ TEST(WriteRobots, ACalibrationIsOfSixJointsThatTurn) {
     for (const std::size_t joints : {1u, 5u, 7u}) {
         const auto file = written("ur-calibration", *made_of(random_arm(1, joints, false)));
         ASSERT_FALSE(file);
-        EXPECT_NE(file.error().message.find("six joints that turn"), std::string::npos);
+        EXPECT_NE(file.error().message.english().find("six joints that turn"), std::string::npos);
     }
     AssetEntry robot = random_arm(1, 6, false);
     auto& table = std::get<SetupTable>(robot.setup.values.at("joints"));
@@ -221,7 +221,7 @@ Evaluated identification(const std::vector<std::string>& analyses) {
 TEST(WriteRobots, AnIdentifiedRobotHasItsParametersAndUncertainties) {
     const Evaluated evaluated = identification({"poses-measured"});
     const auto file = write_as("urdf", evaluated.source());
-    ASSERT_TRUE(file) << file.error().message;
+    ASSERT_TRUE(file) << file.error().message.english();
     // The analysis gives a robot and is made from the nominal one: the identified is written.
     const auto asset = evaluated.analyses[0].analysis->model->as_asset("poses-measured");
     expect_same_tool(*offers<SerialRobotSource>(asset), robot_in(*back_from_urdf(file->bytes), "back"),
@@ -250,9 +250,10 @@ TEST(WriteRobots, OfSeveralRobotsOneIsToBeChosen) {
     const auto both = write_as("urdf", identification({"zero-pose", "zero-pose-nominal"}).source());
     ASSERT_FALSE(both);
     for (const char* words : {"er10l-calibrated", "er10l-nominal", "--analysis"})
-        EXPECT_NE(both.error().message.find(words), std::string::npos) << both.error().message;
+        EXPECT_NE(both.error().message.english().find(words), std::string::npos)
+            << both.error().message.english();
     const auto one = write_as("urdf", identification({"zero-pose-identified"}).source());
-    ASSERT_TRUE(one) << one.error().message;
+    ASSERT_TRUE(one) << one.error().message.english();
     EXPECT_EQ(one->said.front().substr(0, 22), "robot er10l-identified");
     EXPECT_FALSE(write_as("urdf", {*MadeProject::make(Project{}), {}}));
 }

@@ -22,13 +22,13 @@ const fs::path projects = fs::path(COVARIA_SOURCE_DIR) / "projects";
 
 std::string written(const Evaluated& evaluated) {
     const auto file = write_as("xlsx", evaluated.source());
-    EXPECT_TRUE(file) << file.error().message;
+    EXPECT_TRUE(file) << file.error().message.english();
     return file ? file->bytes : std::string();
 }
 
 std::vector<WorkbookSheet> sheets_of(const std::string& bytes) {
     auto sheets = read_workbook(bytes);
-    EXPECT_TRUE(sheets) << sheets.error().message;
+    EXPECT_TRUE(sheets) << sheets.error().message.english();
     return sheets.value_or(std::vector<WorkbookSheet>());
 }
 
@@ -38,7 +38,7 @@ TEST(WriteXlsx, TheReaderGetsTheSameBudgetBack) {
         project.analyses.resize(1);
         const Evaluated evaluated = evaluate(project);
         const auto read = find_reader("xlsx")->read(written(evaluated), {.file_name = "h1.xlsx"});
-        ASSERT_TRUE(read) << read.error().message;
+        ASSERT_TRUE(read) << read.error().message.english();
         Project again;
         add_to_project(again, *read);
         const Evaluated second = evaluate(again);

@@ -192,7 +192,7 @@ TEST_F(ChartFile, SaysWhichFileItCannotWrite) {
     const auto written = write_svg(file, {test::all_plots()[0], Theme::light(), {720, 440}, {}});
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().code, ErrorCode::io);
-    EXPECT_NE(written.error().message.find(file), std::string::npos);
+    EXPECT_NE(written.error().message.english().find(file), std::string::npos);
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ TEST_F(DocumentFileTest, AReportOpensAsAnUnsavedProjectThatNamesIt) {
     project.title = "Carried";
     const auto report = archived_pdf(page.data().toStdString(), {"t", "c"},
                                      {{"project.covaria", project_text(project), "application/json"}});
-    ASSERT_TRUE(report) << report.error().message;
+    ASSERT_TRUE(report) << report.error().message.english();
     write("Report 7.PDF", QByteArray::fromStdString(*report));
     write("none.pdf", page.data());
     EXPECT_TRUE(document.open(path("none.pdf")).has_errors());
@@ -152,7 +152,7 @@ TEST_F(DocumentFileTest, LinkedFilesGoAlong) {
     QFile::remove(path("other/data/points.csv"));
     const auto copied = copy_linked_files(project, to_path(path("other")));
     ASSERT_FALSE(copied);
-    EXPECT_NE(copied.error().message.find("data/points.csv"), std::string::npos);
+    EXPECT_NE(copied.error().message.english().find("data/points.csv"), std::string::npos);
 }
 
 TEST_F(DocumentFileTest, MeshesOfTheSceneGoAlongWhereTheyAreThere) {

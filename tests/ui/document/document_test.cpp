@@ -189,7 +189,7 @@ TEST(ProjectMaker, TheLatestSnapshotWins) {
     all_requested.notify_all();
     EXPECT_TRUE(maker.is_making());
     EXPECT_TRUE(QTest::qWaitFor([&] { return !maker.is_making(); }));
-    EXPECT_EQ(maker.problems().items().at(0).message, "29");
+    EXPECT_EQ(maker.problems().items().at(0).message.english(), "29");
     EXPECT_EQ(maker.made()->project().title, "29");
     EXPECT_LE(checks, 2) << "one that was running and the newest";
 }

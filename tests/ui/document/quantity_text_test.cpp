@@ -55,7 +55,7 @@ TEST(QuantityText, RefusesWithWords) {
     for (const char* text : {"abc", "5 kg", "5 parsnip", "1 2"}) {
         const auto refused = parse_quantity(text, Unit::of("mm"), english);
         ASSERT_FALSE(refused) << text;
-        EXPECT_FALSE(refused.error().message.empty());
+        EXPECT_FALSE(refused.error().message.english().empty());
     }
     const auto empty = parse_quantity("  ", Unit::of("mm"), english);
     ASSERT_TRUE(empty);

@@ -51,7 +51,7 @@ TEST_F(RegistryFormsTest, WhatIsNewSaysWhatIsMissing) {
         ASSERT_FALSE(address.id.empty()) << problem.path;
         SetupForm form(document, address);
         if (!problem.path.starts_with(setup_path(document.project(), address) + '/')) continue;
-        EXPECT_TRUE(form.focus_field(problem.path)) << problem.path << ": " << problem.message;
+        EXPECT_TRUE(form.focus_field(problem.path)) << problem.path << ": " << problem.message.english();
     }
     while (document.undo_stack().canUndo()) document.undo_stack().undo();
     EXPECT_EQ(document.project(), Project{});

@@ -67,7 +67,7 @@ TEST(DistributionEdit, AnotherKindKeepsTheStandardUncertainty) {
         choose(edit, "distribution", QString::fromUtf8(kind.key.data(), static_cast<int>(kind.key.size())));
         EXPECT_EQ(edit.component().distribution, kind.key);
         const auto distribution = distribution_of(edit.component());
-        ASSERT_TRUE(distribution) << kind.key << ": " << distribution.error().message;
+        ASSERT_TRUE(distribution) << kind.key << ": " << distribution.error().message.english();
         EXPECT_NEAR(distribution->standard_uncertainty(), 2e-6 / std::sqrt(3.0), 1e-10) << kind.key;
     }
 }
@@ -214,7 +214,7 @@ TEST_F(CsvImportTest, AColumnOfTheFileMayStandForAnyColumn) {
     };
     choose(4, "not read");
     choose(1, "x / mm");
-    EXPECT_FALSE(dialog.problems().has_errors()) << dialog.problems().items()[0].message;
+    EXPECT_FALSE(dialog.problems().has_errors()) << dialog.problems().items()[0].message.english();
     ASSERT_EQ(dialog.table().rows.size(), 2u);
     EXPECT_EQ(std::get<double>(dialog.table().rows[1][1]), 1.5);
     EXPECT_EQ(dialog.table().units[1], Unit::of("mm"));

@@ -18,7 +18,7 @@ struct JobQueueTest : testing::TestWithParam<Execution> {
     void push(const JobQueue::Job& job) {
         queue.push(job, [this](const Error& error) {
             EXPECT_EQ(QThread::currentThread(), owner.thread());
-            told.push_back(error.message);
+            told.push_back(error.message.english());
         });
     }
     bool finished(std::size_t count) {

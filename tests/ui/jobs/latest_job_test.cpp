@@ -46,7 +46,7 @@ struct LatestJobTest : testing::Test {
             [this, name](const std::stop_token&) -> JobQueue::Delivery {
                 return [this, name] { told.push_back(name); };
             },
-            [this](const Error& error) { told.push_back(error.message); });
+            [this](const Error& error) { told.push_back(error.message.english()); });
     }
     void start_at_gate(LatestJob& job, const std::string& name) {
         job.start(
@@ -115,7 +115,7 @@ TEST_F(LatestJobTest, AFailureIsToldAndTheNextJobRuns) {
         LatestJob job(execution);
         job.start(
             [](const std::stop_token&) -> JobQueue::Delivery { throw ImpossibleValue("width below zero"); },
-            [this](const Error& error) { told.push_back(error.message); });
+            [this](const Error& error) { told.push_back(error.message.english()); });
         wait_for(job);
         start(job, "next");
         wait_for(job);
@@ -130,7 +130,7 @@ TEST_F(LatestJobTest, AFailureThatHasBeenOvertakenIsNotTold) {
             gate.pass();
             throw ImpossibleValue("width below zero");
         },
-        [this](const Error& error) { told.push_back(error.message); });
+        [this](const Error& error) { told.push_back(error.message.english()); });
     gate.wait_for_somebody();
     start(job, "next");
     gate.open();

@@ -42,7 +42,7 @@ protected:
                           const PdfOptions& chosen) {
         const std::string file = folder_.filePath("report.pdf").toStdString();
         const auto written = write_pdf(document, chosen, file);
-        EXPECT_TRUE(written) << written.error().message;
+        EXPECT_TRUE(written) << written.error().message.english();
         QProcess process;
         arguments.replaceInStrings("FILE", QString::fromStdString(file));
         process.start(tool, arguments);
@@ -143,7 +143,8 @@ TEST_F(PdfReport, ALanguageWithoutAFontIsRefused) {
     const auto written = write_pdf(document, options(), file);
     EXPECT_EQ(written.has_value(), !QFontDatabase::families(QFontDatabase::Korean).isEmpty());
     if (!written) {
-        EXPECT_TRUE(contains(written.error().message, "fonts-noto-cjk")) << written.error().message;
+        EXPECT_TRUE(contains(written.error().message.english(), "fonts-noto-cjk"))
+            << written.error().message.english();
     }
 }
 
@@ -188,7 +189,7 @@ TEST_F(PdfReport, IsAnArchiveThatCarriesItsFilesAndIsMadeTwiceWithEqualBytes) {
     PdfOptions chosen = options();
     chosen.attached = {{"data.csv", "a,b", "text/csv", "A table"}};
     const auto bytes = pdf_bytes(document, chosen);
-    ASSERT_TRUE(bytes) << bytes.error().message;
+    ASSERT_TRUE(bytes) << bytes.error().message.english();
     EXPECT_EQ(*bytes, *pdf_bytes(document, chosen));
     for (const char* part : {"%PDF-1.7", "<pdfaid:part>3<", "<pdfaid:conformance>B<", "/AFRelationship /Data",
                              "/GTS_PDFA1", "/OutputIntents", "Stewart platform &lt;test &amp; trial&gt;"})

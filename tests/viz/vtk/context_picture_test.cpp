@@ -41,7 +41,7 @@ protected:
     int blue_on_wall(const Scene& scene, const char* name) {
         renderer_.set_scene(scene);
         const auto image = renderer_.render(RenderQuality::full);
-        EXPECT_TRUE(image) << (image ? "" : image.error().message);
+        EXPECT_TRUE(image) << (image ? "" : image.error().message.english());
         if (!image) return -1;
         test::left_picture(*image, name);
         return test::coloured_near(*image, renderer_.project(on_wall), 4, blue, red);

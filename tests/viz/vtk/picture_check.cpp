@@ -74,13 +74,13 @@ testing::AssertionResult matches_baseline(const Image& image, const fs::path& fi
         std::error_code ignored;
         fs::create_directories(file.parent_path(), ignored);
         if (const auto written = write_png(image, file); !written)
-            return testing::AssertionFailure() << written.error().message;
+            return testing::AssertionFailure() << written.error().message.english();
         return testing::AssertionSuccess();
     }
     const auto baseline = read_png(file);
     if (!baseline)
         return testing::AssertionFailure()
-               << baseline.error().message << "; " << left_picture(image, name)
+               << baseline.error().message.english() << "; " << left_picture(image, name)
                << "; look at it, and if it is right run this test with COVARIA_UPDATE_BASELINES=1 to keep it";
     const Difference d = difference(image, *baseline);
     if (d.fraction <= largest.fraction && d.mean <= largest.mean) return testing::AssertionSuccess();

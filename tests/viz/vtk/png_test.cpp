@@ -32,7 +32,7 @@ TEST(Png, ReadsBackWhatWasWritten) {
     const fs::path file = folder / "gradient.png";
     ASSERT_TRUE(write_png(gradient(), file).has_value());
     const auto back = read_png(file);
-    ASSERT_TRUE(back.has_value()) << back.error().message;
+    ASSERT_TRUE(back.has_value()) << back.error().message.english();
     EXPECT_EQ(*back, gradient());
     EXPECT_FALSE(has_hidden_files(folder));
 }
@@ -42,7 +42,7 @@ TEST(Png, ErrorsNameTheFile) {
     const auto no_folder = write_png(gradient(), folder / "absent" / "a.png");
     ASSERT_FALSE(no_folder.has_value());
     EXPECT_EQ(no_folder.error().code, ErrorCode::io);
-    EXPECT_NE(no_folder.error().message.find("absent/a.png"), std::string::npos);
+    EXPECT_NE(no_folder.error().message.english().find("absent/a.png"), std::string::npos);
     const auto full = write_png(gradient(), "/dev/full/a.png");
     EXPECT_FALSE(full.has_value());
     EXPECT_EQ(write_png({}, folder / "empty.png").error().code, ErrorCode::bad_input);

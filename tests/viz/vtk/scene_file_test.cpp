@@ -113,7 +113,7 @@ TEST(SceneFile, EndingsChoose) {
 TEST(SceneFile, GltfHasABallWhereThePointIs) {
     const Vector at(1234.5, -67.25, 8.125);
     const auto text = scene_file_text(ball(at), SceneFormat::gltf, ScenePalette::light);
-    ASSERT_TRUE(text) << text.error().message;
+    ASSERT_TRUE(text) << text.error().message.english();
     const GltfScene read(*text);
     ASSERT_GT(read.points.size(), 100u);
     EXPECT_GT(read.coloured, 0u);
@@ -124,7 +124,7 @@ TEST(SceneFile, GltfHasABallWhereThePointIs) {
 TEST(SceneFile, GltfHasEveryPointOfAScene) {
     const Scene scene = stewart();
     const auto text = scene_file_text(scene, SceneFormat::gltf, ScenePalette::light);
-    ASSERT_TRUE(text) << text.error().message;
+    ASSERT_TRUE(text) << text.error().message.english();
     EXPECT_EQ(*text, *scene_file_text(scene, SceneFormat::gltf, ScenePalette::light));
     const GltfScene read(*text);
     EXPECT_TRUE(read.blended.at("ellipsoids")) << "what is inside is seen";
@@ -150,7 +150,7 @@ TEST(SceneFile, GltfHasEveryPointOfAScene) {
 TEST(SceneFile, VtpHasPointsWithTheirUncertainty) {
     const Scene scene = stewart();
     const auto text = scene_file_text(scene, SceneFormat::vtp, ScenePalette::dark);
-    ASSERT_TRUE(text) << text.error().message;
+    ASSERT_TRUE(text) << text.error().message.english();
     EXPECT_EQ(*text, *scene_file_text(scene, SceneFormat::vtp, ScenePalette::dark));
     const auto mesh = vtp_back(*text);
     auto* u = vtkDoubleArray::SafeDownCast(mesh->GetPointData()->GetArray("u"));
@@ -184,7 +184,7 @@ TEST(SceneFile, VtpHasPointsWithTheirUncertainty) {
 TEST(SceneFile, VtpFarFromTheOriginKeepsItsDigits) {
     const Vector at(1234.5, -67.25, 8.125);
     const auto text = scene_file_text(ball(at), SceneFormat::vtp, ScenePalette::light);
-    ASSERT_TRUE(text) << text.error().message;
+    ASSERT_TRUE(text) << text.error().message.english();
     const auto mesh = vtp_back(*text);
     ASSERT_GT(mesh->GetNumberOfPoints(), 100);
     for (vtkIdType i = 1; i < mesh->GetNumberOfPoints(); ++i)

@@ -21,7 +21,7 @@ Scene stewart(int trials = 3000, const SceneOptions& options = {}) {
 
 Image picture(SceneRenderer& renderer, RenderQuality quality = RenderQuality::full) {
     auto image = renderer.render(quality);
-    EXPECT_TRUE(image.has_value()) << (image ? "" : image.error().message);
+    EXPECT_TRUE(image.has_value()) << (image ? "" : image.error().message.english());
     return image ? *image : Image{};
 }
 
@@ -39,7 +39,7 @@ TEST(SceneRenderer, NeedsNoDisplay) {
     ::unsetenv("WAYLAND_DISPLAY");
     SceneRenderer renderer;
     const auto opened = renderer.open();
-    EXPECT_TRUE(opened.has_value()) << (opened ? "" : opened.error().message);
+    EXPECT_TRUE(opened.has_value()) << (opened ? "" : opened.error().message.english());
 }
 
 TEST(SceneRenderer, MessagesStayOffTheTerminal) {

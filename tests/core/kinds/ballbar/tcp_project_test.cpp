@@ -56,7 +56,8 @@ struct Procedure {
     }
     std::string words() const {
         std::string text;
-        for (const Problem& problem : problems.items()) text += problem.path + ": " + problem.message + "\n";
+        for (const Problem& problem : problems.items())
+            text += problem.path + ": " + problem.message.english() + "\n";
         return text;
     }
     /// Whether the project is refused with a message that has these words.
@@ -172,7 +173,7 @@ TEST(TcpFromBallbars, CountsTrialsWhoseLengthsDoNotMeet) {
     const double fraction = static_cast<double>(r.failed_trials) / 1e5;
     EXPECT_NEAR(fraction, 0.1058, 4.0 * std::sqrt(0.1058 * 0.8942 / 1e5) + 5e-5);
     ASSERT_FALSE(r.warnings.empty());
-    EXPECT_NE(r.warnings[0].find("of 100000 trials"), std::string::npos);
+    EXPECT_NE(r.warnings[0].english().find("of 100000 trials"), std::string::npos);
 }
 
 TEST(TcpFromBallbars, AllUncertaintiesZeroGiveZero) {

@@ -46,7 +46,7 @@ protected:
         EXPECT_EQ(problems.items().size(), 1U);
         if (problems.items().empty()) return {};
         EXPECT_EQ(problems.items().front().path, "/assets/0/setup/file");
-        return problems.items().front().message;
+        return problems.items().front().message.english();
     }
 
     fs::path folder_ = test::fresh_folder("context-mesh");

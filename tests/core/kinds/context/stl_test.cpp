@@ -17,13 +17,13 @@ const std::vector<test::StlTriangle> square = test::rectangle(0, 0, 2, 1, 5);
 std::string refusal(const std::string& bytes, int line = 0) {
     const auto mesh = mesh_from_stl(bytes);
     if (mesh) return "accepted";
-    EXPECT_EQ(mesh.error().line, line) << mesh.error().message;
-    return mesh.error().message;
+    EXPECT_EQ(mesh.error().line, line) << mesh.error().message.english();
+    return mesh.error().message.english();
 }
 
 TEST(Stl, BinaryGivesItsTriangles) {
     const auto mesh = mesh_from_stl(test::binary_stl(square));
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << mesh.error().message.english();
     ASSERT_EQ(mesh->triangles(), 2U);
     EXPECT_EQ(std::vector<float>(mesh->corners.begin(), mesh->corners.begin() + 9),
               (std::vector<float>{0, 0, 5, 2, 0, 5, 2, 1, 5}));
@@ -33,7 +33,7 @@ TEST(Stl, BinaryGivesItsTriangles) {
 
 TEST(Stl, ABinaryFileMayBeginWithSolid) {
     const auto mesh = mesh_from_stl(test::binary_stl(square, "solid exported by a program"));
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << mesh.error().message.english();
     EXPECT_EQ(mesh->triangles(), 2U);
 }
 
@@ -42,7 +42,7 @@ TEST(Stl, AsciiGivesTheSame) {
                        "FACET NORMAL nan nan nan\r\nOUTER LOOP\r\nVERTEX 0 0 5\r\nVERTEX 2 1 5\r\n"
                        "VERTEX 1e-400 1 5\r\nENDLOOP\r\nENDFACET\r\nendsolid a name\n";
     const auto mesh = mesh_from_stl(text);
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << mesh.error().message.english();
     EXPECT_EQ(mesh->corners, mesh_from_stl(test::binary_stl(square))->corners);
     text += "solid two\n" + test::ascii_facet("9 9 9", "8 8 9", "9 8 9") + "endsolid two";
     EXPECT_EQ(mesh_from_stl(text)->triangles(), 3U) << "several solids are one mesh";
@@ -99,7 +99,7 @@ TEST(Stl, AFileIsReadOnceForEachState) {
     EXPECT_FALSE(mesh_of_file(file));
     ASSERT_TRUE(write_file_atomically(file, test::binary_stl(square)));
     const auto first = mesh_of_file(file);
-    ASSERT_TRUE(first) << first.error().message;
+    ASSERT_TRUE(first) << first.error().message.english();
     EXPECT_EQ(*first, *mesh_of_file(file)) << "the same object";
     ASSERT_TRUE(write_file_atomically(file, test::binary_stl({square[0]})));
     const auto second = mesh_of_file(file);

@@ -188,7 +188,7 @@ TEST(CalibrationCurve, InverseUseOfPolynomialsFindsTheBranch) {
     EXPECT_EQ(model_of(setup, problems), nullptr);
     ASSERT_EQ(problems.items().size(), 1u);
     EXPECT_EQ(problems.items()[0].path, "/inverse/rows/0/y");
-    EXPECT_NE(problems.items()[0].message.find("say in 'near' which"), std::string::npos);
+    EXPECT_NE(problems.items()[0].message.english().find("say in 'near' which"), std::string::npos);
     use_inversely(setup,
                   {{0.0, 0.01, {}, 0.0}, {0.0, 0.01, {}, 2.9}, {0.0, 0.01, {}, 9.0}, {20.0, 0.01, {}, {}}});
     const auto result = first_order(setup);
@@ -205,7 +205,7 @@ TEST(CalibrationCurve, InverseUseOfPolynomialsFindsTheBranch) {
     setup.values["degree"] = Quantity{2.0, Unit{}};
     Problems none;
     EXPECT_EQ(model_of(setup, none), nullptr);
-    EXPECT_NE(none.items()[0].message.find("does not reach y = -1000000000"), std::string::npos);
+    EXPECT_NE(none.items()[0].message.english().find("does not reach y = -1000000000"), std::string::npos);
 }
 
 TEST(CalibrationCurve, TakesThousandsOfPoints) {
@@ -231,7 +231,7 @@ TEST(CalibrationCurve, RefusesWhatDoesNotDetermineACurve) {
     const auto message = [](const Points& points, const std::string& uncertainty, int degree) {
         Problems problems;
         EXPECT_EQ(model_of(setup_of(points, uncertainty, degree), problems), nullptr);
-        return problems.items().empty() ? std::string() : problems.items().front().message;
+        return problems.items().empty() ? std::string() : problems.items().front().message.english();
     };
     EXPECT_NE(message({{1, 1, 1}, {}, {1, 2, 3}, {}}, "residuals", 1).find("different places"),
               std::string::npos);

@@ -71,7 +71,7 @@ inline UncertaintyResult first_order(const covaria::Setup& setup) {
     Problems problems;
     const auto model = model_of(setup, problems);
     for (const Problem& p : problems.items())
-        if (p.severity == Severity::error) ADD_FAILURE() << p.path << " " << p.message;
+        if (p.severity == Severity::error) ADD_FAILURE() << p.path << " " << p.message.english();
     return evaluate_first_order(*model, model->inputs(), {}).value();
 }
 

@@ -51,7 +51,7 @@ std::unique_ptr<MeasurementModel> model_of(const covaria::Setup& setup, Problems
 UncertaintyResult first_order(const covaria::Setup& setup) {
     Problems problems;
     const auto model = model_of(setup, problems);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
     return evaluate_first_order(*model, model->inputs(), {}).value();
 }
 
@@ -175,12 +175,12 @@ TEST(EquationModel, ProblemsHaveTheirPlace) {
         EXPECT_EQ(model_of(r.setup, problems), nullptr) << r.name;
         const bool found =
             std::any_of(problems.items().begin(), problems.items().end(), [&](const Problem& p) {
-                return p.path == r.path && p.message.find(r.words) != std::string::npos;
+                return p.path == r.path && p.message.english().find(r.words) != std::string::npos;
             });
         EXPECT_TRUE(found) << r.name << " -> "
                            << (problems.empty()
                                    ? ""
-                                   : problems.items()[0].path + ": " + problems.items()[0].message);
+                                   : problems.items()[0].path + ": " + problems.items()[0].message.english());
     }
 }
 

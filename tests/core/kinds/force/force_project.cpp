@@ -95,7 +95,8 @@ std::vector<DataTable> ForceProject::model_tables(const std::string& analysis_id
 
 std::string ForceProject::words() const {
     std::string text;
-    for (const Problem& problem : problems.items()) text += problem.path + ": " + problem.message + "\n";
+    for (const Problem& problem : problems.items())
+        text += problem.path + ": " + problem.message.english() + "\n";
     return text;
 }
 

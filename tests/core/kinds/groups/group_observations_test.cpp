@@ -33,7 +33,7 @@ std::unique_ptr<MeasurementModel> model_of(const covaria::Setup& setup, Problems
 FirstOrderOutput mean_of(const covaria::Setup& setup) {
     Problems problems;
     const auto model = model_of(setup, problems);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message.english();
     return evaluate_first_order(*model, model->inputs(), {}).value().outputs[0].first_order;
 }
 
@@ -122,7 +122,7 @@ TEST(GroupObservations, RefusesGroupsThatSayNothing) {
     const auto message = [](const Groups& groups) {
         Problems problems;
         EXPECT_EQ(model_of(setup_of(groups, "included"), problems), nullptr);
-        return problems.items().empty() ? std::string() : problems.items().front().message;
+        return problems.items().empty() ? std::string() : problems.items().front().message.english();
     };
     EXPECT_NE(message({{1, 2, 3, 4}}).find("at least two groups"), std::string::npos);
     EXPECT_NE(message({{1}, {2}, {3}, {4}}).find("no group has more than one"), std::string::npos);

@@ -36,7 +36,7 @@ std::shared_ptr<const PreparedAnalysis> prepared(const Project& project) {
     Problems problems;
     auto analysis = made_analysis(project, project.analyses.front().id, problems);
     for (const Problem& p : problems.items())
-        if (p.severity == Severity::error) ADD_FAILURE() << p.path << ": " << p.message;
+        if (p.severity == Severity::error) ADD_FAILURE() << p.path << ": " << p.message.english();
     return analysis;
 }
 

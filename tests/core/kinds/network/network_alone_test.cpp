@@ -313,7 +313,7 @@ struct Case {
         }
         problems = {};
         const auto prepared = made_analysis(project, id, problems);
-        if (!prepared) throw std::runtime_error(problems.items().front().message);
+        if (!prepared) throw std::runtime_error(problems.items().front().message.english());
         return *run_analysis(*prepared, {});
     }
     /// Standard uncertainties in mm (or 1e-3 rad).
@@ -369,7 +369,7 @@ TEST(Cases, AContradictionIsWarnedOf) {
     Problems problems;
     problems.take(MadeProject::make(blunder.project)->problems(), "");
     ASSERT_FALSE(problems.empty());
-    const std::string& message = problems.items().front().message;
+    const std::string& message = problems.items().front().message.english();
     EXPECT_NE(message.find("Chi-square"), std::string::npos) << message;
     EXPECT_NE(message.find("55 degrees of freedom"), std::string::npos) << message;
 }

@@ -62,7 +62,8 @@ struct Network {
     }
     std::string words() const {
         std::string text;
-        for (const Problem& problem : problems.items()) text += problem.path + ": " + problem.message + "\n";
+        for (const Problem& problem : problems.items())
+            text += problem.path + ": " + problem.message.english() + "\n";
         return text;
     }
 

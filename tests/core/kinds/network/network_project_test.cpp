@@ -331,7 +331,7 @@ TEST(NetworkReadings, ContradictionsAreWarnedOfWithTheirPlace) {
         EXPECT_EQ(problem.severity, Severity::warning);
         EXPECT_NE(problem.path.find("/setup/readings/rows/6"), std::string::npos) << problem.path;
         for (const char* words : {"Chi-square", "larger than the uncertainties allow", "azimuth of B by C3"})
-            EXPECT_NE(problem.message.find(words), std::string::npos) << problem.message;
+            EXPECT_NE(problem.message.english().find(words), std::string::npos) << problem.message.english();
         Problems of_project;
         of_project.take(MadeProject::make(network.project)->problems(), "");
         EXPECT_FALSE(of_project.empty());

@@ -33,7 +33,7 @@ std::unique_ptr<Asset> make(const AssetDescriptor& d, const Setup& s, Problems& 
 std::unique_ptr<Asset> make(const AssetDescriptor& d, const Setup& s) {
     Problems problems;
     auto asset = make(d, s, problems);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
     return asset;
 }
 
@@ -90,7 +90,7 @@ TEST(Tables1And2, TreatmentsOfTheBias) {
     s.values["bias"] = std::string("corrected");
     Problems problems;
     EXPECT_EQ(make(artefact(), s, problems), nullptr);  // n is not known
-    EXPECT_NE(problems.items().front().message.find("number of observations"), std::string::npos);
+    EXPECT_NE(problems.items().front().message.english().find("number of observations"), std::string::npos);
     for (auto& row : std::get<SetupTable>(s.values["components"]).rows) row[5] = 16.0;
     EXPECT_NEAR(u_of(*make(artefact(), s), 1), std::sqrt(25 + 36 + 88 * 88 * (1 + 1 / 16.0)) * 1e-6, 1e-12);
 }
@@ -321,7 +321,7 @@ TEST(SphericalInstrument, CorrelatedCoordinatesOfTheStation) {
                                                          {std::string("x_0"), std::string("z_0"), -0.9}});
     Problems problems;
     EXPECT_EQ(make(d, impossible, problems) != nullptr && !problems.has_errors(), false);
-    EXPECT_NE(problems.items().front().message.find("not possible together"), std::string::npos);
+    EXPECT_NE(problems.items().front().message.english().find("not possible together"), std::string::npos);
 }
 
 TEST(SphericalInstrument, WhatASensorReads) {

@@ -13,7 +13,7 @@ namespace covaria::pose_case {
 inline Project project(const std::string& name) {
     const LoadedProject loaded = load_project(COVARIA_SOURCE_DIR "/tests/data/cases/" + name + ".covaria");
     for (const Problem& p : loaded.problems.items())
-        if (p.severity == Severity::error) ADD_FAILURE() << p.path << " " << p.message;
+        if (p.severity == Severity::error) ADD_FAILURE() << p.path << " " << p.message.english();
     return loaded.project;
 }
 

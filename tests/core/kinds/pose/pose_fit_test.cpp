@@ -21,8 +21,8 @@ std::vector<std::string> warnings_of(const std::string& name) {
     std::vector<std::string> texts;
     for (const Problem& p : problems.items()) {
         EXPECT_EQ(p.severity, Severity::warning);
-        EXPECT_EQ(p.path, "/analyses/0/setup/measured_points") << p.message;
-        texts.push_back(p.message);
+        EXPECT_EQ(p.path, "/analyses/0/setup/measured_points") << p.message.english();
+        texts.push_back(p.message.english());
     }
     return texts;
 }
@@ -121,7 +121,8 @@ TEST(PoseFit, ABadPointIsNamed) {
     const auto model = make(s, problems);
     ASSERT_TRUE(model);
     ASSERT_EQ(problems.items().size(), 1u);
-    EXPECT_NE(problems.items()[0].message.find("(p3, "), std::string::npos) << problems.items()[0].message;
+    EXPECT_NE(problems.items()[0].message.english().find("(p3, "), std::string::npos)
+        << problems.items()[0].message.english();
 }
 
 TEST(PoseFit, APrioriHasNothingToFit) {

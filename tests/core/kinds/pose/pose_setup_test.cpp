@@ -25,12 +25,13 @@ Problems problems_of(const Setup& s) {
 void expect_problem(const Setup& s, Severity severity, const std::string& path, const std::string& words) {
     const Problems problems = problems_of(s);
     for (const Problem& p : problems.items())
-        if (p.severity == severity && p.path == path && p.message.find(words) != std::string::npos) return;
+        if (p.severity == severity && p.path == path && p.message.english().find(words) != std::string::npos)
+            return;
     ADD_FAILURE() << "no problem at " << path << " with '" << words << "'; there are "
                   << problems.items().size()
-                  << (problems.empty()
-                          ? ""
-                          : ": " + problems.items().front().path + " " + problems.items().front().message);
+                  << (problems.empty() ? ""
+                                       : ": " + problems.items().front().path + " " +
+                                             problems.items().front().message.english());
 }
 
 UncertaintyResult first_order(const MeasurementModel& model) {

@@ -14,7 +14,8 @@ AssetLibrary library_of(const std::string& kind, const Setup& s) {
     std::shared_ptr<const Asset> asset;
     if (!problems.has_errors()) asset = d->create(SetupReader(d->schema, s), {}, problems);
     if (!asset)
-        throw std::runtime_error(problems.items().front().path + ": " + problems.items().front().message);
+        throw std::runtime_error(problems.items().front().path + ": " +
+                                 problems.items().front().message.english());
     AssetLibrary library;
     library.add("a", {"the " + kind, d, asset});
     return library;

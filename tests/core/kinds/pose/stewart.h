@@ -111,7 +111,8 @@ inline std::unique_ptr<MeasurementModel> make(const Setup& s, const AssetLibrary
     Problems problems;
     auto model = make(s, problems, assets);
     if (!model)
-        throw std::runtime_error(problems.items().front().path + ": " + problems.items().front().message);
+        throw std::runtime_error(problems.items().front().path + ": " +
+                                 problems.items().front().message.english());
     return model;
 }
 

@@ -41,13 +41,14 @@ struct TrackerPose {
     UncertaintyResult first_order(const std::string& id) {
         analysis(id).options.method = Method::first_order;
         const auto prepared = prepare(id);
-        if (!prepared) throw std::runtime_error(problems.items().front().message);
+        if (!prepared) throw std::runtime_error(problems.items().front().message.english());
         return run_analysis(*prepared, {}).value();
     }
     std::string errors() const {
         std::string text;
         for (const Problem& problem : problems.items())
-            if (problem.severity == Severity::error) text += problem.path + ": " + problem.message + "\n";
+            if (problem.severity == Severity::error)
+                text += problem.path + ": " + problem.message.english() + "\n";
         return text;
     }
 

@@ -54,7 +54,7 @@ struct Robot {
     }
     std::string words() const {
         std::string text;
-        for (const Problem& p : problems.items()) text += p.path + ": " + p.message + "\n";
+        for (const Problem& p : problems.items()) text += p.path + ": " + p.message.english() + "\n";
         return text;
     }
 

@@ -48,8 +48,9 @@ struct Made {
     }
     bool complains(const std::string& words) const {
         for (const Problem& p : problems.items())
-            if ((p.path + " " + p.message).find(words) != std::string::npos) return true;
-        for (const Problem& p : problems.items()) std::printf("%s %s\n", p.path.c_str(), p.message.c_str());
+            if ((p.path + " " + p.message.english()).find(words) != std::string::npos) return true;
+        for (const Problem& p : problems.items())
+            std::printf("%s %s\n", p.path.c_str(), p.message.english().c_str());
         return false;
     }
 
@@ -112,7 +113,8 @@ TEST(SlidingJoints, InverseKinematicsFindsTheirReadings) {
     const Eigen::Vector3d p = 1e3 * X.translation();
     std::snprintf(row, sizeof row, R"(["t", %.17g, %.17g, %.17g, null, null, null])", p.x(), p.y(), p.z());
     const Made found(project_with("", row));
-    ASSERT_TRUE(found.analysis) << (found.problems.empty() ? "" : found.problems.items()[0].message);
+    ASSERT_TRUE(found.analysis) << (found.problems.empty() ? ""
+                                                           : found.problems.items()[0].message.english());
     const auto tables = found.analysis->model->evaluation();
     std::vector<double> readings;
     for (std::size_t i = 1; i <= 4; ++i) readings.push_back(std::get<double>(tables[0].rows[0][i]));

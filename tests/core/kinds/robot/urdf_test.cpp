@@ -71,13 +71,13 @@ std::unique_ptr<Asset> made(const ImportedAsset& imported) {
     Problems problems;
     check_setup(kind->schema, imported.setup, problems);
     auto asset = kind->create(SetupReader(kind->schema, imported.setup), AssetLibrary(), problems);
-    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message;
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message.english();
     return asset;
 }
 
 void expect_same_tool(const std::vector<Joint>& joints) {
     const auto imported = import_urdf(urdf_of(joints));
-    ASSERT_TRUE(imported) << imported.error().message;
+    ASSERT_TRUE(imported) << imported.error().message.english();
     const auto asset = made(*imported);
     ASSERT_NE(asset, nullptr);
     const SerialRobotSource& robot = *offers<SerialRobotSource>(asset);
@@ -149,13 +149,13 @@ TEST(Urdf, AGripperIsLeftOut) {
         urdf_of({{"revolute", O, O, Z}, {"revolute", {.5, 0, 0}, O, Y}, {"fixed", {.1, 0, 0}, O, X}});
     xml.insert(xml.find("</robot>"), joint_xml("finger", {"prismatic", O, O, X}, "l3", "finger_left"));
     const auto imported = import_urdf(xml);
-    ASSERT_TRUE(imported) << imported.error().message;
+    ASSERT_TRUE(imported) << imported.error().message.english();
     EXPECT_EQ(offers<SerialRobotSource>(made(*imported))->joints().size(), 2u);
 }
 
 std::string refusal(const std::string& xml, const std::string& tip = {}) {
     const auto imported = import_urdf(xml, {.tip = tip});
-    return imported ? "accepted" : imported.error().message;
+    return imported ? "accepted" : imported.error().message.english();
 }
 
 TEST(Urdf, WhatIsNoArmIsRefusedWithItsReason) {
@@ -255,7 +255,7 @@ std::string case_file(const char* name) {
 
 TEST(Urdf, TheToolOfTheGimbalCaseStandsWhereTheFileSays) {
     const auto imported = import_urdf(case_file("gimbal.urdf"));
-    ASSERT_TRUE(imported) << imported.error().message;
+    ASSERT_TRUE(imported) << imported.error().message.english();
     const auto asset = made(*imported);
     const SerialRobotSource& robot = *offers<SerialRobotSource>(asset);
     const Eigen::Isometry3d tool = robot.X_WB() * link_frames(robot, {0.0}).back();
@@ -306,14 +306,14 @@ TEST(Urdf, NoGripperIsTakenForAJointAndTheReportSaysWhy) {
          "a1", "as in a hand"}};
     for (const Gripper& gripper : grippers) {
         const auto imported = import_urdf(with(urdf_of(six_axes), gripper.xml));
-        ASSERT_TRUE(imported) << imported.error().message;
+        ASSERT_TRUE(imported) << imported.error().message.english();
         EXPECT_EQ(offers<SerialRobotSource>(made(*imported))->joints().size(), 6u) << gripper.joint;
         EXPECT_TRUE(reports(*imported, gripper.joint + ": left out: ")) << gripper.joint;
         EXPECT_TRUE(reports(*imported, gripper.why)) << gripper.joint;
         EXPECT_TRUE(reports(*imported, "6 joints from link l0 to link l7"));
     }
     const auto named = import_urdf(with(urdf_of(six_axes), grippers[1].xml), {.tip = "tip_a"});
-    ASSERT_TRUE(named) << named.error().message;
+    ASSERT_TRUE(named) << named.error().message.english();
     EXPECT_EQ(offers<SerialRobotSource>(made(*named))->joints().size(), 6u);
     EXPECT_TRUE(reports(*named, "left_FINGER: frozen"));
 }
@@ -331,7 +331,7 @@ TEST(Urdf, ArmsThatOnlyLookLikeGrippersAreTaken) {
     const auto palletiser =
         import_urdf(with(urdf_of(four), mimicking(joint_xml("rod", four[1], "l1", "rod_link"), "j2") +
                                             mimicking(joint_xml("bar", four[1], "l3", "bar_link"), "j3")));
-    ASSERT_TRUE(palletiser) << palletiser.error().message;
+    ASSERT_TRUE(palletiser) << palletiser.error().message.english();
     EXPECT_EQ(offers<SerialRobotSource>(made(*palletiser))->joints().size(), 4u);
 }
 
@@ -342,7 +342,7 @@ TEST(Urdf, AJointBeforeTheArmIsFrozen) {
     EXPECT_NE(refusal(urdf_of(joints)).find("8 moving joints; an arm has at most 7"), std::string::npos)
         << refusal(urdf_of(joints));
     const auto imported = import_urdf(urdf_of(joints), {.frozen = {{"j1", 90.0}, {"j2", 250.0}}});
-    ASSERT_TRUE(imported) << imported.error().message;
+    ASSERT_TRUE(imported) << imported.error().message.english();
     EXPECT_TRUE(reports(*imported, "j1: frozen at 90°"));
     EXPECT_TRUE(reports(*imported, "j2: frozen at 250 mm"));
     const auto asset = made(*imported);
@@ -355,7 +355,8 @@ TEST(Urdf, AJointBeforeTheArmIsFrozen) {
     EXPECT_LT((found.matrix() - tip_of(joints, all).matrix()).norm(), 1e-9);
     const auto unknown = import_urdf(urdf_of(joints), {.frozen = {{"j11", 0.0}}});
     ASSERT_FALSE(unknown);
-    EXPECT_NE(unknown.error().message.find("j11"), std::string::npos) << unknown.error().message;
+    EXPECT_NE(unknown.error().message.english().find("j11"), std::string::npos)
+        << unknown.error().message.english();
     const auto beyond = import_urdf(urdf_of(joints), {.frozen = {{"j1", 170.0}}});
     ASSERT_TRUE(beyond);
     EXPECT_TRUE(reports(*beyond, "beyond its limits"));
@@ -370,7 +371,7 @@ TEST(Urdf, ThousandsOfJointsTakeNoTime) {
         bush += joint_xml("f" + std::to_string(k), {"fixed", O, O, X}, "l4005", "leaf" + std::to_string(k));
     const auto start = std::chrono::steady_clock::now();
     const auto imported = import_urdf(with(xml, bush));
-    ASSERT_TRUE(imported) << imported.error().message;
+    ASSERT_TRUE(imported) << imported.error().message.english();
     EXPECT_EQ(offers<SerialRobotSource>(made(*imported))->joints().size(), 6u);
     EXPECT_NE(refusal(urdf_of(std::vector<Joint>(4000, {"revolute", {.1, 0, 0}, O, Z}))).find("at most 7"),
               std::string::npos);

@@ -18,11 +18,11 @@ void expect_value(const Project& project, const std::string& id, const std::stri
     const Problems problems = made->problems();
     for (const Problem& problem : problems.items())
         EXPECT_NE(problem.severity, Severity::error)
-            << what << ": " << problem.path << ": " << problem.message;
+            << what << ": " << problem.path << ": " << problem.message.english();
     const auto prepared = made->analysis(id);
     ASSERT_NE(prepared, nullptr) << what;
     const auto result = evaluate_first_order(*prepared->propagated, prepared->options);
-    ASSERT_TRUE(result) << what << ": " << result.error().message;
+    ASSERT_TRUE(result) << what << ": " << result.error().message.english();
     bool any = false;
     for (const OutputResult& output : result->outputs)
         any = any || output.first_order.standard_uncertainty > 0;
@@ -34,7 +34,7 @@ TEST(AnalysisTemplates, EachHasAResultAsMade) {
     for (const AnalysisTemplate& known : analysis_templates()) {
         Project project;
         const auto id = add_template(project, known);
-        ASSERT_TRUE(id) << known.title << ": " << id.error().message;
+        ASSERT_TRUE(id) << known.title << ": " << id.error().message.english();
         EXPECT_EQ(project.analyses.back().name, known.title);
         EXPECT_TRUE(titles.insert(known.title).second) << known.title;
         expect_value(project, *id, known.title);

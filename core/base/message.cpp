@@ -1,0 +1,63 @@
+#include "core/base/message.h"
+
+#include <ostream>
+#include <utility>
+
+#include "core/base/placeholders.h"
+
+namespace covaria {
+namespace {
+
+std::vector<const char*>& known() {
+    static std::vector<const char*> known;
+    return known;
+}
+
+}  // namespace
+
+detail::KnownWords::KnownWords(const char* text) : english(text) {
+    known().push_back(text);
+}
+
+const std::vector<const char*>& Message::all_words() {
+    return known();
+}
+
+Message Message::of_words(const char* english, std::vector<Message> arguments) {
+    Message message(english);
+    message.arguments_ = std::move(arguments);
+    message.translated_ = true;
+    return message;
+}
+
+Message Message::declared(std::string_view english) {
+    Message message(english);
+    message.translated_ = true;
+    return message;
+}
+
+std::string Message::english() const {
+    return in([](const std::string& text) { return text; });
+}
+
+std::string Message::in(const Words& translate) const {
+    std::string text = translated_ && !words_.empty() ? translate(words_) : words_;
+    if (arguments_.empty()) return text;
+    std::vector<std::string> arguments;
+    for (const Message& argument : arguments_) arguments.push_back(argument.in(translate));
+    return fill_placeholders<std::string>(text, arguments);
+}
+
+Message& Message::operator+=(Message more) {
+    if (empty()) return *this = std::move(more);
+    if (more.empty()) return *this;
+    Message joined("%1%2");
+    joined.arguments_ = {std::move(*this), std::move(more)};
+    return *this = std::move(joined);
+}
+
+std::ostream& operator<<(std::ostream& out, const Message& message) {
+    return out << message.english();
+}
+
+}  // namespace covaria
