@@ -9,7 +9,7 @@ namespace covaria {
 const char* kind_words(FieldKind kind) {
     switch (kind) {
         case FieldKind::number:
-            return "number";
+            return "real number";
         case FieldKind::integer:
             return "integer";
         case FieldKind::choice:

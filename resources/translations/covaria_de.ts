@@ -6047,6 +6047,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>reference to an asset</source>
         <translation>Verweis auf ein Betriebsmittel</translation>
     </message>
+    <message>
+        <source>real number</source>
+        <translation>reelle Zahl</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -6047,6 +6047,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>reference to an asset</source>
         <translation>referencia a un recurso</translation>
     </message>
+    <message>
+        <source>real number</source>
+        <translation>número real</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

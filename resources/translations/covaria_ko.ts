@@ -6047,6 +6047,10 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <source>reference to an asset</source>
         <translation>자산에 대한 참조</translation>
     </message>
+    <message>
+        <source>real number</source>
+        <translation>실수</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

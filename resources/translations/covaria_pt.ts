@@ -6047,6 +6047,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>reference to an asset</source>
         <translation>referência a um recurso</translation>
     </message>
+    <message>
+        <source>real number</source>
+        <translation>número real</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -21,7 +21,7 @@ DocumentLanguage document_language(const Project& project) {
 }
 
 DocumentLanguage language_of_window() {
-    return {QLocale().name().toStdString(), number_locale(QLocale()), core_words};
+    return {spoken_language().toStdString(), number_locale(QLocale()), core_words};
 }
 
 }  // namespace covaria::ui

@@ -35,6 +35,11 @@ QString bare_language(const QString& code) {
     return code.left(code.indexOf(QLatin1Char('_')));
 }
 
+QString& said_language() {
+    static QString code = english;
+    return code;
+}
+
 void install(const QString& catalogue) {
     auto* texts = new QTranslator(QCoreApplication::instance());
     if (texts->load(folder_of_catalogues + catalogue + QStringLiteral(".qm")))
@@ -78,11 +83,16 @@ QString language_to_speak(const QString& chosen, const QLocale& system) {
 }
 
 void speak(const QString& code, bool chosen) {
+    said_language() = code;
     if (chosen) QLocale::setDefault(QLocale(code));
     const auto language = std::ranges::find(all_languages(), code, &Language::code);
     if (language == all_languages().end() || code == english) return;
     install(language->qt_catalogue);
     install(QStringLiteral("covaria_") + code);  // asked first
+}
+
+QString spoken_language() {
+    return said_language();
 }
 
 void speak_as_preferred(const QString& this_time) {

@@ -27,6 +27,8 @@ QString language_to_speak(const QString& chosen, const QLocale& system);
 /// The texts of the application in that language from now on; to be said before there is a window. Where it
 /// was `chosen`, numbers follow it, too: QLocale() is the language's.
 void speak(const QString& code, bool chosen);
+/// The code of what the window speaks; "en" until it was said.
+QString spoken_language();
 
 /// That of the preferences, or `this_time` where it is not empty.
 void speak_as_preferred(const QString& this_time);

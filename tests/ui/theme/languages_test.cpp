@@ -84,5 +84,14 @@ TEST(DocumentLanguages, SayPhrasesAndWriteNumbers) {
     EXPECT_EQ(document_language(project).code(), "en");
 }
 
+/// The last one: the application keeps the language.
+TEST(Languages, ThatOfTheWindowIsTheOneItWasToldToSpeak) {
+    EXPECT_EQ(language_of_window().code(), "en");
+    speak(QStringLiteral("de"), true);
+    EXPECT_EQ(language_of_window().code(), "de") << "not de_DE: pages of help are found by it";
+    EXPECT_EQ(language_of_window().say_declared("Decision rule"), "Entscheidungsregel");
+    EXPECT_EQ(language_of_window().numbers().decimal, ",");
+}
+
 }  // namespace
 }  // namespace covaria::ui::languages_test
