@@ -1,6 +1,7 @@
 // JSON to Setup, field by field as the schema says.
 #include <array>
 
+#include "core/base/in_quotes.h"
 #include "core/project/csv_table.h"
 #include "core/project/json_location.h"
 #include "core/project/setup_json.h"
