@@ -26,8 +26,7 @@ public:
     Message(const char* as_it_is) : words_(as_it_is) {}
     Message(std::string_view as_it_is) : words_(as_it_is) {}
     template <std::integral Count>
-    requires(!std::same_as<Count, bool>)
-    Message(Count count) {
+    requires(!std::same_as<Count, bool>) Message(Count count) {
         if constexpr (std::same_as<Count, char>)
             words_ = count;
         else
