@@ -47,16 +47,16 @@ Result<std::vector<std::string>> selected(const Project& project, const std::vec
     return wanted;
 }
 
-std::string why(const Problems& problems) {
+Message why(const Problems& problems) {
     for (const Problem& problem : problems.items())
-        if (problem.severity == Severity::error) return problem.path + ": " + problem.message.english();
-    return "it cannot be evaluated";
+        if (problem.severity == Severity::error) return problem.path + ": " + problem.message;
+    return tell<"it cannot be made">();
 }
 
 std::string words_of(const FailedAnalysis& failed) {
     const std::string name = failed.name.empty() ? "" : " (" + failed.name + ")";
     return (failed.study.empty() ? "analysis " + failed.id : "study " + failed.id + "/" + failed.study) +
-           name + ": " + failed.cause;
+           name + ": " + failed.cause.english();
 }
 
 /// Evaluates analysis after analysis and keeps what failed.
@@ -74,7 +74,7 @@ public:
         end_progress_line();
         if (!one && one.error().code == ErrorCode::cancelled) return fail(one.error());
         if (!one) {
-            note_failure(id, "", one.error().message.english());
+            note_failure(id, "", one.error().message);
             return {};
         }
         for (const Message& warning : one->result->warnings)
@@ -96,7 +96,7 @@ private:
         const Problems problems = made_->problems_of_analysis(id);
         const auto prepared = made_->analysis(id);
         if (!prepared) return fail(ErrorCode::bad_input, why(problems));
-        if (!prepared->forecast.empty()) print_message(id + ": " + prepared->forecast);
+        if (!prepared->forecast.empty()) print_message(id + ": " + prepared->forecast.english());
         auto result = run_analysis(*prepared, control("analysis " + id, id, ""));
         if (!result) return fail(result.error());
         EvaluatedAnalysis evaluated{
@@ -113,7 +113,7 @@ private:
             end_progress_line();
             if (!result && result.error().code == ErrorCode::cancelled) return fail(result.error());
             if (!result)
-                note_failure(id, study.id, result.error().message.english());
+                note_failure(id, study.id, result.error().message);
             else
                 evaluated.studies.push_back(std::make_shared<const StudyResult>(std::move(*result)));
         }
@@ -151,14 +151,14 @@ private:
             end_progress_line();
             if (!result && result.error().code == ErrorCode::cancelled) return fail(result.error());
             if (!result)
-                note_failure(id, design.id, result.error().message.english());
+                note_failure(id, design.id, result.error().message);
             else
                 evaluated.designs.push_back(std::make_shared<const DesignResult>(std::move(*result)));
         }
         return {};
     }
 
-    void note_failure(const std::string& id, const std::string& study, const std::string& cause) {
+    void note_failure(const std::string& id, const std::string& study, const Message& cause) {
         FailedAnalysis failed{id, made_->project().find_analysis(id)->name, study, cause};
         print_message(words_of(failed));
         evaluation.failed.push_back(std::move(failed));

@@ -39,7 +39,7 @@ std::string quantity_text(const OutputQuantity& quantity, double si) {
 }
 
 TestCase target_case(const std::string& name, const OutputResult& output, const RequirementResult& verdict) {
-    TestCase made{name + ", target uncertainty", verdict.not_judged};
+    TestCase made{name + ", target uncertainty", verdict.not_judged.english()};
     if (made.failure.empty() && !verdict.meets_target)
         made.failure = "U = " + quantity_text(output.quantity, output.expanded_uncertainty) +
                        " is above its target " + quantity_text(output.quantity, *verdict.target_uncertainty);
@@ -47,7 +47,7 @@ TestCase target_case(const std::string& name, const OutputResult& output, const 
 }
 
 TestCase tolerance_case(const std::string& name, const RequirementResult& verdict) {
-    TestCase made{name + ", tolerance", verdict.not_judged};
+    TestCase made{name + ", tolerance", verdict.not_judged.english()};
     if (made.failure.empty() && verdict.decision != RequirementResult::Decision::accept)
         made.failure = "rejected by " + decision_rule(verdict.guard_factor) +
                        "; probability of conformance " + format_significant(verdict.conformance, 4);
@@ -125,7 +125,8 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
     std::vector<TestSuite> suites;
     for (const EvaluatedAnalysis& one : evaluation->analyses)
         suites.push_back(suite_of(one, (*opened)->project()));
-    for (const FailedAnalysis& failed : evaluation->failed) suites.push_back({failed.id, {}, failed.cause});
+    for (const FailedAnalysis& failed : evaluation->failed)
+        suites.push_back({failed.id, {}, failed.cause.english()});
     if (!arguments.junit.empty())
         if (auto written = write_file_atomically(arguments.junit, junit_text(arguments.request.file, suites));
             !written)

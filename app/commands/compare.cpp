@@ -15,6 +15,7 @@
 #include "core/base/file_names.h"
 #include "core/report/comparison_report.h"
 #include "core/report/report.h"
+#include "ui/theme/document_language.h"
 
 namespace covaria {
 namespace {
@@ -114,7 +115,7 @@ Result<void> write_out(const CompareArguments& arguments, const ReportDocument& 
     return written;
 }
 
-/// It carries the project of after, as reports do.
+/// It carries the project of after and is in its language, as reports are.
 Result<void> write_as_report(const std::string& file, const ReportDocument& document, const Evaluation& after,
                              const std::stop_token& stop) {
     ReportFiles files;
@@ -150,11 +151,14 @@ Result<void> compare(const CompareArguments& arguments, const std::stop_token& s
                             same ? pair.before : pair.before + " (before), " + pair.after + " (after)",
                             compare_results(a, b)});
     }
-    const ReportDocument document = build_comparison(
-        {arguments.before, sides_words(arguments), plan->only_before, plan->only_after}, compared);
-    if (auto written = write_out(arguments, document, compared); !written) return written;
-    if (!arguments.output.empty())
+    const ComparedSides sides{arguments.before, sides_words(arguments), plan->only_before, plan->only_after};
+    if (auto written = write_out(arguments, build_comparison(sides, compared), compared); !written)
+        return written;
+    if (!arguments.output.empty()) {
+        const ReportDocument document =
+            build_comparison(sides, compared, ui::document_language((*after)->project()));
         if (auto written = write_as_report(arguments.output, document, *is, stop); !written) return written;
+    }
     if (auto complete = check_complete(*was); !complete) return complete;
     return check_complete(*is);
 }

@@ -57,7 +57,7 @@ Result<void> import_robot(const ImportRequest& request) {
     auto saved = save_project(*project, request.output);
     if (!saved) return saved;
     std::printf("%s: robot \"%s\"\n", request.output.c_str(), project->assets.back().id.c_str());
-    for (const std::string& line : imported->report) std::printf("  %s\n", line.c_str());
+    for (const Message& line : imported->report) std::printf("  %s\n", line.english().c_str());
     return {};
 }
 

@@ -32,14 +32,15 @@ ReportFiles files_of(const ReportArguments& arguments) {
 /// Chosen analyses are shown whatever the project leaves out.
 ReportDocument document_of(const ReportArguments& arguments, const ReportSource& source) {
     const bool chosen = !arguments.request.analyses.empty();
+    const DocumentLanguage in = ui::document_language(source.made.project());
     if (arguments.certificate)
         return build_document(DocumentKind::certificate, source.made, source.analyses, source.failed, chosen,
-                              ui::document_language(source.made.project()));
+                              in);
     ReportContents contents = source.made.project().report;
     if (chosen) contents.without_analyses.clear();
     for (const std::string& key : arguments.without) choose(contents.without_chapters, key, false);
     contents.annex = contents.annex || arguments.annex;
-    return build_report(source.made, source.analyses, source.failed, contents);
+    return build_report(source.made, source.analyses, source.failed, contents, in);
 }
 
 /// Nothing is evaluated that is not shown.

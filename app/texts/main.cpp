@@ -29,6 +29,7 @@
 #include "core/report/comparison_columns.h"
 #include "core/report/design_results.h"
 #include "core/report/plot_words.h"
+#include "core/report/report.h"
 #include "core/report/result_columns.h"
 #include "core/setup/field_words.h"
 #include "core/text/symbol.h"
@@ -84,10 +85,14 @@ void say_schema(TextList& list, const std::string& owner, const SetupSchema& sch
 void say_kinds(TextList& list) {
     for (const ModelDescriptor& model : model_registry()) {
         list.say("Measurement model", model.title);
+        list.say("What a measurement model is for", model.summary);
+        for (const std::string& note : model.notes) list.say("Note on " + model.title, note);
         say_schema(list, model.title, model.schema);
     }
     for (const AssetDescriptor& asset : asset_registry()) {
         list.say("Kind of asset", asset.title);
+        list.say("What an asset is", asset.summary);
+        for (const std::string& note : asset.notes) list.say("Note on " + asset.title, note);
         say_schema(list, asset.title, asset.schema);
     }
     for (const AnalysisTemplate& known : analysis_templates()) {
@@ -121,6 +126,7 @@ void say_parts_of_project(TextList& list) {
     for (const FieldKind kind : {FieldKind::number, FieldKind::integer, FieldKind::choice, FieldKind::text,
                                  FieldKind::flag, FieldKind::pose, FieldKind::table, FieldKind::reference})
         list.say_word("What a field takes", kind_words(kind));
+    for (const char* words : Message::all_words()) list.say_word("Words of messages and reports", words);
     for (const ReportChapterField& chapter : report_chapters())
         list.say("Chapter of a report", chapter.title);
     for (const DistributionKindInfo& kind : distribution_kinds()) {
@@ -141,15 +147,14 @@ void say_parts_of_project(TextList& list) {
 
 /// Where it is running text: symbols stay.
 void say_plain(TextList& list, std::string_view what, const Text& text) {
-    const auto& spans = text.spans();
-    if (spans.size() == 1 && !spans[0].italic && spans[0].script == Script::line)
-        list.say(what, spans[0].letters);
+    if (text.is_plain()) list.say(what, text.letters());
 }
 
 void say_table(TextList& list, const Table& table, const std::set<std::string>& without = {}) {
     for (const Column& column : table.columns) {
         if (without.contains(column.key)) continue;
         say_plain(list, "Head of a column of results", column.title);
+        if (!column.is_symbol) list.say_word("Head of a column of results in a report", column.head);
         list.say("Help on a column of results", column.help);
         for (const std::string& word : column.undeclared) list.say("Cell of a table of results", word);
     }
@@ -160,6 +165,7 @@ void say_tables_of(TextList& list, const std::shared_ptr<const UncertaintyResult
     say_table(list, results_table(*result, {0}, {}), {contributors.begin(), contributors.end()});
     say_table(list, budget_table(*result, budget_places(*result, 0)));
     say_table(list, inputs_table(result->inputs, all_shares(result->inputs)));
+    say_table(list, regions_table(*result));
     const ResultComparison comparison = compare_results(result, result);
     say_table(list, compared_results_table(comparison));
     say_table(list, compared_budget_table(comparison, compared_places(comparison, 0)));
@@ -201,6 +207,10 @@ void say_figures(TextList& list, const std::vector<PlotSpecification>& figures) 
     }
 }
 
+void say_groupings(TextList& list, const std::vector<GroupTag>& tags) {
+    for (const GroupTag& tag : tags) list.say_word("By what a report groups components", tag.grouping);
+}
+
 /// A design with something in every table.
 DesignResult filled_design() {
     DesignResult design;
@@ -238,6 +248,10 @@ void say_evaluations(TextList& list) {
         for (const AnalysisEntry& analysis : loaded.project.analyses) {
             const auto prepared = loaded.made->analysis(analysis.id);
             if (!prepared) continue;
+            for (const InputQuantity& quantity : prepared->inputs.quantities)
+                say_groupings(list, quantity.tags);
+            for (const UncertaintyComponent& component : prepared->inputs.components)
+                say_groupings(list, component.tags);
             say_tables_for_reading(list, prepared->model->evaluation());
             say_figures(list, prepared->model->figures());
         }

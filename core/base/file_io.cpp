@@ -132,7 +132,8 @@ Result<void> fill_temporary(const fs::path& temporary, const fs::path& file, con
     Descriptor out(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (out.get() < 0)
         return io_failure(
-            file, "a file cannot be created in its folder '" + temporary.parent_path().string() + "'", errno);
+            file, tell<"a file cannot be created in its folder '%1'">(temporary.parent_path().string()),
+            errno);
     struct stat old = {};
     if (::stat(file.c_str(), &old) == 0 && ::fchmod(out.get(), old.st_mode & 07777) != 0)
         return io_failure(file, tell<"the permissions of the old file cannot be kept">(), errno);
@@ -164,11 +165,11 @@ Result<void> replace_file(const fs::path& file, const std::string& bytes) {
 }
 
 /// Empty for a regular file.
-std::string other_kind(mode_t mode) {
-    if (S_ISDIR(mode)) return "a folder";
-    if (S_ISFIFO(mode)) return "a pipe";
-    if (S_ISSOCK(mode)) return "a socket";
-    return S_ISREG(mode) ? "" : "a device";
+Message other_kind(mode_t mode) {
+    if (S_ISDIR(mode)) return tell<"a folder">();
+    if (S_ISFIFO(mode)) return tell<"a pipe">();
+    if (S_ISSOCK(mode)) return tell<"a socket">();
+    return S_ISREG(mode) ? Message{} : tell<"a device">();
 }
 
 /// Up to one byte more than `largest_file`; errno is 0, or why reading ended before.
@@ -201,7 +202,7 @@ Result<std::string> read_file(const fs::path& file) {
     };
     struct stat state = {};
     if (::stat(file.c_str(), &state) != 0) return refused(errno);
-    if (const std::string other = other_kind(state.st_mode); !other.empty())
+    if (const Message other = other_kind(state.st_mode); !other.empty())
         return failure(ErrorCode::io, tell<"it is %1, not a file">(other));
     Descriptor in(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     if (in.get() < 0) return refused(errno);

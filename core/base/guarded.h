@@ -24,14 +24,15 @@ auto guarded(Work&& work) -> Result<std::invoke_result_t<Work>> {
     try {
         return work();
     } catch (const ImpossibleValue& e) {
-        return fail(ErrorCode::bad_input, std::string("the values given lead to a ") + e.what());
+        return fail(ErrorCode::bad_input, tell<"the values given lead to a %1">(e.what()));
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::numeric, "the memory of this machine does not suffice");
+        return fail(ErrorCode::numeric, tell<"the memory of this machine does not suffice">());
     } catch (const std::length_error&) {
-        return fail(ErrorCode::numeric, "the memory of this machine does not suffice");
+        return fail(ErrorCode::numeric, tell<"the memory of this machine does not suffice">());
     } catch (const std::exception& e) {
-        return fail(ErrorCode::numeric, std::string("a defect of the program was met (") + e.what() +
-                                            "): please report it with the project");
+        return fail(
+            ErrorCode::numeric,
+            tell<"a defect of the program was met (%1): please report it with the project">(e.what()));
     }
 }
 

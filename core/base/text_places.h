@@ -15,7 +15,7 @@ inline tl::unexpected<Error> refused_at(int line, Message message) {
     return fail(Error{ErrorCode::bad_input, std::move(message), {}, {}, line});
 }
 inline tl::unexpected<Error> refused_at(int line, int column, const Message& message) {
-    return refused_at(line, "column " + std::to_string(column) + ": " + message);
+    return refused_at(line, tell<"column %1: %2">(column, message));
 }
 
 /// Places by the offset of a byte; both count from 1.

@@ -129,11 +129,13 @@ LayoutVerdict judge_layout(const Layout& layout, const Design& design) {
     return LayoutJudge(layout, design).judge();
 }
 
-std::string why_not_judged(const Layout& layout, const Design& design) {
+Message why_not_judged(const Layout& layout, const Design& design) {
     if ((design.least_distance || !design.keep_out.empty()) && instruments_of(layout).empty())
-        return "the model shows no instruments: a least distance and boxes to keep out of mean nothing to it";
+        return tell<
+            "the model shows no instruments: a least distance and boxes to keep out of mean nothing to "
+            "it">();
     if (!design.hidden_by.empty() && !has_sight_lines(layout))
-        return "the model shows no lines of sight, so that no box can hide them";
+        return tell<"the model shows no lines of sight, so that no box can hide them">();
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/model/layout.h"
 #include "core/project/design.h"
 
@@ -19,6 +20,6 @@ struct LayoutVerdict {
 LayoutVerdict judge_layout(const Layout& layout, const Design& design);
 
 /// Why a constraint of the design can say nothing about such a layout; empty if all can.
-std::string why_not_judged(const Layout& layout, const Design& design);
+Message why_not_judged(const Layout& layout, const Design& design);
 
 }  // namespace covaria::detail

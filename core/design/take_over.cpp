@@ -93,8 +93,9 @@ private:
             if (share.factor != 1.0 || !quantity.analysis.empty() || uses_of(share.component) != 1)
                 return fail(ErrorCode::bad_input,
                             tell<"the component '%1' is not of one input quantity alone: change it where it "
-                                 "comes from (%2)">(
-                                component.id, (component.origin.empty() ? "the set-up" : component.origin)));
+                                 "comes from (%2)">(component.id, component.origin.empty()
+                                                                      ? tell<"the set-up">()
+                                                                      : Message(component.origin)));
             edits.push_back(to_edit(component));
             if (only != InputSet::npos && only != share.component) continue;
             const auto stated = distribution_of(edits.back());

@@ -65,10 +65,8 @@ private:
         if (state_[owner->second] == State::unseen) return enter(owner->second);
         problems_.push_back(
             {node.place,
-             "'" + node.text +
-                 "' is defined by itself here, directly or through other definitions; an equation that "
-                 "is to be solved is written 'solve " +
-                 node.text + " = 1: ... = ...', with a starting value"});
+             tell<"'%1' is defined by itself here, directly or through other definitions; an equation that "
+                  "is to be solved is written 'solve %1 = 1: ... = ...', with a starting value">(node.text)});
     }
 
     const ParsedText& parsed_;
@@ -92,13 +90,13 @@ std::vector<bool> nodes_in_branches(const ParsedText& parsed) {
     return in_branch;
 }
 
-std::string text_of(const Node& node) {
+Message text_of(const Node& node) {
     if (node.operation == Operation::symbol) return "'" + node.text + "'";
     if (node.operation == Operation::constant && !(node.unit == Unit{}))
         return node.text + " " + node.unit.text();
     if (node.operation == Operation::constant) return node.text;
-    return "the expression in columns " + std::to_string(node.place.column) + "-" +
-           std::to_string(node.place.column + std::max<std::size_t>(node.place.length, 1) - 1);
+    return tell<"the expression in columns %1-%2">(
+        node.place.column, node.place.column + std::max<std::size_t>(node.place.length, 1) - 1);
 }
 
 /// Of what has been reported already: no further complaint follows from it.

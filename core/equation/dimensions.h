@@ -46,7 +46,7 @@ Message kind_words(const Kind& kind);
 struct Operand {
     Kind kind;
     std::optional<double> constant;  ///< its value, if it does not depend on quantities
-    std::string text;                ///< for messages: 'theta'
+    Message text;                    ///< for messages: 'theta'
 };
 
 /// Kind of the result; or what is wrong, in words.

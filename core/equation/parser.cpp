@@ -26,11 +26,11 @@ bool is_word(const Token& token, std::string_view text) {
     return token.kind == TokenKind::name && token.text == text;
 }
 
-std::string shown(const Token& token) {
+Message shown(const Token& token) {
     switch (token.kind) {
         case TokenKind::end_of_statement:
         case TokenKind::end_of_text:
-            return "the end of the equation";
+            return tell<"the end of the equation">();
         case TokenKind::unit:
             return "'[" + token.text + "]'";
         default:
@@ -90,19 +90,17 @@ std::optional<Operation> comparison_of(const Token& token) {
     return std::nullopt;
 }
 
-std::string no_function(const std::string& name) {
+Message no_function(const std::string& name) {
     std::string known;
     for (const std::string& f : function_names()) known += (known.empty() ? "" : ", ") + f;
-    return in_quotes(name) + " is not a function; to multiply, write '*'. Functions are: " + known;
+    return tell<"%1 is not a function; to multiply, write '*'. Functions are: %2">(in_quotes(name), known);
 }
 
-std::string wrong_count(const FunctionInfo& f, std::size_t count) {
-    const std::string wanted = f.fewest == f.most
-                                   ? std::to_string(f.fewest)
-                                   : std::to_string(f.fewest) + " to " + std::to_string(f.most);
-    std::string complaint = in_quotes(std::string(f.name));
-    complaint += " needs " + wanted + " arguments; here it has " + std::to_string(count);
-    return complaint;
+Message wrong_count(const FunctionInfo& f, std::size_t count) {
+    const std::string name = in_quotes(std::string(f.name));
+    return f.fewest == f.most
+               ? tell<"%1 needs %2 arguments; here it has %3">(name, f.fewest, count)
+               : tell<"%1 needs %2 to %3 arguments; here it has %4">(name, f.fewest, f.most, count);
 }
 
 /// One expression; its nodes are put behind those that are there. Returns its root, or `nothing`.

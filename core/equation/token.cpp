@@ -197,9 +197,8 @@ private:
 std::vector<Token> tokens_of(std::string_view text, TextProblems& problems) {
     if (text.size() > longest_text) {
         problems.push_back({{1, 1, 1},
-                            "the equations have " + std::to_string(text.size()) + " characters; more than " +
-                                std::to_string(longest_text) +
-                                " are not read: put tables of data into assets or observations"});
+                            tell<"the equations have %1 characters; more than %2 are not read: put tables of "
+                                 "data into assets or observations">(text.size(), longest_text)});
         text = {};
     }
     return Lexer(text, problems).run();

@@ -47,15 +47,14 @@ void warn_without_uncertainty(const InputSet& inputs, Problems& problems) {
 }
 
 // How many trials an adaptive run needs, in words; a run that would end at its cap is warned of.
-std::string forecast_trials(const PropagatedModel& model, const EvaluationOptions& options,
-                            Problems& problems) {
+Message forecast_trials(const PropagatedModel& model, const EvaluationOptions& options, Problems& problems) {
     if (options.method != Method::adaptive || !model.propagation()) return {};
     const auto forecast = forecast_adaptive(*model.model(), *model.propagation(), options);
     if (forecast && forecast->trials > static_cast<double>(options.maximum_trials))
         problems.warning("/options/tolerance",
                          tell<"%1; the run is to end at %2 trials and will not be stable then. Choose a "
                               "larger tolerance or fewer digits">(forecast->words(), options.maximum_trials));
-    return forecast ? forecast->words() : std::string();
+    return forecast ? forecast->words() : Message{};
 }
 
 }  // namespace

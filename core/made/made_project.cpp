@@ -93,14 +93,16 @@ std::vector<Message> MadeProject::warnings_of(const std::string& analysis) const
     std::vector<Message> warnings;
     const AnalysisEntry* entry = project_->find_analysis(analysis);
     if (!entry) return warnings;
-    const auto add = [&](const Problems& problems, const std::string& of) {
+    const auto add = [&](const Problems& problems, const AssetEntry* asset) {
         for (const Problem& problem : problems.items())
-            if (problem.severity == Severity::warning) warnings.push_back(of + problem.message);
+            if (problem.severity == Severity::warning)
+                warnings.push_back(asset ? tell<"asset %1: %2">(asset->id, problem.message)
+                                         : problem.message);
     };
     const auto index = static_cast<std::size_t>(entry - project_->analyses.data());
     for (const std::size_t used : graph_.used_by(graph_.number_of_analysis(index)))
-        if (graph_.is_asset(used)) add(entries_[used]->problems, "asset " + project_->assets[used].id + ": ");
-    add(made_analysis(index).problems, "");
+        if (graph_.is_asset(used)) add(entries_[used]->problems, &project_->assets[used]);
+    add(made_analysis(index).problems, nullptr);
     return warnings;
 }
 

@@ -48,7 +48,7 @@ struct PreparedAnalysis {
     EvaluationOptions options;
     ResultStyle style = {};  ///< that the project states
     std::shared_ptr<const AnalysisNumbers> numbers;
-    std::string forecast = {};  ///< how many trials an adaptive run needs, in words; empty for other methods
+    Message forecast = {};  ///< how many trials an adaptive run needs, in words; empty for other methods
 
     /// Of everything that influences this analysis' numbers (its assets included).
     const std::string& fingerprint() const { return numbers->fingerprint(); }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "core/base/in_quotes.h"
 #include "core/model/asset.h"
 #include "core/setup/bound.h"
 
@@ -44,14 +45,14 @@ struct Bound<Offered<C>> {
     static void read(Offered<C>& member, const SetupValue& value, FieldReading& reading) {
         Bound<Referred>::read(member, value, reading);
         member.source = offers<C>(member.asset);
-        if (!member.source) reading.problems.error(reading.place, "'" + member.id + "' " + lacking());
+        if (!member.source) reading.problems.error(reading.place, lacking(member.id));
     }
     /// What is said of an asset that does not offer it: C::lacking, where C has words of its own.
-    static std::string lacking() {
+    static Message lacking(const std::string& id) {
         if constexpr (requires { C::lacking; })
-            return C::lacking;
+            return in_quotes(id) + " " + Message::declared(C::lacking);
         else
-            return "does not offer '" + std::string(capability) + "'";
+            return tell<"'%1' does not offer '%2'">(id, capability);
     }
 };
 

@@ -23,7 +23,7 @@ struct OptionsObject {
 
 const JsonFields<AnalysisEntry>& analysis_fields() {
     static const auto fields =
-        JsonFields<AnalysisEntry>("an analysis")
+        JsonFields<AnalysisEntry>(tell<"an analysis">())
             .add("links", &AnalysisEntry::links, ListOf{link_fields()})
             .add("inputs", &AnalysisEntry::inputs, ListOf{input_edit_fields()})
             .add("correlations", &AnalysisEntry::correlations, ListOf{correlation_fields()})

@@ -18,8 +18,8 @@ constexpr auto line_of_text = CertificateText::line;
 std::vector<CertificateField> fields_of_laboratory() {
     return {{"", "number", "Certificate number", "Unique; it stands on every page.", &C::number, line_of_text,
              "7.8.2.1 d", true},
-            {"", "language", "Language", "Of the certificate; what was typed stays as it is.", &C::language,
-             CertificateText::language},
+            {"", "language", "Language", "Of the certificate and the report; what was typed stays as it is.",
+             &C::language, CertificateText::language},
             {"laboratory", "name", "Laboratory", "That issues the certificate.", &C::laboratory, line_of_text,
              "7.8.2.1 b", true},
             {"laboratory", "address", "Address of the laboratory", "Street, town, country.",

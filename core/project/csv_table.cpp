@@ -135,7 +135,8 @@ public:
         return rows_.has_value();
     }
     CsvTable finish() {
-        if (!head_read_) out_.problems.add(problem_at(1, "there is no row with the names of the columns"));
+        if (!head_read_)
+            out_.problems.add(problem_at(1, tell<"there is no row with the names of the columns">()));
         return std::move(out_);
     }
 
@@ -196,16 +197,16 @@ bool has_header(const CsvText& csv, const FieldSpec& field) {
     });
 }
 
-std::string too_many_rows(const FieldSpec& field, std::string_view text) {
+Message too_many_rows(const FieldSpec& field, std::string_view text) {
     constexpr std::size_t block = 16;  // bytes that the heap keeps of each row
     const std::size_t row =
         field.columns.size() * sizeof(SetupCell) + sizeof(std::vector<SetupCell>) + block + sizeof(int);
     const std::size_t lines = lines_in(text), needed = lines * row + text.size();
     if (needed <= largest_table) return {};
     const double most = static_cast<double>(lines) * largest_table / static_cast<double>(needed);
-    return "it has " + std::to_string(lines) + " lines, and there is memory for about " +
-           std::to_string(static_cast<std::size_t>(most)) +
-           " of these rows: leave rows out, or take means of several";
+    return tell<
+        "it has %1 lines, and there is memory for about %2 of these rows: leave rows out, or take means "
+        "of several">(lines, static_cast<std::size_t>(most));
 }
 
 CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec& field,
@@ -216,7 +217,7 @@ CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec&
         out.problems.add({Severity::error, {}, text.error().message, file.string(), 0});
         return out;
     }
-    if (const std::string refused = too_many_rows(field, *text); !refused.empty()) {
+    if (const Message refused = too_many_rows(field, *text); !refused.empty()) {
         out.problems.add({Severity::error, {}, refused, file.string(), 1});
         return out;
     }

@@ -34,7 +34,7 @@ bool has_header(const CsvText& csv, const FieldSpec& field);
 /// Bytes that the rows of one table may take. A project that is checked takes some three times as much.
 inline constexpr std::size_t largest_table = 128'000'000;
 /// Why a text of so many lines cannot become rows of this field; empty if it can.
-std::string too_many_rows(const FieldSpec& field, std::string_view text);
+Message too_many_rows(const FieldSpec& field, std::string_view text);
 
 /// Reads a file; problems carry the file's name. `csv_file` of the table is left empty. What has
 /// `too_many_rows` is refused before any row is kept.

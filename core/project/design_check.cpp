@@ -185,7 +185,7 @@ private:
     }
 
     void check_box(const DesignBox& box, const std::string& below) {
-        const Message objection = unit_objection("a box", {0.0, box.unit}, Unit::of("mm"));
+        const Message objection = unit_objection(tell<"a box">(), {0.0, box.unit}, Unit::of("mm"));
         if (!objection.empty()) return error(below + box_fields().place(&DesignBox::unit), objection);
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (!std::isfinite(box.from[axis]) || !(box.from[axis] < box.to[axis]))
@@ -196,7 +196,7 @@ private:
     void check_space(const Design& design) {
         if (design.least_distance) {
             const Message objection =
-                unit_objection("the least distance", *design.least_distance, Unit::of("mm"));
+                unit_objection(tell<"the least distance">(), *design.least_distance, Unit::of("mm"));
             if (!objection.empty())
                 error(at(&Design::least_distance), objection);
             else if (!(design.least_distance->value > 0.0))

@@ -52,14 +52,14 @@ const char* objective_words(DesignObjective objective, bool targets) {
 }
 
 const JsonFields<DesignVariable>& variable_fields() {
-    static const auto fields = JsonFields<DesignVariable>("a variable of a design", Style::one_line)
+    static const auto fields = JsonFields<DesignVariable>(tell<"a variable of a design">(), Style::one_line)
                                    .part(&DesignVariable::number, varied_number_fields())
                                    .add("tolerance", &DesignVariable::tolerance);
     return fields;
 }
 
 const JsonFields<StudyAxis>& reduced_number_fields() {
-    static const auto fields = JsonFields<StudyAxis>("a number that is reduced", Style::one_line)
+    static const auto fields = JsonFields<StudyAxis>(tell<"a number that is reduced">(), Style::one_line)
                                    .add("asset", &StudyAxis::asset)
                                    .required("target", &StudyAxis::target)
                                    .written("least", &StudyAxis::from);
@@ -67,7 +67,7 @@ const JsonFields<StudyAxis>& reduced_number_fields() {
 }
 
 const JsonFields<DesignReduction>& reduction_fields() {
-    static const auto fields = JsonFields<DesignReduction>("a reduction of a design", Style::one_line)
+    static const auto fields = JsonFields<DesignReduction>(tell<"a reduction of a design">(), Style::one_line)
                                    .part(&DesignReduction::number, reduced_number_fields())
                                    .required("price", &DesignReduction::price)
                                    .add("law", &DesignReduction::law, price_laws());
@@ -75,7 +75,7 @@ const JsonFields<DesignReduction>& reduction_fields() {
 }
 
 const JsonFields<DesignChoice>& choice_fields() {
-    static const auto fields = JsonFields<DesignChoice>("the choice of a design", Style::one_line)
+    static const auto fields = JsonFields<DesignChoice>(tell<"the choice of a design">(), Style::one_line)
                                    .add("asset", &DesignChoice::asset)
                                    .required("table", &DesignChoice::table)
                                    .required("keep", &DesignChoice::keep)
@@ -86,7 +86,7 @@ const JsonFields<DesignChoice>& choice_fields() {
 }
 
 const JsonFields<DesignBox>& box_fields() {
-    static const auto fields = JsonFields<DesignBox>("a box of a design", Style::one_line)
+    static const auto fields = JsonFields<DesignBox>(tell<"a box of a design">(), Style::one_line)
                                    .add("name", &DesignBox::name)
                                    .required("from", &DesignBox::from)
                                    .required("to", &DesignBox::to)
@@ -95,7 +95,7 @@ const JsonFields<DesignBox>& box_fields() {
 }
 
 const JsonFields<Design>& design_fields() {
-    static const auto fields = JsonFields<Design>("a design")
+    static const auto fields = JsonFields<Design>(tell<"a design">())
                                    .required("id", &Design::id)
                                    .add("name", &Design::name)
                                    .add("variables", &Design::variables, ListOf{variable_fields()})

@@ -77,7 +77,7 @@ void write_parameters(JsonWriter& out, const ComponentEdit& component) {
 
 /// The key of a distribution, and its parameters, whose keys follow from it.
 JsonFields<ComponentEdit> stated_distribution() {
-    return JsonFields<ComponentEdit>("a distribution")
+    return JsonFields<ComponentEdit>(tell<"a distribution">())
         .required("distribution", &ComponentEdit::distribution)
         .by_hand(
             "parameters", &ComponentEdit::parameters,
@@ -111,7 +111,7 @@ struct OptionalInfinity {
 
 const JsonFields<ComponentEdit>& component_fields() {
     static const auto fields =
-        JsonFields<ComponentEdit>("a component", Style::one_line)
+        JsonFields<ComponentEdit>(tell<"a component">(), Style::one_line)
             .add("name", &ComponentEdit::name)
             .all_of(stated_distribution())
             .required("unit", &ComponentEdit::unit)
@@ -124,7 +124,7 @@ const JsonFields<ComponentEdit>& component_fields() {
 
 const JsonFields<InputEdit>& input_edit_fields() {
     static const auto fields =
-        JsonFields<InputEdit>("the edit of an input quantity",
+        JsonFields<InputEdit>(tell<"the edit of an input quantity">(),
                               [](const InputEdit& edit) {
                                   return edit.components && !edit.components->empty() ? Style::spread
                                                                                       : Style::one_line;
@@ -140,14 +140,14 @@ const JsonFields<InputEdit>& input_edit_fields() {
 }
 
 const JsonFields<QuantityNotes>& quantity_notes_fields() {
-    static const auto fields = JsonFields<QuantityNotes>("the notes of a quantity", Style::one_line)
+    static const auto fields = JsonFields<QuantityNotes>(tell<"the notes of a quantity">(), Style::one_line)
                                    .required("symbol", &QuantityNotes::symbol)
                                    .required("notes", &QuantityNotes::notes);
     return fields;
 }
 
 const JsonFields<OutputReference>& output_reference_fields() {
-    static const auto fields = JsonFields<OutputReference>("an output of an analysis")
+    static const auto fields = JsonFields<OutputReference>(tell<"an output of an analysis">())
                                    .required("analysis", &OutputReference::analysis)
                                    .add("group", &OutputReference::group)
                                    .required("output", &OutputReference::symbol);
@@ -155,7 +155,7 @@ const JsonFields<OutputReference>& output_reference_fields() {
 }
 
 const JsonFields<InputLink>& link_fields() {
-    static const auto fields = JsonFields<InputLink>("a link", Style::one_line)
+    static const auto fields = JsonFields<InputLink>(tell<"a link">(), Style::one_line)
                                    .required("input", &InputLink::input)
                                    .part(&InputLink::output, output_reference_fields())
                                    .add("linearised", &InputLink::linearised);
@@ -163,7 +163,7 @@ const JsonFields<InputLink>& link_fields() {
 }
 
 const JsonFields<CorrelationEdit>& correlation_fields() {
-    static const auto fields = JsonFields<CorrelationEdit>("a correlation", Style::one_line)
+    static const auto fields = JsonFields<CorrelationEdit>(tell<"a correlation">(), Style::one_line)
                                    .required("first", &CorrelationEdit::first)
                                    .required("second", &CorrelationEdit::second)
                                    .required("coefficient", &CorrelationEdit::coefficient);

@@ -75,12 +75,13 @@ private:
         const std::string place =
             path_ + input_edit_fields().place(&InputEdit::components) + "/" + std::to_string(i);
         const std::string name = edit.name.empty() ? "component " + std::to_string(i + 1) : edit.name;
-        const Message what = tell<"%1 of %2">(in_quotes(name), in_quotes(edit_.symbol));
+        const Message shown = edit.name.empty() ? tell<"component %1">(i + 1) : Message(edit.name);
+        const Message what = tell<"%1 of %2">(in_quotes(shown), in_quotes(edit_.symbol));
         if (edit.unit.dimension() != quantity_.unit.dimension())
             problems_.error(place + component_fields().place(&ComponentEdit::unit),
                             tell<"%1 is %2; the unit %3 of %4 is the unit of %5">(
                                 in_quotes(edit_.symbol), dimension_words(quantity_.unit),
-                                in_quotes(edit.unit.text()), in_quotes(name), dimension_words(edit.unit)));
+                                in_quotes(edit.unit.text()), in_quotes(shown), dimension_words(edit.unit)));
         const auto distribution = distribution_of(edit);
         if (!distribution)
             problems_.error(place + component_fields().place(&ComponentEdit::parameters),

@@ -70,8 +70,8 @@ struct JsonValue<M> {
         if (number >= 0 && number <= 1e15 && number == static_cast<double>(static_cast<M>(number)))
             member = static_cast<M>(number);
         else
-            problems.error(path, "'" + key + "' must be a whole number that is not negative; it is " +
-                                     readable_number(number));
+            problems.error(path, tell<"'%1' must be a whole number that is not negative; it is %2">(
+                                     key, readable_number(number)));
     }
     static void write(JsonWriter& out, M member) { out.integer(member); }
 };
@@ -98,7 +98,7 @@ struct JsonValue<std::vector<Number>> {
             const std::string path = reader.path_of(key) + "/" + std::to_string(i);
             member.push_back({});
             if (!item.is_number())
-                reader.problems().error(path, "a number is needed here; it is " + json_words(item));
+                reader.problems().error(path, tell<"a number is needed here; it is %1">(json_words(item)));
             else if constexpr (std::floating_point<Number>)
                 member.back() = item.get<Number>();
             else
@@ -164,10 +164,10 @@ class JsonFields {
 public:
     using Style = JsonWriter::Style;
     /// `what` names the object in messages ("a study").
-    explicit JsonFields(const char* what, Style style = Style::spread)
-        : JsonFields(what, [style](const T&) { return style; }) {}
-    JsonFields(const char* what, std::function<Style(const T&)> style)
-        : what_(what), style_(std::move(style)) {}
+    explicit JsonFields(Message what, Style style = Style::spread)
+        : JsonFields(std::move(what), [style](const T&) { return style; }) {}
+    JsonFields(Message what, std::function<Style(const T&)> style)
+        : what_(std::move(what)), style_(std::move(style)) {}
 
     /// Read where it is given, written where it is not what a new T has.
     template <class M, class How = JsonValue<M>>
@@ -267,7 +267,7 @@ private:
         return *this;
     }
 
-    const char* what_;
+    Message what_;
     std::function<Style(const T&)> style_;
     std::vector<Field> fields_;
 };

@@ -103,17 +103,13 @@ private:
         const std::string_view before = text_.substr(line_begin_, at_ - line_begin_);
         const auto characters =
             std::count_if(before.begin(), before.end(), [](char c) { return (c & 0xC0) != 0x80; });
-        error_ = {ErrorCode::bad_input,
-                  message + " (column " + std::to_string(characters + 1) + ")",
-                  {},
-                  {},
-                  line_};
+        error_ = {ErrorCode::bad_input, tell<"%1 (column %2)">(message, characters + 1), {}, {}, line_};
         return false;
     }
 
-    bool refuse_end(const std::string& inside) {
+    bool refuse_end(const Message& inside) {
         error_ = {ErrorCode::bad_input,
-                  "the file is truncated: it ends " + inside + "; its rest is missing",
+                  tell<"the file is truncated: it ends %1; its rest is missing">(inside),
                   {},
                   {},
                   line_};
@@ -123,7 +119,7 @@ private:
     bool value(const std::string& pointer, int depth) {
         if (depth > deepest) return refuse(tell<"lists and objects are nested too deeply">());
         skip_space();
-        if (at_end()) return refuse_end("where a value is expected");
+        if (at_end()) return refuse_end(tell<"where a value is expected">());
         line_at_[static_cast<std::size_t>(depth)] = line_;
         // On the line of what is around it, it is found by that: a row's cells by their row.
         if (depth <= 1 || line_at_[static_cast<std::size_t>(depth - 1)] != line_)
@@ -146,7 +142,7 @@ private:
     bool list(const std::string& pointer, int depth);
     bool string();
     enum class Next { another, closed, wrong };
-    Next next(char close, const std::string& inside);
+    Next next(char close, const Message& inside);
 
     std::string_view text_;
     JsonLocations& found_;
@@ -166,7 +162,7 @@ bool JsonScanner::check_word(const std::string& word, std::size_t end) {
         return true;
     }
     if (end == text_.size() && !word.empty() && !is_not_finite(word))
-        return refuse_end("in the middle of a value");
+        return refuse_end(tell<"in the middle of a value">());
     if (word.empty())
         return refuse(
             tell<"a value is expected here (a number, a text in quotes, a list or an object), not '%1'">(
@@ -185,16 +181,16 @@ bool JsonScanner::string() {
             return refuse(tell<"the text that begins here is not closed by a double quote on its line">());
         at_ += text_[at_] == '\\' ? 2 : 1;
     }
-    if (at_end()) return refuse_end("in the middle of a text");
+    if (at_end()) return refuse_end(tell<"in the middle of a text">());
     ++at_;
     return true;
 }
 
 // After a value: a comma, or the closing bracket.
-JsonScanner::Next JsonScanner::next(char close, const std::string& inside) {
+JsonScanner::Next JsonScanner::next(char close, const Message& inside) {
     skip_space();
     if (at_end()) {
-        refuse_end("inside " + inside);
+        refuse_end(tell<"inside %1">(inside));
         return Next::wrong;
     }
     const char c = text_[at_];
@@ -215,7 +211,7 @@ bool JsonScanner::object(const std::string& pointer, int depth) {
     }
     std::set<std::string> keys;
     while (member(pointer, depth, keys)) {
-        const Next after = next('}', "an object");
+        const Next after = next('}', tell<"an object">());
         if (after != Next::another) return after == Next::closed;
     }
     return false;
@@ -223,7 +219,7 @@ bool JsonScanner::object(const std::string& pointer, int depth) {
 
 bool JsonScanner::member(const std::string& pointer, int depth, std::set<std::string>& keys) {
     skip_space();
-    if (at_end()) return refuse_end("inside an object");
+    if (at_end()) return refuse_end(tell<"inside %1">(tell<"an object">()));
     if (text_[at_] != '"') return refuse(tell<"a key in double quotes is expected here">());
     const std::size_t begin = at_;
     const int key_line = line_;
@@ -238,7 +234,7 @@ bool JsonScanner::member(const std::string& pointer, int depth, std::set<std::st
                                     {},
                                     key_line});
     skip_space();
-    if (at_end()) return refuse_end("after the key '" + key.get<std::string>() + "'");
+    if (at_end()) return refuse_end(tell<"after the key '%1'">(key.get<std::string>()));
     if (text_[at_] != ':') return refuse(tell<"':' is expected after the key '%1'">(key.get<std::string>()));
     ++at_;
     return value(place, depth + 1);
@@ -252,7 +248,7 @@ bool JsonScanner::list(const std::string& pointer, int depth) {
         return true;
     }
     for (std::size_t i = 0; value(pointer + "/" + std::to_string(i), depth + 1); ++i) {
-        const Next after = next(']', "a list");
+        const Next after = next(']', tell<"a list">());
         if (after != Next::another) return after == Next::closed;
     }
     return false;

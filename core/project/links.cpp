@@ -81,8 +81,8 @@ void refuse_idle_edits(const AnalysisEntry& entry, const InputSet& inputs, Probl
 Message objection_to(const std::string& id, const Problems& found) {
     for (const Problem& problem : found.items())
         if (problem.severity == Severity::error)
-            return "the analysis " + in_quotes(id) + " has errors of its own: " + problem.message;
-    return "the analysis " + in_quotes(id) + " has no value at its estimates";
+            return tell<"the analysis %1 has errors of its own: %2">(in_quotes(id), problem.message);
+    return tell<"the analysis %1 has no value at its estimates">(in_quotes(id));
 }
 
 /// Puts the parts of a chain in order, upstream first, each analysis once.

@@ -48,7 +48,7 @@ public:
     Project read(const Json& document) {
         Project project;
         project.directory = context_.directory;
-        ObjectReader reader(document, "", "the project", context_.problems);
+        ObjectReader reader(document, "", tell<"the project">(), context_.problems);
         reader.find("format");
         reader.find("schemaVersion");
         project.title = reader.text("title", true);

@@ -33,7 +33,7 @@ void read_units(ObjectReader& reader, DisplayUnits& units) {
 
 ProjectResults project_results_from_json(const Json& value, const std::string& path, Problems& problems) {
     ProjectResults results;
-    ObjectReader reader(value, path, "what the project states for results", problems);
+    ObjectReader reader(value, path, tell<"what the project states for results">(), problems);
     read_units(reader, results.style.units);
     if (const auto digits = reader.number("digits")) {
         if (*digits == 1.0 || *digits == 2.0)

@@ -3,7 +3,7 @@
 namespace covaria {
 
 const JsonFields<ReportContents>& report_contents_fields() {
-    static const auto fields = JsonFields<ReportContents>("the contents of the report")
+    static const auto fields = JsonFields<ReportContents>(tell<"the contents of the report">())
                                    .add("withoutAnalyses", &ReportContents::without_analyses)
                                    .add("withoutChapters", &ReportContents::without_chapters)
                                    .add("annex", &ReportContents::annex);

@@ -26,7 +26,7 @@ const std::array<RequirementField, 6>& requirement_fields() {
 
 const JsonFields<Requirement>& requirement_object() {
     static const auto fields = [] {
-        JsonFields<Requirement> made("a requirement", JsonWriter::Style::one_line);
+        JsonFields<Requirement> made(tell<"a requirement">(), JsonWriter::Style::one_line);
         made.add("group", &Requirement::group).required("symbol", &Requirement::symbol);
         for (const RequirementField& field : requirement_fields())
             std::visit([&](auto member) { made.add(field.key, member); }, field.member);

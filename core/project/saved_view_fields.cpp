@@ -34,7 +34,7 @@ void check(const SavedView& view, const std::string& path, Problems& problems) {
 }  // namespace
 
 const JsonFields<SavedView>& saved_view_fields() {
-    static const auto fields = JsonFields<SavedView>("a view")
+    static const auto fields = JsonFields<SavedView>(tell<"a view">())
                                    .required("name", &SavedView::name)
                                    .required("direction", &SavedView::direction)
                                    .required("up", &SavedView::up)

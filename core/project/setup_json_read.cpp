@@ -152,7 +152,7 @@ private:
         CsvTable read = table_from_csv_file(file, field_, renamed);
         for (Problem& problem : read.problems.items()) {
             problem.path = path_;
-            problem.message = "CSV file of " + title() + ": " + problem.message;
+            problem.message = tell<"CSV file of %1: %2">(title(), problem.message);
             context_.problems.add(problem);
         }
         context_.csv.push_back({path_, file.string(), std::move(read.lines)});
@@ -259,7 +259,7 @@ private:
 Setup setup_from_json(const Json& value, const SetupSchema& schema, const std::string& path,
                       ReadContext& context) {
     Setup setup;
-    ObjectReader reader(value, path, "this set-up", context.problems);
+    ObjectReader reader(value, path, tell<"this set-up">(), context.problems);
     for (const FieldSpec& field : schema.fields()) {
         const Json* found = reader.find(field.key);
         if (!found) continue;

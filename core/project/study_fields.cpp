@@ -5,7 +5,7 @@ namespace covaria {
 using Style = JsonWriter::Style;
 
 const JsonFields<StudyAxis>& varied_number_fields() {
-    static const auto fields = JsonFields<StudyAxis>("a number that varies", Style::one_line)
+    static const auto fields = JsonFields<StudyAxis>(tell<"a number that varies">(), Style::one_line)
                                    .add("asset", &StudyAxis::asset)
                                    .required("target", &StudyAxis::target)
                                    .add("change", &StudyAxis::change,
@@ -19,7 +19,7 @@ const JsonFields<StudyAxis>& varied_number_fields() {
 }
 
 const JsonFields<StudyAxis>& axis_fields() {
-    static const auto fields = JsonFields<StudyAxis>("an axis of a study", Style::one_line)
+    static const auto fields = JsonFields<StudyAxis>(tell<"an axis of a study">(), Style::one_line)
                                    .all_of(varied_number_fields())
                                    .written("values", &StudyAxis::values)
                                    .add("spacing", &StudyAxis::spacing,
@@ -29,7 +29,7 @@ const JsonFields<StudyAxis>& axis_fields() {
 }
 
 const JsonFields<StudyOutput>& study_output_fields() {
-    static const auto fields = JsonFields<StudyOutput>("an output of a study", Style::one_line)
+    static const auto fields = JsonFields<StudyOutput>(tell<"an output of a study">(), Style::one_line)
                                    .add("group", &StudyOutput::group)
                                    .required("symbol", &StudyOutput::symbol);
     return fields;
@@ -37,7 +37,7 @@ const JsonFields<StudyOutput>& study_output_fields() {
 
 const JsonFields<Study>& study_fields() {
     static const auto fields =
-        JsonFields<Study>("a study")
+        JsonFields<Study>(tell<"a study">())
             .required("id", &Study::id)
             .add("name", &Study::name)
             .required("axes", &Study::axes, ListOf{axis_fields()})

@@ -241,16 +241,17 @@ void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutpu
 void Evaluation::warn_about(const MonteCarloRun& run) {
     std::vector<Message>& warnings = result_.warnings;
     if (run.failed() > 0) {
-        std::ostringstream text;
-        text << run.failed() << " of " << run.trials << " trials ("
-             << 100.0 * static_cast<double>(run.failed()) / static_cast<double>(run.trials)
-             << " %) have no value (the measurement model cannot be evaluated there) and are not part of the "
-                "statistics.";
+        std::ostringstream percent;
+        percent << 100.0 * static_cast<double>(run.failed()) / static_cast<double>(run.trials);
+        Message warning = tell<
+            "%1 of %2 trials (%3 %) have no value (the measurement model cannot be evaluated there) and "
+            "are not part of the statistics.">(run.failed(), run.trials, percent.str());
         if (!represents_measurand(result_))
-            text << " The result " << does_not_represent
-                 << ": more than 1 % of the trials are lost, and they "
-                 << "are not a random choice.";
-        warnings.push_back(text.str());
+            warning +=
+                " " + tell<
+                          "The result does not represent the measurand: more than 1 % of the trials are "
+                          "lost, and they are not a random choice.">();
+        warnings.push_back(std::move(warning));
     }
     if (!result_.stabilised)
         warnings.push_back(tell<"The adaptive procedure stopped at %1 trials before its results were stable: "
@@ -259,12 +260,12 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
         warnings.push_back(tell<"Coverage intervals are interpolated in fine cells: there are too many "
                                 "trials to keep the values of the tails in memory.">());
     if (source_.plan->largest_compromise() > 1e-3) {
-        std::ostringstream text;
-        text.precision(2);
-        text << "The correlations stated cannot all hold with these distributions: the nearest that can are "
-                "drawn, with coefficients that differ by up to "
-             << source_.plan->largest_compromise() << ".";
-        warnings.push_back(text.str());
+        std::ostringstream compromise;
+        compromise.precision(2);
+        compromise << source_.plan->largest_compromise();
+        warnings.push_back(
+            tell<"The correlations stated cannot all hold with these distributions: the nearest that can are "
+                 "drawn, with coefficients that differ by up to %1.">(compromise.str()));
     }
     warn_about_tails();
     for (const OutputResult& output : result_.outputs)
@@ -287,7 +288,7 @@ void Evaluation::warn_about_reduction(const MonteCarloRun& run) {
         warnings.push_back(tell<"Control variates are not used: the linear part of the trials that have a "
                                 "value has another distribution than that of all trials.">());
     else
-        for (const std::string& outputs : reduced_->without_control())
+        for (const Message& outputs : reduced_->without_control())
             warnings.push_back(tell<"Without control variate: %1.">(outputs));
 }
 

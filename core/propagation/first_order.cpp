@@ -14,18 +14,22 @@ namespace {
 using OutputFlags = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
 /// " (alpha, gamma of pose 7)": the outputs without the flag; empty if it is known of none.
-std::string named_outputs(const MeasurementModel& model, const OutputFlags& good) {
-    std::string words, group;
+Message named_outputs(const MeasurementModel& model, const OutputFlags& good) {
+    std::vector<std::pair<std::string, std::string>> groups;  // with their symbols
     for (std::size_t j = 0; j < model.outputs().size(); ++j) {
         if (good[static_cast<Eigen::Index>(j)]) continue;
         const OutputQuantity& output = model.outputs()[j];
-        const bool same = !words.empty() && output.group == group;
-        if (!words.empty() && !same && !group.empty()) words += " of " + group;
-        words += (words.empty() ? "" : same ? ", " : "; ") + output.symbol;
-        group = output.group;
+        if (!groups.empty() && groups.back().first == output.group)
+            groups.back().second += ", " + output.symbol;
+        else
+            groups.emplace_back(output.group, output.symbol);
     }
-    if (words.empty()) return {};
-    return " (" + words + (group.empty() ? "" : " of " + group) + ")";
+    Message words;
+    for (const auto& [group, symbols] : groups) {
+        if (!words.empty()) words += "; ";
+        words += group.empty() ? Message(symbols) : tell<"%1 of %2">(symbols, group);
+    }
+    return words.empty() ? Message{} : " (" + words + ")";
 }
 
 /// Which outputs have finite sensitivity coefficients; those of which nothing is known count as such.

@@ -21,12 +21,13 @@ double end_point_variance(double probability) {
 
 }  // namespace
 
-std::string AdaptiveForecast::words() const {
+Message AdaptiveForecast::words() const {
     const std::string unit = output.unit.display();
-    return "a tolerance of " + format_short(output.unit.interval_from_si(tolerance), 2) + " " + unit +
-           " for " + output.symbol + (output.group.empty() ? "" : " of " + output.group) +
-           " (u = " + format_short(output.unit.interval_from_si(u), 2) + " " + unit + ") needs about " +
-           format_short(trials, 2) + " trials (" + format_short(batches, 2) + " batches)";
+    const Message name =
+        output.group.empty() ? Message(output.symbol) : tell<"%1 of %2">(output.symbol, output.group);
+    return tell<"a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)">(
+        format_short(output.unit.interval_from_si(tolerance), 2), unit, name,
+        format_short(output.unit.interval_from_si(u), 2), format_short(trials, 2), format_short(batches, 2));
 }
 
 std::optional<AdaptiveForecast> forecast_adaptive(const MeasurementModel& model,

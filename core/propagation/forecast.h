@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/message.h"
 #include "core/model/measurement_model.h"
 #include "core/propagation/options.h"
 #include "core/propagation/propagated.h"
@@ -17,7 +18,7 @@ struct AdaptiveForecast {
     double tolerance = 0.0;  ///< delta of that output, SI
     double u = 0.0;          ///< of that output, first order, SI
     /// "a tolerance of 0.0001 mm for X of zero (u = 1.37 mm) needs about 5.3e9 trials (5.3e5 batches)".
-    std::string words() const;
+    Message words() const;
 };
 
 /// Trials until twice the standard deviation of mean, u and end points between batches is below delta, for

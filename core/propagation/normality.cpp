@@ -25,7 +25,7 @@ NormalityVerdict normality_of(const MonteCarloOutput& output, std::uint64_t tria
     NormalityVerdict verdict;
     const double u = output.standard_uncertainty;
     if (!(u > 0) || trials < 2) {
-        verdict.words = "no spread";
+        verdict.words = tell<"no spread">();
         return verdict;
     }
     const auto n = static_cast<double>(trials);
@@ -39,15 +39,16 @@ NormalityVerdict normality_of(const MonteCarloOutput& output, std::uint64_t tria
     const double noise = 3.0 * scatter_of_ratio(n, probability, k);
     verdict.acceptable = deviation <= tolerable + noise;
     if (deviation <= std::max(close, noise))
-        verdict.words = noise > close ? "normal as far as so few trials can tell" : "normal within 1 %";
+        verdict.words =
+            noise > close ? tell<"normal as far as so few trials can tell">() : tell<"normal within 1 %">();
     else if (verdict.acceptable)
-        verdict.words = "normal within 5 %";
+        verdict.words = tell<"normal within 5 %">();
     else if (std::abs(asymmetry) > std::abs(verdict.coverage_ratio - 1.0))
-        verdict.words = "too skewed for k u: state the coverage interval";
+        verdict.words = tell<"too skewed for k u">();
     else if (output.kurtosis > 0)
-        verdict.words = "too heavy-tailed for k u: state the coverage interval";
+        verdict.words = tell<"too heavy-tailed for k u">();
     else
-        verdict.words = "too flat for k u: state the coverage interval";
+        verdict.words = tell<"too flat for k u">();
     return verdict;
 }
 

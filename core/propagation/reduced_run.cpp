@@ -22,11 +22,11 @@ double gain_of(double explained) {
     return 1.0 / (1.0 - std::min(explained, 1.0));
 }
 
-std::string little_gained(double explained) {
-    char text[80];
-    std::snprintf(text, sizeof text, "the linear part explains %.0f %% of the variance: a gain of %.2g",
-                  100.0 * explained, gain_of(explained));
-    return text;
+Message little_gained(double explained) {
+    char percent[16], gain[16];
+    std::snprintf(percent, sizeof percent, "%.0f", 100.0 * explained);
+    std::snprintf(gain, sizeof gain, "%.2g", gain_of(explained));
+    return tell<"the linear part explains %1 % of the variance: a gain of %2">(percent, gain);
 }
 
 /// Otherwise the scatter of the figure between batches tells nothing. Ends of intervals always have one.
@@ -89,7 +89,7 @@ void ReducedRun::offer_controls() {
     for (std::size_t j = 0; j < source_.outputs(); ++j) {
         auto terms = maker.make(law_.terms[j]);
         if (!terms) {
-            plain_because_[j] = terms.error().message.english();
+            plain_because_[j] = terms.error().message;
             continue;
         }
         LinearRow row{j, {}};
@@ -180,7 +180,7 @@ void ReducedRun::apply(const MonteCarloRun& run, std::vector<MonteCarloOutput>& 
     for (std::size_t j = 0; j < outputs.size(); ++j) {
         MonteCarloOutput& output = outputs[j];
         ReducedVariance reduced;
-        reduced.plain_because = is_plain(run) ? "trials without a value" : plain_because_[j];
+        reduced.plain_because = is_plain(run) ? "trials without a value" : plain_because_[j].english();
         const std::array<double*, 4> values{&output.mean, &output.standard_uncertainty, &output.symmetric.low,
                                             &output.symmetric.high};
         OutputFigures &e = reduced.standard_errors, &g = reduced.gains;
@@ -229,17 +229,18 @@ Eigen::MatrixXd ReducedRun::covariance(const MonteCarloRun& run,
     return factor.asDiagonal() * covariance * factor.asDiagonal();
 }
 
-std::vector<std::string> ReducedRun::without_control() const {
-    std::map<std::string, std::string> outputs;  // by reason
+std::vector<Message> ReducedRun::without_control() const {
+    std::map<std::string, std::pair<Message, Message>> outputs;  // by reason: the reason, the outputs
     for (std::size_t j = 0; j < plain_because_.size(); ++j) {
         if (plain_because_[j].empty()) continue;
-        std::string& list = outputs[plain_because_[j]];
+        auto& [reason, list] = outputs[plain_because_[j].english()];
+        reason = plain_because_[j];
         const OutputQuantity& output = source_.model->outputs()[j];
-        list +=
-            (list.empty() ? "" : ", ") + output.symbol + (output.group.empty() ? "" : " of " + output.group);
+        if (!list.empty()) list += ", ";
+        list += output.group.empty() ? Message(output.symbol) : tell<"%1 of %2">(output.symbol, output.group);
     }
-    std::vector<std::string> words;
-    for (const auto& [reason, list] : outputs) words.push_back(list + " (" + reason + ")");
+    std::vector<Message> words;
+    for (const auto& [key, of] : outputs) words.push_back(of.second + " (" + of.first + ")");
     return words;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/propagation/batch_estimates.h"
 #include "core/propagation/first_order.h"
 #include "core/propagation/linear_distribution.h"
@@ -34,7 +35,7 @@ public:
     /// Of the outputs with these standard uncertainties.
     Eigen::MatrixXd covariance(const MonteCarloRun& run, const std::vector<MonteCarloOutput>& outputs) const;
     /// "X, Y (reason)" for each reason why outputs have no control.
-    std::vector<std::string> without_control() const;
+    std::vector<Message> without_control() const;
 
 private:
     void offer_controls();
@@ -54,7 +55,7 @@ private:
     std::optional<LinearRows> rows_;
     std::vector<std::vector<LinearTerm>> terms_;  ///< of the rows
     Eigen::MatrixXd linear_covariance_;           ///< exact, of the linear parts of all outputs
-    std::vector<std::string> plain_because_;      ///< by output; empty: controlled
+    std::vector<Message> plain_because_;          ///< by output; empty: controlled
     std::optional<BatchEstimates> estimates_;
 };
 

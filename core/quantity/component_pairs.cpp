@@ -115,14 +115,16 @@ std::optional<Error> group_problem(const InputSet& inputs, const std::vector<std
         }
     const double smallest = eigen_decomposition(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
     if (smallest >= smallest_eigenvalue_allowed) return std::nullopt;
-    std::ostringstream message;
-    message << "the correlations of the components ";
-    for (std::size_t i = 0; i < group.size(); ++i)
-        message << (i == 0 ? "" : ", ") << quoted(inputs, group[i]);
-    message.precision(3);
-    message << " contradict each other: the smallest eigenvalue of their correlation matrix is " << smallest
-            << ", it must not be negative.";
-    return Error{ErrorCode::bad_input, message.str()};
+    std::string components;
+    for (const std::size_t member : group)
+        components += (components.empty() ? "" : ", ") + quoted(inputs, member);
+    std::ostringstream number;
+    number.precision(3);
+    number << smallest;
+    return Error{
+        ErrorCode::bad_input,
+        tell<"the correlations of the components %1 contradict each other: the smallest eigenvalue of "
+             "their correlation matrix is %2, it must not be negative.">(components, number.str())};
 }
 
 /// Error if a coordinate of a vector of random direction is correlated: its draws come with the others'.
@@ -133,9 +135,9 @@ std::optional<Error> vector_problem(const InputSet& inputs, const Coefficients& 
                 if (coefficient != 0.0 && (pair.first == member || pair.second == member))
                     return Error{
                         ErrorCode::bad_input,
-                        "the component " + quoted(inputs, member) +
-                            " is a coordinate of a vector of random direction and cannot be "
-                            "correlated with another component; give it a normal distribution first."};
+                        tell<"the component %1 is a coordinate of a vector of random direction and cannot be "
+                             "correlated with another component; give it a normal distribution first.">(
+                            quoted(inputs, member))};
     return std::nullopt;
 }
 
@@ -150,18 +152,18 @@ std::optional<Error> estimate_problem(const InputSet& inputs) {
     for (const VarianceEstimate& estimate : inputs.variance_estimates)
         for (const std::size_t member : estimate.components) {
             if (member >= inputs.components.size() || known[member])
-                return Error{ErrorCode::bad_input, "the estimate of variance \"" + estimate.id +
-                                                       "\" has component number " + std::to_string(member) +
-                                                       ", which does not exist or rests on two estimates."};
+                return Error{ErrorCode::bad_input,
+                             tell<"the estimate of variance \"%1\" has component number %2, "
+                                  "which does not exist or rests on two estimates.">(estimate.id, member)};
             known[member] = true;
             const double nu = degrees_of_freedom_of(inputs.components[estimate.components.front()]);
             if (!may_share(inputs.components[member]) ||
                 degrees_of_freedom_of(inputs.components[member]) != nu)
-                return Error{ErrorCode::bad_input,
-                             "the component " + quoted(inputs, member) +
-                                 " rests on the estimate of variance \"" + estimate.id +
-                                 "\" with others: it needs a normal or Student t distribution and their "
-                                 "finite degrees of freedom."};
+                return Error{
+                    ErrorCode::bad_input,
+                    tell<"the component %1 rests on the estimate of variance \"%2\" with others: it needs a "
+                         "normal or Student t distribution and their finite degrees of freedom.">(
+                        quoted(inputs, member), estimate.id)};
         }
     return std::nullopt;
 }

@@ -207,8 +207,8 @@ private:
 
     tl::unexpected<Error> impossible(const ComponentCorrelation& pair, const CorrelationOfScores& r) const {
         const auto words = [this](std::size_t component) {
-            return '"' + inputs_.components[component].id + "\" (" + std::string(drawn(component).title()) +
-                   ")";
+            return '"' + inputs_.components[component].id + "\" (" +
+                   Message::declared(drawn(component).title()) + ")";
         };
         return fail(
             ErrorCode::bad_input,

@@ -106,26 +106,26 @@ Made make(const Statement& s) {
     return counts(s);
 }
 
-std::string figure_problem(std::string_view name, const std::optional<double>& figure,
-                           std::string_view meaning, bool optional) {
-    const std::string column = "'" + std::string(name) + "'";
-    if (meaning.empty()) return figure ? column + " is not used by this statement: leave it empty" : "";
-    if (!figure) return optional ? "" : column + " is missing: " + std::string(meaning);
-    return "";
+Message figure_problem(std::string_view name, const std::optional<double>& figure, std::string_view meaning,
+                       bool optional) {
+    if (meaning.empty())
+        return figure ? tell<"'%1' is not used by this statement: leave it empty">(name) : Message{};
+    if (figure || optional) return {};
+    return tell<"'%1' is missing: %2">(name, Message::declared(meaning));
 }
 
-std::string problem_of(const Statement& s, const StatementKind& kind) {
-    for (const std::string& problem :
+Message problem_of(const Statement& s, const StatementKind& kind) {
+    for (const Message& problem :
          {figure_problem("a", s.a, kind.a, false), figure_problem("b", s.b, kind.b, kind.b_optional)})
         if (!problem.empty()) return problem;
-    if (s.a && kind.key != "limits" && *s.a < 0.0) return "'a' must not be negative";
+    if (s.a && kind.key != "limits" && *s.a < 0.0) return tell<"'a' must not be negative">();
     if (s.degrees_of_freedom && s.relative_uncertainty_of_u)
-        return "give the degrees of freedom or the relative uncertainty of u, not both";
+        return tell<"give the degrees of freedom or the relative uncertainty of u, not both">();
     if (s.degrees_of_freedom && !(*s.degrees_of_freedom > 0.0))
-        return "the degrees of freedom must be greater than zero";
+        return tell<"the degrees of freedom must be greater than zero">();
     if (s.relative_uncertainty_of_u && !(*s.relative_uncertainty_of_u >= 0.0))
-        return "the relative uncertainty of u must not be negative";
-    return "";
+        return tell<"the relative uncertainty of u must not be negative">();
+    return {};
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ const StatementKind* find_statement(std::string_view key) {
 Result<StatedComponent> stated_component(const Statement& statement) {
     const StatementKind* kind = find_statement(statement.kind);
     if (!kind) return refused(tell<"there is no statement '%1'">(statement.kind));
-    if (const std::string problem = problem_of(statement, *kind); !problem.empty()) return refused(problem);
+    if (const Message problem = problem_of(statement, *kind); !problem.empty()) return refused(problem);
     Made made = make(statement);
     if (made) made->words = std::string(kind->title);
     return made;

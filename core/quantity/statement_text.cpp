@@ -185,9 +185,9 @@ private:
     }
 
     Result<void> named(const std::string& name) {
-        if (!is_name(name)) return not_read("'" + name + "' is not understood here");
+        if (!is_name(name)) return not_read(tell<"'%1' is not understood here">(name));
         const Token* token = tokens_.next();
-        if (!token || !token->number) return not_read("a number is missing after '" + name + "'");
+        if (!token || !token->number) return not_read(tell<"a number is missing after '%1'">(name));
         auto found = figure(*token->number);
         if (!found) return fail(found.error());
         if (name == "nu" || name == "ν" || name == "nu_eff") {
@@ -203,19 +203,21 @@ private:
     Result<TypedStatement> statement() {
         const Notation* notation = find();
         if (!notation)
-            return not_read("'" + word_ + "' is no way to state an uncertainty. For example: " +
-                            "75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant");
+            return not_read(
+                tell<"'%1' is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; "
+                     "rectangular 0.5; resolution 0.01; constant">(word_));
         const int count = static_cast<int>(figures_.size());
         if (count > notation->figures)
-            return not_read(std::string(notation->kind) + " has " + std::to_string(notation->figures) +
-                            (notation->figures == 1 ? " figure" : " figures"));
+            return not_read(notation->figures == 1
+                                ? tell<"%1 has %2 figure">(notation->kind, notation->figures)
+                                : tell<"%1 has %2 figures">(notation->kind, notation->figures));
         if (count < notation->needed)
-            return not_read(std::string("a figure is missing: ") +
-                            (notation->second == "k" || notation->second == "p"
-                                 ? "an expanded uncertainty needs k = ... or p = ... %"
-                                 : "it is noted as " + example(*notation)));
+            return not_read(
+                notation->second == "k" || notation->second == "p"
+                    ? tell<"a figure is missing: an expanded uncertainty needs k = ... or p = ... %">()
+                    : tell<"a figure is missing: it is noted as %1">(example(*notation)));
         if (!second_.empty() && second_ != notation->second)
-            return not_read("'" + second_ + "' is no part of it: it is noted as " + example(*notation));
+            return not_read(tell<"'%1' is no part of it: it is noted as %2">(second_, example(*notation)));
         TypedStatement made{std::string(notation->kind), {}, {}, degrees_of_freedom_};
         if (count > 0) {
             auto a = first(*notation);
@@ -252,7 +254,7 @@ private:
 
     Result<double> first(const Notation& notation) const {
         const Figure& a = figures_[0];
-        if (!notation.has_unit) return a.unit ? not_read("it has no unit") : Result<double>(a.value);
+        if (!notation.has_unit) return a.unit ? not_read(tell<"it has no unit">()) : Result<double>(a.value);
         return notation.kind == "limits" ? on_scale(a) : in_row(a);
     }
 
@@ -262,12 +264,13 @@ private:
         if (notation.second == "inexactness") return in_row(b);
         const bool per_cent = notation.second == "p" || notation.second == "+";
         if (b.unit && !(per_cent && b.unit->text() == "%"))
-            return not_read("the second figure has no unit" + std::string(per_cent ? " but %" : ""));
+            return not_read(per_cent ? tell<"the second figure has no unit but %">()
+                                     : tell<"the second figure has no unit">());
         if (notation.second == "+" && !b.unit)
-            return not_read("the further part is one in %: write MPE 3 + 0.1 %");
+            return not_read(tell<"the further part is one in %: write MPE 3 + 0.1 %">());
         // An expanded uncertainty with two bare figures says neither k nor p.
         if ((notation.second == "k") && second_.empty())
-            return not_read("say which it is: k = ... or p = ... %");
+            return not_read(tell<"say which it is: k = ... or p = ... %">());
         return b.value;
     }
 
@@ -278,7 +281,7 @@ private:
         const Unit unit = figure.unit->interval();
         if (unit.dimension() == row.dimension()) return converted(unit.interval_to_si(figure.value), row);
         if (!unit.dimension().is_one()) return not_read(other_dimension(unit));
-        if (!value_) return not_read("a part of the value needs the value");
+        if (!value_) return not_read(tell<"a part of the value needs the value">());
         return clean(std::abs(*value_) * unit.interval_to_si(figure.value));
     }
     /// A value on the row's scale.
@@ -288,8 +291,8 @@ private:
         return clean(unit_.from_si(figure.unit->to_si(figure.value)));
     }
     double converted(double si, const Unit& row) const { return clean(row.interval_from_si(si)); }
-    std::string other_dimension(const Unit& unit) const {
-        return unit.display() + " is no unit for a quantity in " + unit_.display();
+    Message other_dimension(const Unit& unit) const {
+        return tell<"%1 is no unit for a quantity in %2">(unit.display(), unit_.display());
     }
     /// Without the last digit's noise of a conversion.
     static double clean(double value) {

@@ -101,7 +101,7 @@ Result<Proposals> read_calibration(const std::string& text, const ReadChoice& ch
         "states no uncertainty: give the parameters theirs.";
     asset.setup = std::move(robot->setup);
     if (!hash.empty()) proposals.found.push_back(tell<"calibration %1">(hash));
-    for (const std::string& line : robot->report) proposals.found.push_back(line);
+    for (const Message& line : robot->report) proposals.found.push_back(line);
     proposals.found.push_back(tell<"lengths in m, angles in rad, about fixed axes as in URDF">());
     proposals.assets.push_back(std::move(asset));
     return proposals;

@@ -28,14 +28,14 @@ std::function<Cell(std::size_t)> of_line(const UncertaintyResult& result, const 
 
 /// In the component's unit, or with that of its quantity: -49.28° where u is in seconds of arc. The estimate
 /// of a component that several quantities share would be that of one of them.
-Cell estimate_cell(const BudgetLine& line) {
+Cell estimate_cell(const BudgetLine& line, const NumberLocale& numbers) {
     const BudgetComponent& c = line.component;
     const Unit& unit = c.quantity_unit;
     if (c.quantities.size() > 1) return {};
     if (unit == c.unit || !(unit.dimension() == c.unit.dimension()))
         return Measured{c.estimate, Scale::value, c.unit, {}};
     const std::string number = typeset_number(
-        format_to_match(unit.from_si(c.estimate), unit.interval_from_si(c.standard_uncertainty)));
+        format_to_match(unit.from_si(c.estimate), unit.interval_from_si(c.standard_uncertainty)), numbers);
     return number + (unit == Unit::of("deg") ? "" : "\u00a0") + unit.display();
 }
 
@@ -60,7 +60,8 @@ std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::siz
     return places;
 }
 
-Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at) {
+Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
+                   const DocumentLanguage& language) {
     const std::optional<Unit> unit = common_unit(result, at);
     const auto places = std::make_shared<const std::vector<BudgetPlace>>(std::move(at));
     Table table{"budget", "Uncertainty budgets", places->size()};
@@ -77,14 +78,20 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at)
         .of_symbols();
     add("component", [](L l) -> Cell { return l.component.name; }).window("Component of uncertainty");
     add("component in words",
-        [](L l) -> Cell { return l.component.name + (l.component.held ? " (constant)" : ""); })
+        [language](L l) -> Cell {
+            return l.component.held ? language.say(tell<"%1 (constant)">(l.component.name))
+                                    : l.component.name;
+        })
         .print("Component")
         .not_in_files();
     add("id", [](L l) -> Cell { return l.component.id; });
     add("unit", [](L l) -> Cell { return l.component.unit; })
         .print("Unit")
         .window("Unit", "Of the component's u");
-    add("estimate", estimate_cell).print_symbol("x_i").round({.match = "u", .input = true}).not_in_files();
+    add("estimate", [numbers = language.numbers()](L l) { return estimate_cell(l, numbers); })
+        .print_symbol("x_i")
+        .round({.match = "u", .input = true})
+        .not_in_files();
     add("u", [](L l) { return interval(l.component.standard_uncertainty, l.component.unit); })
         .print_symbol("u(x_i)")
         .window("u", "Standard uncertainty of the component")
@@ -108,7 +115,7 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at)
         .window("c", "Sensitivity coefficient, unit of the output quantity per unit of the component")
         .digits(3);
     add("contribution", [](L l) { return interval(l.row.contribution, l.output.unit); })
-        .print("|cᵢ|·u(xᵢ)")
+        .print(unit ? "|cᵢ|·u(xᵢ) in %1" : "|cᵢ|·u(xᵢ)")
         .window("|c|·u", "Contribution to the standard uncertainty")
         .digits(2)
         .in(unit);
@@ -118,7 +125,7 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at)
         .round({.decimals = 1, .percent = true});
     add("one at a time",
         [](L l) { return l.row.one_at_a_time ? interval(*l.row.one_at_a_time, l.output.unit) : Cell(); })
-        .print("alone, Monte Carlo,")
+        .print("alone, Monte Carlo, in %1")
         .window("u one at a time", "By Monte Carlo with every other component kept constant")
         .digits(2)
         .in(unit);

@@ -105,7 +105,7 @@ void add_table(Blocks& blocks, const UncertaintyResult& result, const std::vecto
                const std::string& id, const DocumentLanguage& in) {
     const bool groups = std::any_of(outputs.begin(), outputs.end(),
                                     [&](std::size_t i) { return !result.outputs[i].quantity.group.empty(); });
-    TableBuilder table("certified-" + id, "");
+    TableBuilder table("certified-" + id, "", in);
     if (groups) table.text(in.say(words::group));
     table.text(in.say(words::quantity), true);
     table.text(in.say(words::result));
@@ -130,7 +130,7 @@ void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& g
     for (const std::string& group : groups)
         for (const std::size_t c : columns) shown.push_back(measurands_of(result, group)[c]);
     const bool one_k = has_one_k(result, shown, in);
-    TableBuilder table("certified-" + id, "");
+    TableBuilder table("certified-" + id, "", in);
     table.text(in.say(words::group));
     std::vector<std::pair<int, Unit>> heads;
     for (std::size_t c = 0; c < columns.size(); ++c) {

@@ -241,13 +241,13 @@ Table compared_budget_table(const ResultComparison& comparison, std::vector<Comp
         [](P p) {
             return interval_cell(p.row_before ? &p.row_before->contribution : nullptr, p.output.unit);
         })
-        .print("|c|\u00b7u before")
+        .print(unit ? "|c|\u00b7u before in %1" : "|c|\u00b7u before")
         .window("|c|\u00b7u before", c_help)
         .digits(2)
         .in(unit);
     add("contribution after",
         [](P p) { return interval_cell(p.row_after ? &p.row_after->contribution : nullptr, p.output.unit); })
-        .print("|c|\u00b7u after")
+        .print(unit ? "|c|\u00b7u after in %1" : "|c|\u00b7u after")
         .window("|c|\u00b7u after", c_help)
         .digits(2)
         .in(unit);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/certificate_words.h"
 #include "core/report/comparison_columns.h"
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
@@ -16,26 +17,28 @@ using namespace report_parts;
 constexpr std::size_t most_compared_budgets = 6;
 constexpr std::size_t most_changes = 15;  ///< of a budget; further components are summed
 
-std::string method_words(const UncertaintyResult& result) {
-    const std::string method =
-        result.trials == 0 ? "law of propagation" : "Monte Carlo, " + count_text(result.trials) + " trials";
-    return method + ", p = " + percent_text(result.coverage_probability);
+std::string method_words(const UncertaintyResult& result, const DocumentLanguage& in) {
+    const Message method = result.trials == 0
+                               ? tell<"law of propagation">()
+                               : tell<"Monte Carlo, %1 trials">(count_text(result.trials, in.numbers()));
+    return in.say(method) + ", p = " + percent_text(result.coverage_probability, in.numbers());
 }
 
 /// The chapter of one analysis.
 class ComparedChapter {
 public:
-    ComparedChapter(const ComparedAnalysis& analysis, Blocks& blocks)
-        : analysis_(analysis), comparison_(analysis.comparison), blocks_(blocks) {}
+    ComparedChapter(const ComparedAnalysis& analysis, Blocks& blocks, const DocumentLanguage& in)
+        : analysis_(analysis), comparison_(analysis.comparison), blocks_(blocks), in_(in) {}
 
     void add(const std::string& before, const std::string& after) {
-        blocks_.push_back(FactsBlock{{{"Before", before + method_words(*comparison_.before)},
-                                      {"After", after + method_words(*comparison_.after)}}});
+        blocks_.push_back(
+            FactsBlock{{{in_.say(tell<"Before">()), before + method_words(*comparison_.before, in_)},
+                        {in_.say(tell<"After">()), after + method_words(*comparison_.after, in_)}}});
         if (expanded_by(*comparison_.before) != expanded_by(*comparison_.after))
-            blocks_.push_back(ParagraphBlock{"U is stated by different rules: before, " +
-                                                 expanded_words(*comparison_.before) + " After, " +
-                                                 expanded_words(*comparison_.after),
-                                             true});
+            blocks_.push_back(
+                ParagraphBlock{in_.say(tell<"U is stated by different rules: before, %1 After, %2">(
+                                   expanded_words(*comparison_.before), expanded_words(*comparison_.after))),
+                               true});
         choose();
         add_summary();
         add_results();
@@ -80,12 +83,13 @@ private:
     }
 
     void add_summary() {
-        std::string words = std::to_string(in_both_) + " of " + std::to_string(shown_.size()) +
-                            " measurands are in both results; the budgets of " + std::to_string(changed_) +
-                            " of them differ.";
+        std::string words =
+            in_.say(tell<"%1 of %2 measurands are in both results; the budgets of %3 of them differ.">(
+                in_both_, shown_.size(), changed_));
         if (changed_ > budgets_.size())
-            words += " Shown are the " + std::to_string(budgets_.size()) +
-                     " whose standard uncertainty changes most, relative to what it was.";
+            words +=
+                " " + in_.say(tell<"Shown are the %1 whose standard uncertainty changes most, relative to "
+                                   "what it was.">(budgets_.size()));
         blocks_.push_back(ParagraphBlock{words});
     }
 
@@ -94,14 +98,14 @@ private:
                                                "estimate after", "U before", "U after", "change of U",
                                                "k before",       "k after"};
         const Table all = compared_results_table(comparison_, shown_);
-        TableBuilder table("compared-results-" + analysis_.id, "Results before and after");
+        TableBuilder table("compared-results-" + analysis_.id, tell<"Results before and after">(), in_);
         table.columns(all, keys);
         std::string group;
         for (std::size_t row = 0; row < shown_.size(); ++row) {
             const std::string of = std::get<std::string>(all.cell(row, "group"));
             if (of != group) table.subhead(of);
             group = of;
-            table.row(print_row(all, keys, row));
+            table.row(print_row(all, keys, row, in_));
         }
         blocks_.push_back(table.take());
     }
@@ -123,11 +127,11 @@ private:
                                                "change of variance"};
         TableBuilder table("compared-budget-" + analysis_.id + "-" +
                                id_part(after.quantity.symbol + " " + after.quantity.group),
-                           "Changes of the budget of " + output_label(after.quantity));
+                           tell<"Changes of the budget of %1">(output_label(after.quantity)), in_);
         const Table all = compared_budget_table(comparison_, places);
         table.columns(all, keys);
         const std::size_t shown = places.size() <= most_changes ? places.size() : most_changes - 1;
-        for (std::size_t row = 0; row < shown; ++row) table.row(print_row(all, keys, row));
+        for (std::size_t row = 0; row < shown; ++row) table.row(print_row(all, keys, row, in_));
         const double variance = std::pow(before.first_order.standard_uncertainty, 2);
         const auto percent = [variance](double change) {
             return variance > 0.0 ? TableCell(100.0 * change / variance) : TableCell();
@@ -136,7 +140,7 @@ private:
             double rest = 0.0;
             for (std::size_t i = shown; i < places.size(); ++i) rest += places[i].component.change();
             table.row({{},
-                       std::to_string(places.size() - shown) + " further components",
+                       in_.say(tell<"%1 further components">(places.size() - shown)),
                        {},
                        {},
                        {},
@@ -147,7 +151,7 @@ private:
         }
         const Unit& unit = after.quantity.unit;
         table.row({std::string("u_c"),
-                   std::string("combined (law of propagation)"),
+                   in_.say(tell<"combined (law of propagation)">()),
                    {},
                    {},
                    {},
@@ -161,55 +165,64 @@ private:
     const ComparedAnalysis& analysis_;
     const ResultComparison& comparison_;
     Blocks& blocks_;
+    const DocumentLanguage& in_;
     std::vector<std::size_t> shown_, budgets_;
     std::size_t in_both_ = 0, changed_ = 0;
 };
 
 /// Both distributions of those outputs whose budgets are shown, where trials gave them.
-void add_figures(Blocks& blocks, const EvaluatedAnalysis& evaluated,
-                 const std::vector<std::size_t>& outputs) {
+void add_figures(Blocks& blocks, const EvaluatedAnalysis& evaluated, const std::vector<std::size_t>& outputs,
+                 const DocumentLanguage& in) {
     const ResultComparison& comparison = evaluated.before->comparison;
     for (const std::size_t i : outputs) {
         const OutputResult& after = *comparison.output_after(comparison.outputs[i]);
-        PlotSpecification plot = compared_distributions_plot(comparison, i);
+        PlotSpecification plot = compared_distributions_plot(comparison, i, {}, in);
         if (plot.series.empty()) continue;
-        blocks.push_back(figure(std::move(plot), evaluated,
-                                "Distribution of " + output_label(after.quantity) + " before and after."));
+        blocks.push_back(
+            figure(std::move(plot), evaluated,
+                   in.say(tell<"Distribution of %1 before and after.">(output_label(after.quantity)))));
     }
 }
 
-void add_missing(Blocks& blocks, const char* where, const std::vector<std::string>& analyses) {
-    if (analyses.empty()) return;
+std::string in_one_list(const std::vector<std::string>& analyses) {
     std::string names;
     for (const std::string& name : analyses) names += (names.empty() ? "" : ", ") + name;
-    blocks.push_back(ParagraphBlock{std::string("Only ") + where + ": " + names + "."});
+    return names;
 }
 
 }  // namespace
 
-ReportDocument build_comparison(const ComparedSides& sides, const std::vector<ComparedAnalysis>& analyses) {
+ReportDocument build_comparison(const ComparedSides& sides, const std::vector<ComparedAnalysis>& analyses,
+                                const DocumentLanguage& in) {
     ReportDocument document;
-    document.title = "Results before and after";
-    document.over = "Comparison of uncertainty evaluations";
+    document.title = in.say(tell<"Results before and after">());
+    document.over = in.say(tell<"Comparison of uncertainty evaluations">());
+    document.language = in.code();
+    document.page_words = in.say(certificate_words::page);
+    document.numbers = in.numbers();
     Blocks& blocks = document.blocks;
-    blocks.push_back(FactsBlock{{{"Before", sides.before}, {"After", sides.after}}, true});
-    add_missing(blocks, "before", sides.only_before);
-    add_missing(blocks, "after", sides.only_after);
+    blocks.push_back(
+        FactsBlock{{{in.say(tell<"Before">()), sides.before}, {in.say(tell<"After">()), sides.after}}, true});
+    if (!sides.only_before.empty())
+        blocks.push_back(ParagraphBlock{in.say(tell<"Only before: %1.">(in_one_list(sides.only_before)))});
+    if (!sides.only_after.empty())
+        blocks.push_back(ParagraphBlock{in.say(tell<"Only after: %1.">(in_one_list(sides.only_after)))});
     for (const ComparedAnalysis& analysis : analyses) {
         blocks.push_back(HeadingBlock{1, analysis.title});
-        ComparedChapter(analysis, blocks).add({}, {});
+        ComparedChapter(analysis, blocks, in).add({}, {});
     }
     return document;
 }
 
-void report_parts::add_before(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void report_parts::add_before(Blocks& blocks, const EvaluatedAnalysis& evaluated,
+                              const DocumentLanguage& in) {
     if (!evaluated.before) return;
-    blocks.push_back(HeadingBlock{2, "Results before and after"});
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Results before and after">())});
     const ComparedAnalysis analysis{id_part(evaluated.analysis->id), evaluated.analysis->name,
                                     evaluated.before->comparison};
-    ComparedChapter chapter(analysis, blocks);
-    chapter.add(evaluated.before->words + "; ", "this report; ");
-    add_figures(blocks, evaluated, chapter.with_budgets());
+    ComparedChapter chapter(analysis, blocks, in);
+    chapter.add(evaluated.before->words + "; ", in.say(tell<"this report">()) + "; ");
+    add_figures(blocks, evaluated, chapter.with_budgets(), in);
 }
 
 std::vector<DataTable> comparison_tables(const ComparedAnalysis& analysis) {

@@ -6,6 +6,7 @@
 
 #include "core/report/report_document.h"
 #include "core/result/comparison.h"
+#include "core/text/document_language.h"
 
 namespace covaria {
 
@@ -21,7 +22,8 @@ struct ComparedSides {
 };
 
 /// Measurands with U beside U, then the changed components of the budgets that changed most.
-ReportDocument build_comparison(const ComparedSides& sides, const std::vector<ComparedAnalysis>& analyses);
+ReportDocument build_comparison(const ComparedSides& sides, const std::vector<ComparedAnalysis>& analyses,
+                                const DocumentLanguage& in = {});
 
 /// Everything of one analysis for CSV: "ID-compared-results" and "ID-compared-budget".
 std::vector<DataTable> comparison_tables(const ComparedAnalysis& analysis);

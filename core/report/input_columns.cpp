@@ -51,28 +51,32 @@ double row_uncertainty(L l) {
     return std::abs(l.share()->factor) * l.component()->distribution.standard_uncertainty();
 }
 
-std::string row_distribution(L l) {
-    if (l.quantity().shares.empty()) return "constant";
+Message row_distribution(L l) {
+    if (l.quantity().shares.empty()) return tell<"constant">();
     const UncertaintyComponent* c = l.component();
-    return c ? std::string(drawn_distribution(*c).title()) + (c->held ? ", constant" : "") : "combined";
+    if (!c) return tell<"combined">();
+    const Message title = Message::declared(std::string(drawn_distribution(*c).title()));
+    return c->held ? tell<"%1, constant">(title) : title;
 }
 
-/// The origin that all components of the quantity have in common: "typed; ", else nothing.
+/// The origin that all components of the quantity have in common: "typed", else nothing.
 std::string common_origin(L l) {
     const std::vector<Share>& shares = l.quantity().shares;
     const std::string& origin = l.component_of(shares.front()).origin;
     const bool same = std::all_of(shares.begin(), shares.end(),
                                   [&](const Share& share) { return l.component_of(share).origin == origin; });
-    return same && !origin.empty() ? origin + "; " : "";
+    return same ? origin : "";
 }
 
-Cell row_origin(L l) {
+Message row_origin(L l) {
     const std::vector<Share>& shares = l.quantity().shares;
     if (shares.empty()) return {};
     if (const UncertaintyComponent* c = l.component()) return c->origin.empty() ? c->name : c->origin;
-    const bool linear = l.quantity().combination == Combination::arithmetic;
-    return common_origin(l) + std::to_string(shares.size()) +
-           (linear ? " components, added arithmetically" : " components, in quadrature");
+    const Message count = l.quantity().combination == Combination::arithmetic
+                              ? tell<"%1 components, added arithmetically">(shares.size())
+                              : tell<"%1 components, in quadrature">(shares.size());
+    const std::string common = common_origin(l);
+    return common.empty() ? count : common + "; " + count;
 }
 
 Cell row_degrees_of_freedom(L l) {
@@ -84,8 +88,10 @@ Cell row_degrees_of_freedom(L l) {
 /// Adds columns whose cells are made from lines.
 class InputColumns {
 public:
-    InputColumns(const InputSet& inputs, std::vector<InputRow> rows)
-        : inputs_(inputs), rows_(std::make_shared<const std::vector<InputRow>>(std::move(rows))) {}
+    InputColumns(const InputSet& inputs, std::vector<InputRow> rows, const DocumentLanguage& language)
+        : inputs_(inputs),
+          rows_(std::make_shared<const std::vector<InputRow>>(std::move(rows))),
+          language_(language) {}
 
     Table make() {
         table_.rows = rows_->size();
@@ -131,7 +137,7 @@ private:
 
     /// What print says in one row, of the quantity or of a part of it.
     void add_row() {
-        add("row distribution", [](L l) -> Cell { return row_distribution(l); })
+        add("row distribution", [in = language_](L l) -> Cell { return in.say(row_distribution(l)); })
             .print("Distribution")
             .not_in_files();
         add("row type",
@@ -144,7 +150,13 @@ private:
             .print_symbol("nu_i")
             .round({.degrees_of_freedom = true})
             .not_in_files();
-        add("row origin", row_origin).print("Origin").not_in_files();
+        add("row origin",
+            [in = language_](L l) -> Cell {
+                const Message origin = row_origin(l);
+                return origin.empty() ? Cell() : Cell(in.say(origin));
+            })
+            .print("Origin")
+            .not_in_files();
     }
 
     void add_component() {
@@ -167,6 +179,7 @@ private:
 
     const InputSet& inputs_;
     std::shared_ptr<const std::vector<InputRow>> rows_;
+    DocumentLanguage language_;  ///< of what print says
     Table table_{"inputs", "Input quantities and their components"};
 };
 
@@ -181,8 +194,8 @@ std::vector<InputRow> all_shares(const InputSet& inputs) {
     return rows;
 }
 
-Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows) {
-    return InputColumns(inputs, std::move(rows)).make();
+Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows, const DocumentLanguage& language) {
+    return InputColumns(inputs, std::move(rows), language).make();
 }
 
 }  // namespace covaria

@@ -53,8 +53,11 @@ std::string escaped_block(const std::string& text) {
 
 std::string table_cell(const TableBlock& block, std::size_t row, std::size_t column) {
     const std::string text = cell_text(block, row, column);
-    const bool symbol = style_of(block, column).symbol && !is_subhead(block, row);
-    return escaped(symbol ? to_unicode(symbols_text(text)) : text);
+    if (style_of(block, column).symbol && !is_subhead(block, row))
+        return escaped(to_unicode(symbols_text(text)));
+    const auto& cells = block.table.rows[row];
+    const bool number = column < cells.size() && shown_number(cells[column], block.table.columns[column]);
+    return escaped(number ? with_decimal_sign(text, block.locale) : text);
 }
 
 struct MarkdownWriter {

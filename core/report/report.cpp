@@ -7,6 +7,7 @@
 
 #include "core/base/file_names.h"
 #include "core/project/project_file.h"
+#include "core/report/certificate_words.h"
 #include "core/report/report_body.h"
 #include "core/report/report_extent.h"
 
@@ -20,6 +21,7 @@ constexpr double room = 20.0 * lines_of_page, room_before = 3.0 * lines_of_page;
 
 /// Puts "2.1", "Table 3." and "Figure 2." before headings and captions, in order of appearance.
 struct Numbering {
+    const DocumentLanguage& in;
     std::array<int, 2> heading{};
     int tables = 0, figures = 0;
 
@@ -34,14 +36,16 @@ struct Numbering {
             (block.level == 1 ? number : number + "." + std::to_string(heading[1])) + "\u2002" + block.text;
     }
     void operator()(TableBlock& block) {
-        block.table.title = "Table " + std::to_string(++tables) + ". " + block.table.title;
+        block.table.title = in.say(tell<"Table %1. %2">(++tables, block.table.title));
     }
-    void operator()(PlotBlock& block) { block.caption = figure() + block.caption; }
-    void operator()(SceneBlock& block) { block.caption = figure() + block.caption; }
+    void operator()(PlotBlock& block) { block.caption = figure(block.caption); }
+    void operator()(SceneBlock& block) { block.caption = figure(block.caption); }
     template <class Other>
     void operator()(Other&) {}
 
-    std::string figure() { return "Figure " + std::to_string(++figures) + ". "; }
+    std::string figure(const std::string& caption) {
+        return in.say(tell<"Figure %1. %2">(++figures, caption));
+    }
 };
 
 /// Where a table shows two significant digits, those that the project states. Estimates are matched to them.
@@ -83,29 +87,34 @@ std::vector<EvaluatedAnalysis> those_in(const ReportContents& contents,
 }  // namespace
 
 ReportDocument build_report(const MadeProject& made, const std::vector<EvaluatedAnalysis>& all,
-                            const std::vector<FailedAnalysis>& failed, const ReportContents& contents) {
+                            const std::vector<FailedAnalysis>& failed, const ReportContents& contents,
+                            const DocumentLanguage& in) {
     const std::vector<EvaluatedAnalysis> analyses = those_in(contents, all);
-    const ReportSource source{made, analyses, failed};
+    const ReportSource source{made, analyses, failed, in};
     const Project& project = made.project();
     ReportDocument document;
-    document.title = project.title.empty() ? "Uncertainty report" : project.title;
+    document.title = project.title.empty() ? in.say(tell<"Uncertainty report">()) : project.title;
     document.running_head = document.title;
+    document.over = in.say(tell<"Report of an uncertainty evaluation">());
+    document.language = in.code();
+    document.page_words = in.say(certificate_words::page);
+    document.numbers = in.numbers();
     Blocks before, after;
     add_title(before, source);
     if (contents.has(ReportChapter::models)) add_models(before, source);
     if (contents.has(ReportChapter::notes)) add_notes(after, source);
     if (contents.has(ReportChapter::provenance)) add_provenance(after, source);
-    before = shortened_to(room_before, before, "the CSV tables, and the annex on request, have");
+    before = shortened_to(room_before, before, Elsewhere::files, in);
     AnalysisChapters chapters =
         analysis_chapters(source, contents, room - lines_of(before) - lines_of(after));
     Blocks& blocks = document.blocks;
     for (Blocks* part : {&before, &chapters.body, &after})
         std::move(part->begin(), part->end(), std::back_inserter(blocks));
-    if (!chapters.annex.empty()) blocks.push_back(HeadingBlock{1, "Annex"});
+    if (!chapters.annex.empty()) blocks.push_back(HeadingBlock{1, in.say(tell<"Annex">())});
     std::move(chapters.annex.begin(), chapters.annex.end(), std::back_inserter(blocks));
     const UncertaintyDigits digits{project.results.style.digits.value_or(2)};
     for (ReportBlock& block : document.blocks) std::visit(digits, block);
-    Numbering numbering;
+    Numbering numbering{in};
     for (ReportBlock& block : document.blocks) std::visit(numbering, block);
     FigureNaming naming;
     for (ReportBlock& block : document.blocks) std::visit(naming, block);
@@ -113,8 +122,8 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
 }
 
 ReportDocument build_report(const MadeProject& made, const std::vector<EvaluatedAnalysis>& analyses,
-                            const std::vector<FailedAnalysis>& failed) {
-    return build_report(made, analyses, failed, made.project().report);
+                            const std::vector<FailedAnalysis>& failed, const DocumentLanguage& in) {
+    return build_report(made, analyses, failed, made.project().report, in);
 }
 
 std::vector<std::string> reported_analyses(const Project& project) {
@@ -131,7 +140,7 @@ ReportDocument build_document(DocumentKind kind, const MadeProject& made,
     ReportContents contents = made.project().report;
     const bool all = !chosen && contents.without_analyses.empty();
     if (chosen) contents.without_analyses.clear();
-    if (kind == DocumentKind::report) return build_report(made, analyses, failed, contents);
+    if (kind == DocumentKind::report) return build_report(made, analyses, failed, contents, in);
     return build_certificate(made, those_in(contents, analyses), failed,
                              all ? CertifiedResults::that_fit : CertifiedResults::all, in);
 }

@@ -35,13 +35,14 @@ struct EvaluatedAnalysis {
 struct FailedAnalysis {
     std::string id, name;
     std::string study = {};  ///< its id, where only the study or design failed
-    std::string cause;
+    Message cause;
 };
 /// What a report is made of.
 struct ReportSource {
     const MadeProject& made;
     const std::vector<EvaluatedAnalysis>& analyses;
     const std::vector<FailedAnalysis>& failed;
+    const DocumentLanguage& in = DocumentLanguage::english();  ///< outlives it
 };
 /// What stands beside the results of analyses in results.json.
 struct ResultFile {
@@ -56,10 +57,11 @@ struct ResultListing {
 /// Title block, model and references, inputs and origin, asset evaluations, budgets, results, distributions,
 /// scene, correlation, notes, provenance; without the analyses and chapters that `contents` leave out.
 ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
-                            const std::vector<FailedAnalysis>& failed, const ReportContents& contents);
+                            const std::vector<FailedAnalysis>& failed, const ReportContents& contents,
+                            const DocumentLanguage& in = {});
 /// With the contents that the project states.
 ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
-                            const std::vector<FailedAnalysis>& failed = {});
+                            const std::vector<FailedAnalysis>& failed = {}, const DocumentLanguage& in = {});
 
 /// Which of the evaluated analyses' results a certificate states.
 enum class CertifiedResults {
@@ -78,7 +80,7 @@ std::vector<std::string> reported_analyses(const Project& project);
 
 enum class DocumentKind { report, certificate };
 /// Of those of the analyses that the project does not leave out; of all, where they were `chosen` by hand.
-/// A certificate is in that language, a report in English.
+/// In that language.
 ReportDocument build_document(DocumentKind kind, const MadeProject& project,
                               const std::vector<EvaluatedAnalysis>& analyses,
                               const std::vector<FailedAnalysis>& failed, bool chosen = false,

@@ -26,6 +26,7 @@ using Chapters = std::vector<AnalysisChapter>;
 Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evaluated,
                      std::set<std::string>& shown_assets) {
     using enum ReportChapter;
+    const DocumentLanguage& in = source.in;
     Chapters all;
     const auto begin = [&](std::optional<ReportChapter> chapter) -> Blocks& {
         all.push_back({chapter, {}});
@@ -33,23 +34,23 @@ Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evalua
     };
     add_setup(begin(setup), source, evaluated);
     Blocks& of_inputs = begin(inputs);
-    add_links(of_inputs, evaluated);
+    add_links(of_inputs, evaluated, in);
     add_inputs(of_inputs, source, evaluated);
     add_assets(begin(assets), source, evaluated, shown_assets);
-    add_budgets(begin(budgets), evaluated);
+    add_budgets(begin(budgets), evaluated, in);
     add_results(begin(std::nullopt), source, evaluated);
     Blocks& of_influence = begin(influence);
-    add_sobol(of_influence, evaluated);
-    add_contributors(of_influence, evaluated);
-    add_model_evaluation(begin(evaluation), evaluated);
-    add_comparison(begin(comparison), evaluated);
-    add_before(begin(before), evaluated);
-    add_regions(begin(regions), evaluated);
-    add_distributions(begin(distributions), evaluated);
-    add_scene(begin(scene), evaluated);
-    add_correlation(begin(correlation), evaluated);
-    add_studies(begin(studies), evaluated);
-    add_designs(begin(designs), evaluated);
+    add_sobol(of_influence, evaluated, in);
+    add_contributors(of_influence, evaluated, in);
+    add_model_evaluation(begin(evaluation), evaluated, in);
+    add_comparison(begin(comparison), evaluated, in);
+    add_before(begin(before), evaluated, in);
+    add_regions(begin(regions), evaluated, in);
+    add_distributions(begin(distributions), evaluated, in);
+    add_scene(begin(scene), evaluated, in);
+    add_correlation(begin(correlation), evaluated, in);
+    add_studies(begin(studies), evaluated, in);
+    add_designs(begin(designs), evaluated, in);
     return all;
 }
 
@@ -84,8 +85,9 @@ double whole_lines(const Chapters& chapters) {
 
 class AnalysisBody {
 public:
-    AnalysisBody(const ReportContents& contents, const EvaluatedAnalysis& evaluated, Chapters chapters)
-        : contents_(contents), evaluated_(evaluated), chapters_(std::move(chapters)) {}
+    AnalysisBody(const ReportContents& contents, const EvaluatedAnalysis& evaluated, Chapters chapters,
+                 const DocumentLanguage& in)
+        : contents_(contents), evaluated_(evaluated), chapters_(std::move(chapters)), in_(in) {}
 
     /// Shows as much as there is room for.
     void fit(double lines) {
@@ -108,8 +110,10 @@ public:
                 blocks.insert(blocks.end(), chapter.shortened.body.begin(), chapter.shortened.body.end());
         }
         if (!left_out.empty())
-            blocks.push_back(ParagraphBlock{
-                (contents_.annex ? "In the annex: " : "In the annex, on request: ") + left_out + ".", true});
+            blocks.push_back(
+                ParagraphBlock{in_.say(contents_.annex ? tell<"In the annex: %1.">(left_out)
+                                                       : tell<"In the annex, on request: %1.">(left_out)),
+                               true});
     }
 
     void add_annex(Blocks& blocks) const {
@@ -126,8 +130,7 @@ public:
 
 private:
     void shorten_all(const Extent& extent) {
-        const std::string elsewhere =
-            contents_.annex ? "the annex has" : "the CSV tables, and the annex on request, have";
+        const Elsewhere elsewhere = contents_.annex ? Elsewhere::annex : Elsewhere::files;
         const std::vector<std::string> groups = groups_in_full(*evaluated_.result);
         const std::string group = groups.size() == 1 ? groups.front() : "";
         for (AnalysisChapter& chapter : chapters_) {
@@ -136,9 +139,9 @@ private:
             Blocks blocks = chapter.whole;
             if (other_budgets) {
                 blocks.clear();
-                add_budgets(blocks, evaluated_, extent.budget_rows);
+                add_budgets(blocks, evaluated_, in_, extent.budget_rows);
             }
-            chapter.shortened = shorten(blocks, extent, group, elsewhere);
+            chapter.shortened = shorten(blocks, extent, group, elsewhere, in_);
             if (other_budgets) chapter.shortened.rest = chapter.whole;
         }
     }
@@ -162,6 +165,7 @@ private:
     const ReportContents& contents_;
     const EvaluatedAnalysis& evaluated_;
     Chapters chapters_;
+    const DocumentLanguage& in_;
 };
 
 }  // namespace
@@ -176,7 +180,7 @@ AnalysisChapters analysis_chapters(const ReportSource& source, const ReportConte
             return one.whole.empty() || (one.chapter && !contents.has(*one.chapter));
         });
         needs.push_back(whole_lines(chapters));
-        bodies.emplace_back(contents, evaluated, std::move(chapters));
+        bodies.emplace_back(contents, evaluated, std::move(chapters), source.in);
     }
     const double lines_of_frames = frame_lines * double(bodies.size());
     const std::vector<double> shares = shares_of(lines - lines_of_frames, needs);

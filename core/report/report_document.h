@@ -108,6 +108,7 @@ struct ReportDocument {
     LogoPicture logo = {};                                     ///< beside the title
     std::string language = "en";                               ///< its code: "pt", "zh_CN"
     std::string page_words = "Page %1 of %2";
+    NumberLocale numbers = {};        ///< of charts and scenes
     bool head_on_every_page = false;  ///< the running head stands on the first page too
 };
 

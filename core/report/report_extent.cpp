@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/in_quotes.h"
 #include "core/report/prose.h"
 
 namespace covaria::report_parts {
@@ -76,19 +75,52 @@ bool is_budget(const TableBlock& block) {
     return block.table.id.starts_with("budget-");
 }
 
-std::string rows_note(const TableBlock& block, std::size_t begin, std::size_t shown, const std::string& group,
-                      const std::string& elsewhere) {
-    const std::string which =
-        begin > 0 ? "From " + in_quotes(group) + " on, which has the largest expanded uncertainties, "
-                  : "The first ";
-    return which + std::to_string(shown) + " of " + std::to_string(block.table.rows.size()) + " rows; " +
-           elsewhere + " all of them.";
+/// Of a table of so many rows.
+Message rows_note(std::size_t all, std::size_t begin, std::size_t shown, const std::string& group,
+                  Elsewhere elsewhere) {
+    const bool annex = elsewhere == Elsewhere::annex;
+    if (begin > 0)
+        return annex ? tell<
+                           "From '%1' on, which has the largest expanded uncertainties, %2 of %3 rows; the "
+                           "annex has all of them.">(group, shown, all)
+                     : tell<
+                           "From '%1' on, which has the largest expanded uncertainties, %2 of %3 rows; the "
+                           "CSV tables, and the annex on request, have all of them.">(group, shown, all);
+    return annex ? tell<"The first %1 of %2 rows; the annex has all of them.">(shown, all)
+                 : tell<
+                       "The first %1 of %2 rows; the CSV tables, and the annex on request, have all of "
+                       "them.">(shown, all);
+}
+
+struct Shown {
+    std::size_t some = 0, all = 0;
+    bool is_all() const { return all <= some; }
+};
+
+Message shown_note(Shown tables, Shown charts, Elsewhere elsewhere) {
+    const bool annex = elsewhere == Elsewhere::annex;
+    if (charts.is_all())
+        return annex ? tell<"Shown are %1 of %2 tables; the annex has the rest.">(tables.some, tables.all)
+                     : tell<
+                           "Shown are %1 of %2 tables; the CSV tables, and the annex on request, have the "
+                           "rest.">(tables.some, tables.all);
+    if (tables.is_all())
+        return annex ? tell<"Shown are %1 of %2 charts; the annex has the rest.">(charts.some, charts.all)
+                     : tell<
+                           "Shown are %1 of %2 charts; the CSV tables, and the annex on request, have the "
+                           "rest.">(charts.some, charts.all);
+    return annex ? tell<"Shown are %1 of %2 tables and %3 of %4 charts; the annex has the rest.">(
+                       tables.some, tables.all, charts.some, charts.all)
+                 : tell<
+                       "Shown are %1 of %2 tables and %3 of %4 charts; the CSV tables, and the annex on "
+                       "request, have the rest.">(tables.some, tables.all, charts.some, charts.all);
 }
 
 class Shortening {
 public:
-    Shortening(const Extent& extent, const std::string& group, const std::string& elsewhere)
-        : extent_(extent), group_(group), elsewhere_(elsewhere) {}
+    Shortening(const Extent& extent, const std::string& group, Elsewhere elsewhere,
+               const DocumentLanguage& in)
+        : extent_(extent), group_(group), elsewhere_(elsewhere), in_(in) {}
 
     void add(const ReportBlock& block) {
         if (const auto* table = std::get_if<TableBlock>(&block)) return add_table(*table);
@@ -99,8 +131,9 @@ public:
     }
 
     ShortenedChapter take() {
-        if (tables_ > extent_.tables || figures_ > extent_.figures)
-            out_.body.push_back(ParagraphBlock{words() + elsewhere_ + " the rest.", true});
+        const Shown tables{extent_.tables, tables_}, charts{extent_.figures, figures_};
+        if (!tables.is_all() || !charts.is_all())
+            out_.body.push_back(ParagraphBlock{in_.say(shown_note(tables, charts, elsewhere_)), true});
         return std::move(out_);
     }
 
@@ -118,23 +151,16 @@ private:
         const auto first = table.table.rows.begin() + static_cast<std::ptrdiff_t>(begin);
         part.table.rows.assign(first, first + static_cast<std::ptrdiff_t>(shown));
         if (is_subhead(part.table.rows.back())) part.table.rows.pop_back();
-        part.table.notes.push_back(rows_note(table, begin, part.table.rows.size(), group_, elsewhere_));
+        part.table.notes.push_back(
+            in_.say(rows_note(rows, begin, part.table.rows.size(), group_, elsewhere_)));
         out_.body.push_back(std::move(part));
         out_.rest.push_back(table);
     }
 
-    std::string words() const {
-        std::string words = "Shown are ";
-        if (tables_ > extent_.tables)
-            words += std::to_string(extent_.tables) + " of " + std::to_string(tables_) + " tables" +
-                     (figures_ > extent_.figures ? " and " : "");
-        if (figures_ > extent_.figures)
-            words += std::to_string(extent_.figures) + " of " + std::to_string(figures_) + " charts";
-        return words + "; ";
-    }
-
     const Extent& extent_;
-    const std::string &group_, &elsewhere_;
+    const std::string& group_;
+    const Elsewhere elsewhere_;
+    const DocumentLanguage& in_;
     std::size_t tables_ = 0, figures_ = 0;
     ShortenedChapter out_;
 };
@@ -154,17 +180,17 @@ const std::vector<Extent>& extents() {
 }
 
 ShortenedChapter shorten(const Blocks& chapter, const Extent& extent, const std::string& group,
-                         const std::string& elsewhere) {
-    Shortening shortening(extent, group, elsewhere);
+                         Elsewhere elsewhere, const DocumentLanguage& in) {
+    Shortening shortening(extent, group, elsewhere, in);
     for (const ReportBlock& block : chapter) shortening.add(block);
     return shortening.take();
 }
 
-Blocks shortened_to(double lines, const Blocks& blocks, const std::string& elsewhere) {
+Blocks shortened_to(double lines, const Blocks& blocks, Elsewhere elsewhere, const DocumentLanguage& in) {
     Blocks shown;
     for (Extent extent : extents()) {
         extent.tables = Extent::all;
-        shown = shorten(blocks, extent, "", elsewhere).body;
+        shown = shorten(blocks, extent, "", elsewhere, in).body;
         if (lines_of(shown) <= lines) break;
     }
     return shown;

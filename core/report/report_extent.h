@@ -30,12 +30,17 @@ inline constexpr double lines_of_page = 56.0;
 struct ShortenedChapter {
     Blocks body, rest;
 };
+/// Where what is left out stands.
+enum class Elsewhere {
+    annex,
+    files  ///< and in the annex, if it is asked for
+};
 /// Of long tables the rows of the group with the largest expanded uncertainties, or the first ones, are
-/// shown, with a note of where all are: `elsewhere`, "the annex".
+/// shown, with a note of where all are.
 ShortenedChapter shorten(const Blocks& chapter, const Extent& extent, const std::string& group,
-                         const std::string& elsewhere);
+                         Elsewhere elsewhere, const DocumentLanguage& in);
 /// As long as it may be to fit into `lines`, or the shortest.
-Blocks shortened_to(double lines, const Blocks& blocks, const std::string& elsewhere);
+Blocks shortened_to(double lines, const Blocks& blocks, Elsewhere elsewhere, const DocumentLanguage& in);
 
 /// `room` for all that need so much: who needs less than an equal share leaves the rest to the others.
 std::vector<double> shares_of(double room, const std::vector<double>& needs);

@@ -21,63 +21,69 @@ void add_models(Blocks& blocks, const ReportSource& source);
 void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 void add_inputs(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 /// Inputs that are outputs of other analyses; nothing without any.
-void add_links(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_links(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 /// `shown` are the assets whose evaluation the report has already.
 void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
                 std::set<std::string>& shown);
 inline constexpr std::size_t most_budget_rows = 24;  ///< further components are summed
-void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated,
+void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in,
                  std::size_t most_rows = most_budget_rows);
 void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 /// Target uncertainties, conformity; nothing without requirements.
 void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 /// Nothing where they were not asked for.
-void add_sobol(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_sobol(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 /// What remains with everything of one contributor held, and what it gives alone; nothing with fewer than
 /// two.
-void add_contributors(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_contributors(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 /// What the model says about its set-up beside the outputs.
-void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated);
-void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
+void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 /// Nothing without earlier results.
-void add_before(Blocks& blocks, const EvaluatedAnalysis& evaluated);
-void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated);
-void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated);
-void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated);
-void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated);
-void add_studies(Blocks& blocks, const EvaluatedAnalysis& evaluated);
-void add_designs(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_before(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
+void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
+void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
+void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
+void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
+void add_studies(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
+void add_designs(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 void add_notes(Blocks& blocks, const ReportSource& source);
 void add_provenance(Blocks& blocks, const ReportSource& source);
 
 /// Outputs by group against U, when there are several groups with the same measurands; else nothing.
-std::optional<TableBlock> summary_matrix(const UncertaintyResult& result, const std::string& title);
+std::optional<TableBlock> summary_matrix(const UncertaintyResult& result, const Message& title,
+                                         const DocumentLanguage& in);
 /// The result line of the given outputs.
 TableBlock results_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
-                         const std::string& title);
+                         const Message& title, const DocumentLanguage& in);
 TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const ReportSource& source);
 std::string setup_text(const FieldSpec& field, const SetupValue& value, const ReportSource& source);
 /// Scalar fields as facts, tables as tables, under the headings of their sections.
 void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& setup,
                       const ReportSource& source);
 
+/// A table of a model, an asset or a design: its title and heads are the program's.
+TableBlock said_table(DataTable table, const DocumentLanguage& in);
 /// A chart; its id, which names files, begins with the analysis' id and so is unique in a report.
 PlotBlock figure(PlotSpecification plot, const EvaluatedAnalysis& evaluated, std::string caption);
+/// With its title as caption.
+PlotBlock titled_figure(PlotSpecification plot, const EvaluatedAnalysis& evaluated);
 
 /// One paragraph per line of a note.
 void add_paragraphs(Blocks& blocks, const std::string& text);
 
 // --- words and selections (report_words.cpp)
 
-/// Grows a table column by column.
+/// Grows a table column by column, in a language that outlives it.
 class TableBuilder {
 public:
-    TableBuilder(std::string id, std::string title);
+    TableBuilder(std::string id, const Message& title,
+                 const DocumentLanguage& in = DocumentLanguage::english());
     /// Returns the column's index.
-    int text(const std::string& header, bool symbol_cells = false);
-    int number(const std::string& header, int digits = 0, int match = -1);
+    int text(const Message& header, bool symbol_cells = false);
+    int number(const Message& header, int digits = 0, int match = -1);
     int symbol(const std::string& header, int digits = 0, int match = -1);
-    int fixed(const std::string& header, int decimals);
+    int fixed(const Message& header, int decimals);
     /// Those columns of a table, as print has them.
     void columns(const Table& table, const std::vector<std::string>& keys);
     /// Those columns of the table of results, and the rows of these outputs under sub-heads of their groups.
@@ -85,16 +91,18 @@ public:
                  const std::vector<std::string>& keys);
     void row(std::vector<TableCell> cells) { block_.table.rows.push_back(std::move(cells)); }
     void subhead(const std::string& text) { block_.table.rows.push_back({TableCell(text)}); }
-    void note(std::string text) { block_.table.notes.push_back(std::move(text)); }
+    void note(const Message& text) { block_.table.notes.push_back(in_.say(text)); }
     TableBlock take() { return std::move(block_); }
 
 private:
     int add(TableColumn column, ColumnStyle style);
+    const DocumentLanguage& in_;
     TableBlock block_;
 };
 
 /// The cells of a row as print has them.
-std::vector<TableCell> print_row(const Table& table, const std::vector<std::string>& keys, std::size_t row);
+std::vector<TableCell> print_row(const Table& table, const std::vector<std::string>& keys, std::size_t row,
+                                 const DocumentLanguage& in);
 
 std::string project_fingerprint(const ReportSource& source);  ///< of the evaluated project
 std::string type_text(EvaluationType type);                   ///< "A", "B"
@@ -107,7 +115,7 @@ std::string output_label(const OutputQuantity& quantity);  ///< likewise, Unicod
 Quantity value_in(const Unit& unit, double si);
 Quantity interval_in(const Unit& unit, double si);  ///< differences and uncertainties
 
-std::string contributor_title(const ContributorResult& result);  ///< its name; "the set-up" if it has none
+Message contributor_title(const ContributorResult& result);  ///< its name; "the set-up" if it has none
 bool is_measurand(const OutputResult& output);
 /// Groups that have measurands, in order.
 std::vector<std::string> measurand_groups(const UncertaintyResult& result);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/base/file_names.h"
+#include "core/base/placeholders.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
 #include "core/text/numbers.h"
@@ -11,9 +12,10 @@
 
 namespace covaria::report_parts {
 
-TableBuilder::TableBuilder(std::string id, std::string title) {
+TableBuilder::TableBuilder(std::string id, const Message& title, const DocumentLanguage& in) : in_(in) {
     block_.table.id = std::move(id);
-    block_.table.title = std::move(title);
+    block_.table.title = in.say(title);
+    block_.locale = in.numbers();
 }
 
 int TableBuilder::add(TableColumn column, ColumnStyle style) {
@@ -22,27 +24,30 @@ int TableBuilder::add(TableColumn column, ColumnStyle style) {
     return static_cast<int>(block_.styles.size()) - 1;
 }
 
-int TableBuilder::text(const std::string& header, bool symbol_cells) {
-    return add({header, {}, false, 0}, {symbol_cells, false, -1, -1, false});
+int TableBuilder::text(const Message& header, bool symbol_cells) {
+    return add({in_.say(header), {}, false, 0}, {symbol_cells, false, -1, -1, false});
 }
 
-int TableBuilder::number(const std::string& header, int digits, int match) {
-    return add({header, {}, false, digits}, {false, true, match, -1, false});
+int TableBuilder::number(const Message& header, int digits, int match) {
+    return add({in_.say(header), {}, false, digits}, {false, true, match, -1, false});
 }
 
 int TableBuilder::symbol(const std::string& header, int digits, int match) {
     return add({header, {}, true, digits}, {false, true, match, -1, false});
 }
 
-int TableBuilder::fixed(const std::string& header, int decimals) {
-    return add({header, {}, looks_like_symbol(header), 0}, {false, true, -1, decimals, false});
+int TableBuilder::fixed(const Message& header, int decimals) {
+    const std::string head = in_.say(header);
+    return add({head, {}, looks_like_symbol(head), 0}, {false, true, -1, decimals, false});
 }
 
 void TableBuilder::columns(const Table& table, const std::vector<std::string>& keys) {
     for (const std::string& key : keys) {
         const Column& c = table[key];
         const auto match = std::find(keys.begin(), keys.end(), c.rule.match);
-        const std::string head = c.head + (c.unit ? " in " + unit_text(*c.unit) : "");
+        const std::vector<std::string> unit{c.unit ? unit_text(*c.unit) : ""};
+        const std::string head =
+            c.is_symbol ? c.head : fill_placeholders<std::string>(in_.say_declared(c.head), unit);
         add({head, {}, c.is_symbol, c.rule.digits},
             {c.symbols, is_numeric(c), match == keys.end() ? -1 : static_cast<int>(match - keys.begin()),
              c.rule.decimals, c.rule.input});
@@ -51,12 +56,14 @@ void TableBuilder::columns(const Table& table, const std::vector<std::string>& k
 
 namespace {
 
-TableCell print_cell(const Column& column, std::size_t row) {
+TableCell print_cell(const Column& column, std::size_t row, const DocumentLanguage& in) {
     const Cell cell = column.cell(row);
-    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (const auto* text = std::get_if<std::string>(&cell))
+        return column.own_words ? in.say_declared(*text) : *text;
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return short_list(*symbols);
     if (const auto* unit = std::get_if<Unit>(&cell)) return unit_text(*unit);
-    if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? answer->yes : answer->no;
+    if (const auto* answer = std::get_if<Answer>(&cell))
+        return in.say_declared(answer->is ? answer->yes : answer->no);
     const auto* number = std::get_if<Measured>(&cell);
     if (!number) return {};
     const Quantity shown = number->in({});
@@ -76,13 +83,14 @@ void TableBuilder::results(const UncertaintyResult& result, const std::vector<st
         const std::string& of = result.outputs[outputs[i]].quantity.group;
         if (of != group) subhead(of);
         group = of;
-        row(print_row(all, keys, i));
+        row(print_row(all, keys, i, in_));
     }
 }
 
-std::vector<TableCell> print_row(const Table& table, const std::vector<std::string>& keys, std::size_t row) {
+std::vector<TableCell> print_row(const Table& table, const std::vector<std::string>& keys, std::size_t row,
+                                 const DocumentLanguage& in) {
     std::vector<TableCell> cells;
-    for (const std::string& key : keys) cells.push_back(print_cell(table[key], row));
+    for (const std::string& key : keys) cells.push_back(print_cell(table[key], row, in));
     return cells;
 }
 
@@ -126,8 +134,15 @@ Quantity interval_in(const Unit& unit, double si) {
     return {unit.interval_from_si(si), unit};
 }
 
-std::string contributor_title(const ContributorResult& result) {
-    return result.contributor.empty() ? "the set-up" : result.contributor;
+TableBlock said_table(DataTable table, const DocumentLanguage& in) {
+    table.title = in.say_declared(table.title);
+    for (TableColumn& column : table.columns)
+        if (!column.is_symbol) column.header = in.say_declared(column.header);
+    return {std::move(table), {}, in.numbers()};
+}
+
+Message contributor_title(const ContributorResult& result) {
+    return result.contributor.empty() ? tell<"the set-up">() : Message(result.contributor);
 }
 
 bool is_measurand(const OutputResult& output) {

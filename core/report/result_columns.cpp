@@ -62,7 +62,7 @@ void add_contributors(Table& table, const UncertaintyResult& result, const Rows&
     const std::vector<std::string> keys = contributor_keys(result);
     const Phrase& help = result.contributor_trials > 0 ? remains_by_monte_carlo : remains_by_law;
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        const std::string name = report_parts::contributor_title(result.contributors[i]);
+        const std::string name = language.say(report_parts::contributor_title(result.contributors[i]));
         table
             .add(keys[i],
                  [&r = result, shown = outputs, i](std::size_t row) -> Cell {
@@ -142,7 +142,7 @@ private:
     }
 
     void add_result_line() {
-        const std::string by = expanded_words(result_);
+        const std::string by = expanded_words(result_).english();
         table_.add("estimate", value(line(&OutputResult::estimate)))
             .print_symbol("y")
             .window("Estimate", "Best value of the output quantity")
@@ -197,16 +197,18 @@ private:
         table_.add("kurtosis", pure(trials([](T t) { return 3.0 + t.kurtosis; }))).not_in_files();
         table_.add("coverage ratio", pure(trials([](T t) { return t.normality.coverage_ratio; })));
         table_.add("distribution", of_output([](const OutputResult& o) -> Cell {
-                       return o.monte_carlo ? Cell(o.monte_carlo->normality.words) : Cell();
+                       if (!o.monte_carlo) return {};
+                       const NormalityVerdict& verdict = o.monte_carlo->normality;
+                       return verdict.words.english() +
+                              (verdict.acceptable ? "" : ": state the coverage interval");
                    }));
-        // Without the advice after the colon, which stands below the table.
+        // Without the advice, which stands below the table.
         table_
             .add("distribution in short", of_output([](const OutputResult& o) -> Cell {
-                     if (!o.monte_carlo) return {};
-                     const std::string& words = o.monte_carlo->normality.words;
-                     return words.substr(0, words.find(':'));
+                     return o.monte_carlo ? Cell(o.monte_carlo->normality.words.english()) : Cell();
                  }))
             .print("Distribution")
+            .of_own_words()
             .not_in_files();
         table_
             .add(
@@ -260,7 +262,8 @@ private:
                  }))
             .print("Clause 8")
             .window("First order validated",
-                    "JCGM 101 clause 8: agrees with Monte Carlo within the tolerance");
+                    "JCGM 101 clause 8: agrees with Monte Carlo within the tolerance")
+            .of_own_words({"validated", "not validated"});
         table_.add("u second order", interval(second(&F::second_order_standard_uncertainty)))
             .print("u with second-order terms")
             .window("u (second order)", "With the second-order terms of JCGM 100 5.1.2; for information")
@@ -283,7 +286,7 @@ private:
 std::vector<std::string> contributor_keys(const UncertaintyResult& result) {
     std::vector<std::string> keys;
     for (const ContributorResult& c : result.contributors)
-        keys.push_back(DocumentLanguage().say(without, {report_parts::contributor_title(c)}));
+        keys.push_back(DocumentLanguage().say(without, {report_parts::contributor_title(c).english()}));
     return keys;
 }
 

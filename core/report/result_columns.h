@@ -12,12 +12,13 @@
 
 namespace covaria {
 
-// All read the result when they are asked for cells.
+// All read the result when they are asked for cells. `language`: of what only print says in words of its own,
+// and of heads with names.
 
 /// A row for each of these outputs.
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs);
 Table results_table(const UncertaintyResult& result);  ///< all of them
-/// With what the requirements say of each row: "target", "U/target", "met". `language`: of heads with names.
+/// With what the requirements say of each row: "target", "U/target", "met".
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs,
                     const std::vector<RequirementResult>& verdicts, const DocumentLanguage& language = {});
 /// Keys of the columns "U, ... held", one for each contributor.
@@ -27,7 +28,8 @@ struct BudgetPlace {
     std::size_t output = 0, row = 0;
 };
 /// A row for each place.
-Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> places);
+Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> places,
+                   const DocumentLanguage& language = {});
 std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::size_t output);
 
 /// A row about quantities with equal components, or about one share of a quantity.
@@ -36,13 +38,13 @@ struct InputRow {
     std::optional<std::size_t> share = {};
     bool part = false;  ///< below the row of its quantity, whose symbol and estimate it leaves out
 };
-Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows);
+Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows, const DocumentLanguage& language = {});
 /// Every share of every quantity.
 std::vector<InputRow> all_shares(const InputSet& inputs);
 
 /// Correlation coefficients: "output symbol" and a column for each of the outputs.
 Table correlation_table(const UncertaintyResult& result, const std::vector<std::size_t>& outputs);
 /// Joint coverage regions of the groups of measurands.
-Table regions_table(const UncertaintyResult& result);
+Table regions_table(const UncertaintyResult& result, const DocumentLanguage& language = {});
 
 }  // namespace covaria

@@ -124,7 +124,7 @@ DataTable contributors_table(const UncertaintyResult& result) {
             const auto cell = [&](const std::vector<double>& u) {
                 return u.empty() ? TableCell{} : TableCell(interval_in(q.unit, u[j]));
             };
-            table.rows.push_back({q.group, q.symbol, q.unit.text(), contributor_title(c),
+            table.rows.push_back({q.group, q.symbol, q.unit.text(), contributor_title(c).english(),
                                   cell(c.without.first_order), cell(c.alone.first_order),
                                   cell(c.without.monte_carlo), cell(c.alone.monte_carlo)});
         }

@@ -216,7 +216,7 @@ void add_reductions(const EvaluatedAnalysis& evaluated, const RequirementResult&
 OrderedJson not_judged_json(const RequirementResult& r, OrderedJson json) {
     if (r.target_uncertainty) json["targetMet"] = nullptr;
     if (r.lower_limit || r.upper_limit) json["decision"] = nullptr;
-    json["notJudged"] = r.not_judged;
+    json["notJudged"] = r.not_judged.english();
     return json;
 }
 
@@ -313,7 +313,7 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
 OrderedJson failed_json(const FailedAnalysis& failed) {
     OrderedJson json = {{"analysis", failed.id}, {"name", failed.name}};
     if (!failed.study.empty()) json["study"] = failed.study;
-    json["cause"] = failed.cause;
+    json["cause"] = failed.cause.english();
     return json;
 }
 

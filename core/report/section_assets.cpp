@@ -10,11 +10,11 @@ void add_asset(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     const AssetEntry* typed = source.made.project().find_asset(id);
     if (typed) add_paragraphs(blocks, typed->notes);
     if (typed && entry.descriptor) add_setup_fields(blocks, entry.descriptor->schema, typed->setup, source);
-    for (DataTable& table : entry.asset->evaluation()) blocks.push_back(TableBlock{std::move(table), {}});
+    for (DataTable& table : entry.asset->evaluation())
+        blocks.push_back(said_table(std::move(table), source.in));
     for (PlotSpecification& plot : entry.asset->figures()) {
         plot.id = id + "-" + plot.id;
-        std::string caption = to_unicode(plot.title) + ".";
-        blocks.push_back(figure(std::move(plot), evaluated, std::move(caption)));
+        blocks.push_back(titled_figure(source.in.say_plot(std::move(plot)), evaluated));
     }
     if (!entry.descriptor || entry.descriptor->references.empty()) return;
     ListBlock references;
@@ -38,10 +38,10 @@ void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnaly
             before.push_back(entry->name);
     }
     if (part.empty() && before.empty()) return;
-    blocks.push_back(HeadingBlock{2, "Artefacts and instruments"});
+    blocks.push_back(HeadingBlock{2, source.in.say(tell<"Artefacts and instruments">())});
     if (!before.empty())
-        blocks.push_back(
-            ParagraphBlock{"Evaluated with an earlier analysis: " + short_list(before, 12) + "."});
+        blocks.push_back(ParagraphBlock{
+            source.in.say(tell<"Evaluated with an earlier analysis: %1.">(short_list(before, 12)))});
     blocks.insert(blocks.end(), part.begin(), part.end());
 }
 

@@ -27,23 +27,27 @@ std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std:
 
 class BudgetBlock {
 public:
-    BudgetBlock(const EvaluatedAnalysis& evaluated, std::size_t output, std::size_t most_rows)
-        : result_(*evaluated.result),
+    BudgetBlock(const EvaluatedAnalysis& evaluated, std::size_t output, std::size_t most_rows,
+                const DocumentLanguage& in)
+        : in_(in),
+          result_(*evaluated.result),
           most_rows_(most_rows),
           digits_(evaluated.analysis->style.digits.value_or(2)),
           output_(result_.outputs[output]),
           places_(places_that_count(result_, output)),
           table_("budget-" + evaluated.analysis->id + "-" +
                      id_part(output_.quantity.symbol + " " + output_.quantity.group),
-                 "Budget of " + output_label(output_.quantity) + ", " + output_.quantity.name) {
+                 tell<"Budget of %1, %2">(output_label(output_.quantity),
+                                          Message::declared(output_.quantity.name)),
+                 in) {
         if (!places_.empty() && row(0).one_at_a_time) keys_.insert(keys_.end() - 1, "one at a time");
     }
 
     TableBlock make() {
-        const Table budget = budget_table(result_, places_);
+        const Table budget = budget_table(result_, places_, in_);
         table_.columns(budget, keys_);
         const std::size_t shown = std::min(places_.size(), most_rows_);
-        for (std::size_t i = 0; i < shown; ++i) table_.row(print_row(budget, keys_, i));
+        for (std::size_t i = 0; i < shown; ++i) table_.row(print_row(budget, keys_, i, in_));
         if (shown < places_.size()) add_rest(shown);
         add_total();
         table_.note(result_line());
@@ -71,7 +75,7 @@ private:
             square += row(i).contribution * row(i).contribution;
             share += row(i).share;
         }
-        push({{"component in words", std::to_string(places_.size() - first) + " further components"},
+        push({{"component in words", in_.say(tell<"%1 further components">(places_.size() - first))},
               {"contribution", interval_in(output_.quantity.unit, std::sqrt(square))},
               {"share of variance", 100.0 * share}});
     }
@@ -82,7 +86,7 @@ private:
         double share = 0.0;
         for (std::size_t i = 0; i < places_.size(); ++i) share += row(i).share;
         push({{"quantity", std::string("u_c")},
-              {"component in words", std::string("combined (law of propagation)")},
+              {"component in words", in_.say(tell<"combined (law of propagation)">())},
               {"unit", unit_text(unit)},
               {"degrees of freedom", shown_degrees_of_freedom(first.effective_degrees_of_freedom)},
               {"contribution", interval_in(unit, first.standard_uncertainty)},
@@ -90,20 +94,25 @@ private:
     }
 
     /// y, u_c, nu_eff, k, U, p as EA-4/02 wants them stated, by the law of propagation.
-    std::string result_line() const {
+    Message result_line() const {
         const FirstOrderOutput& first = output_.first_order;
         const Unit& unit = output_.quantity.unit;
+        const auto number = [this](const std::string& plain) {
+            return with_decimal_sign(plain, in_.numbers());
+        };
         const double u = unit.interval_from_si(first.standard_uncertainty);
-        std::string line = output_label(output_.quantity) + " = " +
-                           value_statement(first.estimate, first.expanded_uncertainty, unit, digits_) +
-                           ", u_c = " + format_significant(u, digits_) +
-                           (unit == Unit{} ? "" : "\u00a0" + unit.display());
-        line +=
-            ", effective degrees of freedom " + format_degrees_of_freedom(first.effective_degrees_of_freedom);
-        return line + ", k = " + format_decimals(first.coverage_factor, 2) +
-               ", p = " + probability_text(stated_probability(first, result_)) + " (law of propagation).";
+        const std::string value =
+            value_statement(first.estimate, first.expanded_uncertainty, unit, digits_, true, in_);
+        return tell<
+            "%1 = %2, u_c = %3, effective degrees of freedom %4, k = %5, p = %6 (law of propagation).">(
+            output_label(output_.quantity), value,
+            number(format_significant(u, digits_)) + (unit == Unit{} ? "" : "\u00a0" + unit.display()),
+            number(format_degrees_of_freedom(first.effective_degrees_of_freedom)),
+            number(format_decimals(first.coverage_factor, 2)),
+            probability_text(stated_probability(first, result_), in_));
     }
 
+    const DocumentLanguage& in_;
     const UncertaintyResult& result_;
     const std::size_t most_rows_;
     const int digits_;  ///< of uncertainties
@@ -128,21 +137,23 @@ private:
 class GroupTable {
 public:
     GroupTable(const EvaluatedAnalysis& evaluated, std::string grouping, std::vector<std::size_t> outputs,
-               std::size_t most_rows)
-        : result_(*evaluated.result),
+               std::size_t most_rows, const DocumentLanguage& in)
+        : in_(in),
+          result_(*evaluated.result),
           most_rows_(most_rows),
           grouping_(std::move(grouping)),
           outputs_(std::move(outputs)),
           table_("groups-" + evaluated.analysis->id + "-" +
                      id_part(grouping_ + " " + result_.outputs[outputs_.front()].quantity.group),
-                 "Shares of the variance in % by " + grouping_ + ", " +
-                     result_.outputs[outputs_.front()].quantity.group) {}
+                 tell<"Shares of the variance in % by %1, %2">(
+                     Message::declared(grouping_), result_.outputs[outputs_.front()].quantity.group),
+                 in) {}
 
     TableBlock make() {
         collect();
-        table_.text(grouping_, grouping_ == "parameter");
+        table_.text(Message::declared(grouping_), grouping_ == "parameter");
         for (const std::size_t j : outputs_) table_.fixed(output_label(result_.outputs[j].quantity), 1);
-        if (alike_) table_.fixed("together", 1);
+        if (alike_) table_.fixed(tell<"together">(), 1);
         std::stable_sort(names_.begin(), names_.end(), [&](const std::string& a, const std::string& b) {
             return together_[a] > together_[b];
         });
@@ -172,12 +183,13 @@ private:
     }
 
     void add(const std::string& name) {
-        std::vector<TableCell> cells{name};
+        std::vector<TableCell> cells{name == group_without_tag ? in_.say(tell<"other">()) : name};
         for (const std::size_t j : outputs_) cells.emplace_back(100.0 * shares_[{name, j}]);
         if (alike_) cells.emplace_back(100.0 * together_[name]);
         table_.row(std::move(cells));
     }
 
+    const DocumentLanguage& in_;
     const UncertaintyResult& result_;
     const std::size_t most_rows_;
     std::string grouping_;
@@ -191,28 +203,31 @@ private:
 
 }  // namespace
 
-void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, std::size_t most_rows) {
+void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in,
+                 std::size_t most_rows) {
     const UncertaintyResult& result = *evaluated.result;
-    blocks.push_back(HeadingBlock{2, "Uncertainty budgets"});
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Uncertainty budgets">())});
     const std::vector<std::string> groups = measurand_groups(result);
     const std::vector<std::string> shown = groups_in_full(result);
-    std::string words =
-        "Components by falling share of the variance; cᵢ in the unit of the measurand per unit of the "
-        "component.";
+    std::string words = in.say(
+        tell<"Components by falling share of the variance; cᵢ in the unit of the measurand per unit of "
+             "the component.">());
     if (shown.size() < groups.size())
-        words += " Shown in full for " + shown.front() +
-                 ", which has the largest expanded uncertainties of the " + std::to_string(groups.size()) +
-                 " groups; the CSV table of budgets has every group.";
+        words +=
+            " " + in.say(tell<"Shown in full for %1, which has the largest expanded uncertainties of the "
+                              "%2 groups; the CSV table of budgets has every group.">(shown.front(),
+                                                                                      groups.size()));
     blocks.push_back(ParagraphBlock{words});
     for (const std::string& group : shown) {
         for (const std::string& grouping : groupings_of(result.budget))
-            blocks.push_back(GroupTable(evaluated, grouping, measurands_of(result, group), most_rows).make());
+            blocks.push_back(
+                GroupTable(evaluated, grouping, measurands_of(result, group), most_rows, in).make());
         for (const std::size_t output : measurands_of(result, group))
-            blocks.push_back(BudgetBlock(evaluated, output, most_rows).make());
+            blocks.push_back(BudgetBlock(evaluated, output, most_rows, in).make());
         for (const std::size_t output : measurands_of(result, group))
-            blocks.push_back(figure(
-                contribution_plot(result, output), evaluated,
-                "Contributions to the variance of " + output_label(result.outputs[output].quantity) + "."));
+            blocks.push_back(figure(contribution_plot(result, output, in), evaluated,
+                                    in.say(tell<"Contributions to the variance of %1.">(
+                                        output_label(result.outputs[output].quantity)))));
     }
 }
 

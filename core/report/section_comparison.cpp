@@ -7,10 +7,10 @@ namespace covaria::report_parts {
 namespace {
 
 bool has_advice(const OutputResult& output) {
-    return output.monte_carlo && output.monte_carlo->normality.words.find(':') != std::string::npos;
+    return output.monte_carlo && !output.monte_carlo->normality.acceptable;
 }
 
-void add_verdict_words(Blocks& blocks, const UncertaintyResult& result) {
+void add_verdict_words(Blocks& blocks, const UncertaintyResult& result, const DocumentLanguage& in) {
     std::size_t compared = 0, validated = 0;
     for (const OutputResult& output : result.outputs) {
         if (!output.first_order.validation) continue;
@@ -19,21 +19,20 @@ void add_verdict_words(Blocks& blocks, const UncertaintyResult& result) {
     }
     if (compared == 0) return;
     blocks.push_back(ParagraphBlock{
-        "The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, "
-        "y ± U, "
-        "lie within the numerical tolerance δ of those of the propagation of distributions: so for " +
-        std::to_string(validated) + " of " + std::to_string(compared) + " quantities."});
+        in.say(tell<"The law of propagation is validated by JCGM 101 clause 8 where both ends of its "
+                    "coverage interval, y ± U, lie within the numerical tolerance δ of those of the "
+                    "propagation of distributions: so for %1 of %2 quantities.">(validated, compared))});
 }
 
 }  // namespace
 
-void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     if (result.trials == 0) return;
-    blocks.push_back(HeadingBlock{2, "Law of propagation beside Monte Carlo"});
-    add_verdict_words(blocks, result);
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Law of propagation beside Monte Carlo">())});
+    add_verdict_words(blocks, result, in);
     TableBuilder table("comparison-" + evaluated.analysis->id,
-                       "Estimates and standard uncertainties by both methods");
+                       tell<"Estimates and standard uncertainties by both methods">(), in);
     std::vector<std::size_t> outputs;
     for (std::size_t i = 0; i < result.outputs.size(); ++i)
         if (result.outputs[i].monte_carlo) outputs.push_back(i);
@@ -43,7 +42,8 @@ void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
          "d_low", "d_high", "clause 8", "skewness", "excess kurtosis", "distribution in short"});
     if (std::any_of(result.outputs.begin(), result.outputs.end(), has_advice))
         table.note(
-            "Where a distribution is too skewed, heavy-tailed or flat for k u, state its coverage interval.");
+            tell<"Where a distribution is too skewed, heavy-tailed or flat for k u, state its coverage "
+                 "interval.">());
     blocks.push_back(table.take());
 }
 

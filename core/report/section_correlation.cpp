@@ -15,19 +15,24 @@ double coefficient(const Eigen::MatrixXd& matrix, std::size_t i, std::size_t j) 
     return matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
 }
 
+Message title_of(const std::string& group) {
+    return group.empty() ? tell<"Correlation coefficients">() : tell<"Correlation coefficients, %1">(group);
+}
+
 TableBlock matrix_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
-                        const std::string& id) {
+                        const std::string& id, const DocumentLanguage& in) {
     const std::string group = result.outputs[outputs.front()].quantity.group;
     const Table all = correlation_table(result, outputs);
     std::vector<std::string> keys;
     for (const Column& column : all.columns) keys.push_back(column.key);
-    TableBuilder table(id, "Correlation coefficients" + (group.empty() ? "" : ", " + group));
+    TableBuilder table(id, title_of(group), in);
     table.columns(all, keys);
-    for (std::size_t row = 0; row < all.rows; ++row) table.row(print_row(all, keys, row));
+    for (std::size_t row = 0; row < all.rows; ++row) table.row(print_row(all, keys, row, in));
     return table.take();
 }
 
-void add_between_groups(Blocks& blocks, const UncertaintyResult& result, const Eigen::MatrixXd& correlation) {
+void add_between_groups(Blocks& blocks, const UncertaintyResult& result, const Eigen::MatrixXd& correlation,
+                        const DocumentLanguage& in) {
     std::size_t first = 0, second = 0;
     double largest = 0.0;
     for (std::size_t i = 0; i < result.outputs.size(); ++i)
@@ -40,31 +45,34 @@ void add_between_groups(Blocks& blocks, const UncertaintyResult& result, const E
             second = i;
         }
     if (measurand_groups(result).size() < 2) return;
-    blocks.push_back(
-        ParagraphBlock{"Between groups, which share input quantities, the largest coefficient is " +
-                       format_decimals(largest, 3) +
-                       (largest == 0.0 ? "."
-                                       : ", of " + output_label(result.outputs[first].quantity) + " with " +
-                                             output_label(result.outputs[second].quantity) + ".") +
-                       " The CSV table of correlations has all of them."});
+    const std::string number = with_decimal_sign(format_decimals(largest, 3), in.numbers());
+    const Message words =
+        largest == 0.0
+            ? tell<"Between groups, which share input quantities, the largest coefficient is %1.">(number)
+            : tell<
+                  "Between groups, which share input quantities, the largest coefficient is %1, of %2 with "
+                  "%3.">(number, output_label(result.outputs[first].quantity),
+                         output_label(result.outputs[second].quantity));
+    blocks.push_back(ParagraphBlock{in.say(words) + " " +
+                                    in.say(tell<"The CSV table of correlations has all of them.">())});
 }
 
 }  // namespace
 
-void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     if (result.outputs.size() < 2) return;
     const Eigen::MatrixXd correlation = correlation_of(result.covariance);
-    blocks.push_back(HeadingBlock{2, "Correlation"});
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Correlation">())});
     for (const std::string& group : groups_in_full(result)) {
         const std::vector<std::size_t> outputs = measurands_of(result, group);
         const std::string id = "correlation-" + evaluated.analysis->id + "-" + id_part(group);
         if (outputs.size() < 2) continue;
-        if (outputs.size() <= largest_matrix) blocks.push_back(matrix_block(result, outputs, id));
-        blocks.push_back(figure(correlation_plot(result, group), evaluated,
-                                "Correlation coefficients" + (group.empty() ? "." : ", " + group + ".")));
+        if (outputs.size() <= largest_matrix) blocks.push_back(matrix_block(result, outputs, id, in));
+        blocks.push_back(
+            figure(correlation_plot(result, group, in), evaluated, in.say(title_of(group)) + "."));
     }
-    add_between_groups(blocks, result, correlation);
+    add_between_groups(blocks, result, correlation, in);
 }
 
 }  // namespace covaria::report_parts

@@ -1,4 +1,6 @@
 // Designs in a report: what was asked, what was found, what each row and each target is worth.
+#include <algorithm>
+
 #include "core/report/design_plots.h"
 #include "core/report/design_results.h"
 #include "core/report/report_parts.h"
@@ -10,57 +12,88 @@ namespace {
 
 constexpr std::size_t most_printed = 30;  // rows of a table
 
-std::string what_was_found(const DesignResult& design) {
-    std::string words = "Looked for: the smallest " + design.objective_words + ". ";
-    if (design.cost)
-        words = std::string("Looked for: the cheapest ") +
-                (design.rows.empty() ? "reductions of uncertainty" : "rows") +
-                " with which all targets are met. ";
-    if (!design.found) return words + "Nothing that was tried has a result.";
-    words += count_text(design.evaluations) +
-             " candidates were evaluated by the law of propagation of uncertainty";
-    words += design.proved ? ", all that there are. " : ". ";
-    if (design.cost)
-        words += "Cost: " + format_significant(*design.cost, 4) + ". ";
-    else
-        words += "Found: " + format_significant(design.objective, 4) +
-                 (design.before ? ", before " + format_significant(*design.before, 4) : "") + ". ";
-    if (design.trials > 0) words += "Verified by Monte Carlo with " + count_text(design.trials) + " trials. ";
-    return words + (design.met() ? "" : "Not every target is met: what is given is the best that was found.");
+Message what_was_looked_for(const DesignResult& design) {
+    if (!design.cost) return tell<"Looked for: the smallest %1.">(Message::declared(design.objective_words));
+    return design.rows.empty()
+               ? tell<"Looked for: the cheapest reductions of uncertainty with which all targets are met.">()
+               : tell<"Looked for: the cheapest rows with which all targets are met.">();
 }
 
-SceneBlock scene_of(const DesignResult& design) {
+Message what_came_out(const DesignResult& design, const DocumentLanguage& in) {
+    const auto number = [&in](double value) {
+        return with_decimal_sign(format_significant(value, 4), in.numbers());
+    };
+    if (design.cost) return tell<"Cost: %1.">(number(*design.cost));
+    return design.before ? tell<"Found: %1, before %2.">(number(design.objective), number(*design.before))
+                         : tell<"Found: %1.">(number(design.objective));
+}
+
+std::string what_was_found(const DesignResult& design, const DocumentLanguage& in) {
+    std::string words = in.say(what_was_looked_for(design)) + " ";
+    if (!design.found) return words + in.say(tell<"Nothing that was tried has a result.">());
+    const std::string evaluations = count_text(design.evaluations, in.numbers());
+    words += in.say(
+        design.proved
+            ? tell<"%1 candidates were evaluated by the law of propagation of uncertainty, all that there "
+                   "are.">(evaluations)
+            : tell<"%1 candidates were evaluated by the law of propagation of uncertainty.">(evaluations));
+    words += " " + in.say(what_came_out(design, in)) + " ";
+    if (design.trials > 0)
+        words +=
+            in.say(tell<"Verified by Monte Carlo with %1 trials.">(count_text(design.trials, in.numbers()))) +
+            " ";
+    if (!design.met())
+        words += in.say(tell<"Not every target is met: what is given is the best that was found.">());
+    return words;
+}
+
+bool is_yes_or_no(const TableCell& cell) {
+    const auto* text = std::get_if<std::string>(&cell);
+    return !text || *text == "yes" || *text == "no";
+}
+
+/// Columns of nothing but "yes" and "no" are the program's words too.
+TableBlock said_design_table(DataTable table, const DocumentLanguage& in) {
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        if (!std::ranges::all_of(table.rows, [c](const auto& row) { return is_yes_or_no(row[c]); })) continue;
+        for (std::vector<TableCell>& row : table.rows)
+            if (auto* text = std::get_if<std::string>(&row[c])) *text = in.say_declared(*text);
+    }
+    return said_table(std::move(table), in);
+}
+
+SceneBlock scene_of(const DesignResult& design, const DocumentLanguage& in) {
     SceneBlock scene;
     scene.id = id_part(design.analysis) + "-design-" + id_part(design.id);
     scene.analysis = design.analysis;
     scene.design = design.id;
     scene.view = "iso";
-    scene.caption = design.name + ": ";
-    scene.caption += design.rows.empty()
-                         ? "the way of the search to the best place, coloured by the objective."
-                         : "the candidates, coloured by what they gain; the larger ones are chosen.";
+    scene.caption = in.say(
+        design.rows.empty()
+            ? tell<"%1: the way of the search to the best place, coloured by the objective.">(design.name)
+            : tell<"%1: the candidates, coloured by what they gain; the larger ones are chosen.">(
+                  design.name));
     return scene;
 }
 
 }  // namespace
 
-void add_designs(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_designs(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     if (evaluated.designs.empty()) return;
-    blocks.push_back(HeadingBlock{2, "Designs"});
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Designs">())});
     for (const auto& design : evaluated.designs) {
         blocks.push_back(HeadingBlock{3, design->name});
-        blocks.push_back(ParagraphBlock{what_was_found(*design)});
+        blocks.push_back(ParagraphBlock{what_was_found(*design, in)});
         for (DataTable& table : readable_design_tables(*design)) {
             if (table.rows.size() > most_printed) continue;
             table.id = "design-" + design->id + "-" + table.id;
-            table.title = design->name + ": " + table.title;
-            blocks.push_back(TableBlock{std::move(table), {}});
+            TableBlock block = said_design_table(std::move(table), in);
+            block.table.title = design->name + ": " + block.table.title;
+            blocks.push_back(std::move(block));
         }
-        if (stands_in_space(*design)) blocks.push_back(scene_of(*design));
-        for (PlotSpecification& plot : design_plots(*design)) {
-            std::string caption = to_unicode(plot.title) + ".";
-            blocks.push_back(figure(std::move(plot), evaluated, std::move(caption)));
-        }
+        if (stands_in_space(*design)) blocks.push_back(scene_of(*design, in));
+        for (PlotSpecification& plot : design_plots(*design, in))
+            blocks.push_back(titled_figure(std::move(plot), evaluated));
     }
 }
 

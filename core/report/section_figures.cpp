@@ -13,6 +13,11 @@ PlotBlock figure(PlotSpecification plot, const EvaluatedAnalysis& evaluated, std
     return {std::move(plot), std::move(caption)};
 }
 
+PlotBlock titled_figure(PlotSpecification plot, const EvaluatedAnalysis& evaluated) {
+    std::string caption = to_unicode(plot.title) + ".";
+    return figure(std::move(plot), evaluated, std::move(caption));
+}
+
 namespace {
 
 std::size_t least_normal(const UncertaintyResult& result, const std::vector<std::size_t>& outputs) {
@@ -25,46 +30,51 @@ std::size_t least_normal(const UncertaintyResult& result, const std::vector<std:
     });
 }
 
-void add_group(Blocks& blocks, const EvaluatedAnalysis& evaluated, const std::string& group) {
+void add_group(Blocks& blocks, const EvaluatedAnalysis& evaluated, const std::string& group,
+               const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     std::vector<std::size_t> outputs = measurands_of(result, group);
     std::erase_if(outputs, [&](std::size_t i) { return !result.outputs[i].monte_carlo.has_value(); });
     if (outputs.empty()) return;
     for (const std::size_t i : outputs)
-        blocks.push_back(figure(histogram_plot(result, i), evaluated,
-                                "Distribution of " + output_label(result.outputs[i].quantity) + "."));
+        blocks.push_back(
+            figure(histogram_plot(result, i, {}, in), evaluated,
+                   in.say(tell<"Distribution of %1.">(output_label(result.outputs[i].quantity)))));
     const std::size_t worst = least_normal(result, outputs);
     const std::string label = output_label(result.outputs[worst].quantity);
-    blocks.push_back(
-        figure(normal_quantile_plot(result, worst), evaluated,
-               "Quantiles of " + label + ", the least normal, against those of a normal distribution."));
+    blocks.push_back(figure(
+        normal_quantile_plot(result, worst, {}, in), evaluated,
+        in.say(tell<"Quantiles of %1, the least normal, against those of a normal distribution.">(label))));
     if (!result.convergence.empty())
-        blocks.push_back(figure(convergence_plot(result, worst), evaluated,
-                                "Standard uncertainty of " + label + " against the number of trials."));
+        blocks.push_back(
+            figure(convergence_plot(result, worst, {}, in), evaluated,
+                   in.say(tell<"Standard uncertainty of %1 against the number of trials.">(label))));
 }
 
 }  // namespace
 
-void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     if (evaluated.result->trials == 0) return;
-    blocks.push_back(HeadingBlock{2, "Distributions"});
-    for (const std::string& group : groups_in_full(*evaluated.result)) add_group(blocks, evaluated, group);
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Distributions">())});
+    for (const std::string& group : groups_in_full(*evaluated.result))
+        add_group(blocks, evaluated, group, in);
 }
 
-void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     if (evaluated.analysis->model && !has_layout(*evaluated.analysis->model, result.inputs)) return;
     const std::vector<std::string> shown = groups_in_full(result);
     const std::string group = shown.empty() ? "" : shown.front();
-    blocks.push_back(HeadingBlock{2, "Set-up in space"});
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Set-up in space">())});
     SceneBlock scene;
     scene.id = id_part(evaluated.analysis->id) + "-scene" + (group.empty() ? "" : "-" + id_part(group));
     scene.analysis = evaluated.analysis->id;
     scene.group = group;
     scene.view = "iso";
-    scene.caption = evaluated.analysis->name + (group.empty() ? "" : ", " + group) +
-                    ": uncertainty ellipsoids at a coverage probability of " +
-                    percent_text(result.coverage_probability) + ", magnified as the picture states.";
+    scene.caption = in.say(
+        tell<"%1: uncertainty ellipsoids at a coverage probability of %2, magnified as the picture states.">(
+            evaluated.analysis->name + (group.empty() ? "" : ", " + group),
+            percent_text(result.coverage_probability, in.numbers())));
     blocks.push_back(std::move(scene));
 }
 

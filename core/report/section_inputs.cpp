@@ -58,21 +58,22 @@ void add_rows(const InputSet& inputs, const Members& members, std::vector<InputR
     for (std::size_t k = 0; shares > 1 && k < shares; ++k) rows.push_back({members, k, true});
 }
 
-void add_correlations(Blocks& blocks, const InputSet& inputs) {
+void add_correlations(Blocks& blocks, const InputSet& inputs, const DocumentLanguage& in) {
     if (inputs.correlations.empty()) return;
-    TableBuilder table("input-correlations", "Correlation coefficients of components");
-    table.text("Component");
-    table.text("Component");
+    TableBuilder table("input-correlations", tell<"Correlation coefficients of components">(), in);
+    table.text(tell<"Component">());
+    table.text(tell<"Component">());
     table.symbol("r", 3);
     for (const ComponentCorrelation& c : inputs.correlations)
         table.row({inputs.components[c.first].id, inputs.components[c.second].id, c.coefficient});
     blocks.push_back(table.take());
 }
 
-void add_quantity_notes(Blocks& blocks, const InputSet& inputs, const AnalysisEntry& entry) {
-    TableBuilder table("input-notes-" + entry.id, "Notes on input quantities");
-    table.text("Symbol", true);
-    table.text("Notes");
+void add_quantity_notes(Blocks& blocks, const InputSet& inputs, const AnalysisEntry& entry,
+                        const DocumentLanguage& in) {
+    TableBuilder table("input-notes-" + entry.id, tell<"Notes on input quantities">(), in);
+    table.text(tell<"Symbol">(), true);
+    table.text(tell<"Notes">());
     bool some = false;
     for (const QuantityNotes& notes : entry.quantity_notes)
         if (inputs.find(notes.symbol) != InputSet::npos) {
@@ -85,29 +86,30 @@ void add_quantity_notes(Blocks& blocks, const InputSet& inputs, const AnalysisEn
 }  // namespace
 
 void add_inputs(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
+    const DocumentLanguage& in = source.in;
     const InputSet& inputs = evaluated.result->inputs;
-    blocks.push_back(HeadingBlock{2, "Input quantities"});
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Input quantities">())});
     const std::vector<Members> rows = rows_of(inputs);
     std::vector<InputRow> lines;
     for (const Members& members : rows) add_rows(inputs, members, lines);
-    const Table all = inputs_table(inputs, std::move(lines));
+    const Table all = inputs_table(inputs, std::move(lines), in);
     static const std::vector<std::string> keys = {"symbol",    "name",
                                                   "estimate",  "unit",
                                                   "u",         "row distribution",
                                                   "row type",  "row degrees of freedom",
                                                   "row origin"};
     TableBuilder table("inputs-" + evaluated.analysis->id,
-                       "Input quantities and the origin of their uncertainties");
+                       tell<"Input quantities and the origin of their uncertainties">(), in);
     table.columns(all, keys);
-    for (std::size_t row = 0; row < all.rows; ++row) table.row(print_row(all, keys, row));
+    for (std::size_t row = 0; row < all.rows; ++row) table.row(print_row(all, keys, row, in));
     if (rows.size() < inputs.quantities.size())
-        table.note(std::to_string(inputs.quantities.size()) +
-                   " input quantities; many with equal components share a row. The CSV table of inputs lists "
-                   "every one with its estimate.");
+        table.note(
+            tell<"%1 input quantities; many with equal components share a row. The CSV table of inputs "
+                 "lists every one with its estimate.">(inputs.quantities.size()));
     blocks.push_back(table.take());
     if (const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id))
-        add_quantity_notes(blocks, inputs, *entry);
-    add_correlations(blocks, inputs);
+        add_quantity_notes(blocks, inputs, *entry, in);
+    add_correlations(blocks, inputs, in);
 }
 
 }  // namespace covaria::report_parts

@@ -11,9 +11,9 @@ bool of_standard(const std::string& source) {
     return source.starts_with("JCGM") || source.starts_with("ISO");
 }
 
-void add_model(Blocks& blocks, const ModelDescriptor& model) {
-    blocks.push_back(HeadingBlock{2, model.title});
-    if (!model.summary.empty()) blocks.push_back(ParagraphBlock{model.summary});
+void add_model(Blocks& blocks, const ModelDescriptor& model, const DocumentLanguage& in) {
+    blocks.push_back(HeadingBlock{2, in.say_declared(model.title)});
+    if (!model.summary.empty()) blocks.push_back(ParagraphBlock{in.say_declared(model.summary)});
     for (const ModelEquation& equation : model.equations)
         blocks.push_back(EquationBlock{equation.text, of_standard(equation.source) ? equation.source : "",
                                        equation.formula});
@@ -22,27 +22,25 @@ void add_model(Blocks& blocks, const ModelDescriptor& model) {
 }  // namespace
 
 void add_models(Blocks& blocks, const ReportSource& source) {
-    blocks.push_back(HeadingBlock{1, "Measurement model"});
+    blocks.push_back(HeadingBlock{1, source.in.say(tell<"Measurement model">())});
     std::vector<const ModelDescriptor*> done;
     for (const EvaluatedAnalysis& evaluated : source.analyses) {
         const ModelDescriptor* model = evaluated.analysis->descriptor;
         if (std::find(done.begin(), done.end(), model) != done.end()) continue;
-        add_model(blocks, *model);
+        add_model(blocks, *model, source.in);
         done.push_back(model);
     }
 }
 
-void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     if (!evaluated.analysis->model) return;
     std::vector<DataTable> tables = evaluated.analysis->model->evaluation();
     std::vector<PlotSpecification> plots = evaluated.analysis->model->figures();
     if (tables.empty() && plots.empty()) return;
-    blocks.push_back(HeadingBlock{2, "Evaluation of the set-up"});
-    for (DataTable& table : tables) blocks.push_back(TableBlock{std::move(table), {}});
-    for (PlotSpecification& plot : plots) {
-        std::string caption = to_unicode(plot.title) + ".";
-        blocks.push_back(figure(std::move(plot), evaluated, std::move(caption)));
-    }
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Evaluation of the set-up">())});
+    for (DataTable& table : tables) blocks.push_back(said_table(std::move(table), in));
+    for (PlotSpecification& plot : plots)
+        blocks.push_back(titled_figure(in.say_plot(std::move(plot)), evaluated));
 }
 
 }  // namespace covaria::report_parts

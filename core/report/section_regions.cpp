@@ -5,31 +5,31 @@
 
 namespace covaria::report_parts {
 
-void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     if (result.regions.empty()) return;
-    blocks.push_back(HeadingBlock{2, "Joint coverage regions"});
-    blocks.push_back(
-        ParagraphBlock{"Factors by which the standard uncertainties are to be multiplied so that all "
-                       "measurands of a group lie in the "
-                       "region together with a probability of " +
-                       percent_text(result.coverage_probability) + " (JCGM 102 6.5 and 7.7)."});
-    const Table regions = regions_table(result);
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Joint coverage regions">())});
+    blocks.push_back(ParagraphBlock{
+        in.say(tell<"Factors by which the standard uncertainties are to be multiplied so that all measurands "
+                    "of a group lie in the region together with a probability of %1 (JCGM 102 6.5 and "
+                    "7.7).">(percent_text(result.coverage_probability, in.numbers())))});
+    const Table regions = regions_table(result, in);
     std::vector<std::string> keys = {"group in words", "size", "ellipsoid first order",
                                      "rectangle first order"};
     if (result.trials > 0) keys.insert(keys.end(), {"ellipsoid Monte Carlo", "rectangle Monte Carlo"});
-    TableBuilder table("regions-" + evaluated.analysis->id, "Factors of the coverage regions");
+    TableBuilder table("regions-" + evaluated.analysis->id, tell<"Factors of the coverage regions">(), in);
     table.columns(regions, keys);
     bool singular = false;
     for (std::size_t row = 0; row < regions.rows; ++row) {
-        std::vector<TableCell> cells = print_row(regions, keys, row);
+        std::vector<TableCell> cells = print_row(regions, keys, row, in);
         if (result.regions[row].singular)
             for (std::size_t c = 0; c < keys.size(); ++c)
                 if (keys[c].starts_with("ellipsoid")) cells[c] = {};
         singular = singular || result.regions[row].singular;
         table.row(std::move(cells));
     }
-    if (singular) table.note("No ellipsoid is given where the covariance matrix of the group is singular.");
+    if (singular)
+        table.note(tell<"No ellipsoid is given where the covariance matrix of the group is singular.">());
     blocks.push_back(table.take());
 }
 

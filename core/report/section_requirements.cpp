@@ -17,14 +17,15 @@ namespace words = certificate_words;
 
 using Verdicts = std::vector<RequirementResult>;
 
-void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
-    TableBuilder table("requirements-" + evaluated.analysis->id, "Target uncertainties");
-    table.text("Group");
-    table.text("Quantity", true);
-    table.text("Unit");
+void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated,
+                 const DocumentLanguage& in) {
+    TableBuilder table("requirements-" + evaluated.analysis->id, tell<"Target uncertainties">(), in);
+    table.text(tell<"Group">());
+    table.text(tell<"Quantity">(), true);
+    table.text(tell<"Unit">());
     table.number("U", 2);
-    table.number("Target");
-    table.text("Verdict");
+    table.number(tell<"Target">());
+    table.text(tell<"Verdict">());
     bool any = false;
     for (const RequirementResult& r : verdicts) {
         if (!r.target_uncertainty) continue;
@@ -34,27 +35,30 @@ void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalys
         table.row({quantity.group, quantity.symbol, unit_text(quantity.unit),
                    interval_in(quantity.unit, output.expanded_uncertainty),
                    interval_in(quantity.unit, *r.target_uncertainty),
-                   std::string(!r.not_judged.empty() ? "not judged"
-                               : r.meets_target      ? "met"
-                                                     : "not met")});
+                   in.say(!r.not_judged.empty() ? tell<"not judged">()
+                          : r.meets_target      ? tell<"met">()
+                                                : tell<"not met">())});
     }
     if (any) blocks.push_back(table.take());
 }
 
-std::string reduction_words(const ReverseBudget& budget) {
-    std::string words =
+Message reduction_words(const ReverseBudget& budget, const DocumentLanguage& in) {
+    Message words =
         budget.trials == 0
-            ? "With the figure put in, U by the law of propagation is the target; k follows the "
-              "effective degrees of freedom."
-            : "With the figure put in, U by Monte Carlo is the target; found with " +
-                  count_text(budget.trials) + " trials of the same draws.";
+            ? tell<
+                  "With the figure put in, U by the law of propagation is the target; k follows the "
+                  "effective degrees of freedom.">()
+            : tell<
+                  "With the figure put in, U by Monte Carlo is the target; found with %1 trials of the same "
+                  "draws.">(count_text(budget.trials, in.numbers()));
     if (budget.common_factor)
-        words += " No component suffices alone: all standard uncertainties multiplied by " +
-                 format_significant(*budget.common_factor, 3) + " do.";
+        words += " " + tell<"No component suffices alone: all standard uncertainties multiplied by %1 do.">(
+                           with_decimal_sign(format_significant(*budget.common_factor, 3), in.numbers()));
     return words;
 }
 
-void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedAnalysis& evaluated) {
+void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedAnalysis& evaluated,
+                    const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     const auto budget =
         reverse_budget(evaluated.analysis->model.get(), result, r.output, *r.target_uncertainty);
@@ -62,20 +66,21 @@ void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedA
     const OutputQuantity& quantity = result.outputs[r.output].quantity;
     TableBuilder table(
         "reductions-" + evaluated.analysis->id + "-" + id_part(quantity.symbol + " " + quantity.group),
-        "What one component alone must be reduced to for U(" + output_label(quantity) +
-            ") to meet its target");
-    table.text("Component");
-    table.text("Unit");
+        tell<"What one component alone must be reduced to for U(%1) to meet its target">(
+            output_label(quantity)),
+        in);
+    table.text(tell<"Component">());
+    table.text(tell<"Unit">());
     table.symbol("u(x_i)", 3);
-    table.number("needed", 3);
-    table.text("Remark");
+    table.number(tell<"needed">(), 3);
+    table.text(tell<"Remark">());
     for (const ReverseBudget::Reduction& reduction : budget->reductions) {
         const BudgetComponent& c = result.budget.components[reduction.component];
         table.row({c.name + " (" + c.id + ")", unit_text(c.unit), interval_in(c.unit, reduction.now),
                    reduction.needed ? TableCell(interval_in(c.unit, *reduction.needed)) : TableCell{},
-                   std::string(reduction.needed ? "" : "not enough by itself, even if it vanished")});
+                   reduction.needed ? "" : in.say(tell<"not enough by itself, even if it vanished">())});
     }
-    table.note(reduction_words(*budget));
+    table.note(reduction_words(*budget, in));
     blocks.push_back(table.take());
 }
 
@@ -111,15 +116,22 @@ std::string decision_words(const RequirementResult& r, const DocumentLanguage& i
 }
 
 /// Of a decision that was taken.
-ParagraphBlock risks_of(const RequirementResult& r, const OutputQuantity& quantity) {
-    std::string words = output_label(quantity) + ": specific " +
-                        (r.decision == Decision::accept ? "consumer's risk " + percent(1.0 - r.conformance)
-                                                        : "producer's risk " + percent(r.conformance)) +
-                        " of this decision";
-    if (r.global_risks)
-        words += "; global risks of the rule for its prior: consumer's " + percent(r.global_risks->consumer) +
-                 ", producer's " + percent(r.global_risks->producer);
-    return ParagraphBlock{words + "."};
+Message risks_of(const RequirementResult& r, const OutputQuantity& quantity, const DocumentLanguage& in) {
+    const auto text = [&in](double probability) { return percent(probability, in.numbers()); };
+    const std::string symbol = output_label(quantity);
+    const bool accepted = r.decision == Decision::accept;
+    const std::string risk = text(accepted ? 1.0 - r.conformance : r.conformance);
+    if (!r.global_risks)
+        return accepted ? tell<"%1: specific consumer's risk %2 of this decision.">(symbol, risk)
+                        : tell<"%1: specific producer's risk %2 of this decision.">(symbol, risk);
+    const std::string consumer = text(r.global_risks->consumer), producer = text(r.global_risks->producer);
+    return accepted
+               ? tell<
+                     "%1: specific consumer's risk %2 of this decision; global risks of the rule for its "
+                     "prior: consumer's %3, producer's %4.">(symbol, risk, consumer, producer)
+               : tell<
+                     "%1: specific producer's risk %2 of this decision; global risks of the rule for its "
+                     "prior: consumer's %3, producer's %4.">(symbol, risk, consumer, producer);
 }
 
 bool has_tolerance(const RequirementResult& r) {
@@ -141,9 +153,9 @@ void add_conformity_row(TableBuilder& table, const RequirementResult& r, const O
 
 /// Nothing without tolerances.
 std::optional<TableBlock> conformity_table(const Verdicts& verdicts, const EvaluatedAnalysis& evaluated,
-                                           const DocumentLanguage& in) {
+                                           const Message& title, const DocumentLanguage& in) {
     if (std::none_of(verdicts.begin(), verdicts.end(), has_tolerance)) return std::nullopt;
-    TableBuilder table("conformity-" + evaluated.analysis->id, "Conformity with tolerances");
+    TableBuilder table("conformity-" + evaluated.analysis->id, title, in);
     for (const Phrase* head : {&words::quantity, &words::unit, &words::tolerance, &words::acceptance,
                                &words::rule, &words::decision, &words::conforming, &words::by})
         table.text(in.say(*head));
@@ -152,18 +164,18 @@ std::optional<TableBlock> conformity_table(const Verdicts& verdicts, const Evalu
     for (const RequirementResult& r : verdicts)
         if (has_tolerance(r)) add_conformity_row(table, r, evaluated.result->outputs[r.output], in);
     table.note(in.say(words::conformity_note));
-    TableBlock made = table.take();
-    made.locale = in.numbers();
-    return made;
+    return table.take();
 }
 
-void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
-    auto table = conformity_table(verdicts, evaluated, {});
+void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated,
+                    const DocumentLanguage& in) {
+    auto table = conformity_table(verdicts, evaluated, tell<"Conformity with tolerances">(), in);
     if (!table) return;
     blocks.push_back(std::move(*table));
     for (const RequirementResult& r : verdicts)
         if (has_tolerance(r) && r.not_judged.empty())
-            blocks.push_back(risks_of(r, evaluated.result->outputs[r.output].quantity));
+            blocks.push_back(
+                ParagraphBlock{in.say(risks_of(r, evaluated.result->outputs[r.output].quantity, in))});
 }
 
 }  // namespace
@@ -174,11 +186,11 @@ void add_certified_conformity(Blocks& blocks, const ReportSource& source,
     for (const EvaluatedAnalysis& evaluated : analyses) {
         const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);
         if (!entry) continue;
-        auto table = conformity_table(judge(*evaluated.result, *entry), evaluated, in);
+        const std::string title = analyses.size() > 1 ? evaluated.analysis->name : "";
+        auto table = conformity_table(judge(*evaluated.result, *entry), evaluated, title, in);
         if (!table) continue;
         if (!headed) blocks.push_back(HeadingBlock{2, in.say(words::conformity)});
         headed = true;
-        table->table.title = analyses.size() > 1 ? evaluated.analysis->name : "";
         blocks.push_back(std::move(*table));
     }
 }
@@ -186,14 +198,15 @@ void add_certified_conformity(Blocks& blocks, const ReportSource& source,
 void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
     const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);
     if (!entry || entry->requirements.empty()) return;
+    const DocumentLanguage& in = source.in;
     const Verdicts verdicts = judge(*evaluated.result, *entry);
-    add_targets(blocks, verdicts, evaluated);
+    add_targets(blocks, verdicts, evaluated, in);
     for (const RequirementResult& r : verdicts)
-        if (!r.meets_target && r.not_judged.empty()) add_reductions(blocks, r, evaluated);
-    add_conformity(blocks, verdicts, evaluated);
+        if (!r.meets_target && r.not_judged.empty()) add_reductions(blocks, r, evaluated, in);
+    add_conformity(blocks, verdicts, evaluated, in);
     if (!verdicts.empty() && !verdicts.front().not_judged.empty())
-        blocks.push_back(
-            ParagraphBlock{"The requirements are not judged: " + verdicts.front().not_judged + "."});
+        blocks.push_back(ParagraphBlock{
+            in.say(tell<"The requirements are not judged: %1.">(verdicts.front().not_judged))});
 }
 
 }  // namespace covaria::report_parts

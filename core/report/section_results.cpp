@@ -14,10 +14,10 @@ namespace {
 constexpr std::size_t most_group_columns = 13;
 
 TableBlock groups_as_columns(const UncertaintyResult& result, const std::vector<std::string>& groups,
-                             const std::string& title) {
-    TableBuilder table("summary", title);
-    table.text("U of", true);
-    table.text("Unit");
+                             const Message& title, const DocumentLanguage& in) {
+    TableBuilder table("summary", title, in);
+    table.text(tell<"U of">(), true);
+    table.text(tell<"Unit">());
     for (const std::string& group : groups) table.number(group, 2);
     const std::vector<std::size_t> first = measurands_of(result, groups.front());
     for (std::size_t i = 0; i < first.size(); ++i) {
@@ -33,9 +33,9 @@ TableBlock groups_as_columns(const UncertaintyResult& result, const std::vector<
 }
 
 TableBlock groups_as_rows(const UncertaintyResult& result, const std::vector<std::string>& groups,
-                          const std::string& title) {
-    TableBuilder table("summary", title);
-    table.text("Group");
+                          const Message& title, const DocumentLanguage& in) {
+    TableBuilder table("summary", title, in);
+    table.text(tell<"Group">());
     for (const std::size_t i : measurands_of(result, groups.front())) {
         const OutputQuantity& quantity = result.outputs[i].quantity;
         table.symbol("U(" + quantity.symbol + ")", 2);
@@ -54,80 +54,83 @@ TableBlock groups_as_rows(const UncertaintyResult& result, const std::vector<std
     return block;
 }
 
-void add_run_words(Blocks& blocks, const UncertaintyResult& result) {
-    std::string words = "Coverage probability " + percent_text(result.coverage_probability) + ". " +
-                        expanded_words(result) + " ";
+void add_run_words(Blocks& blocks, const UncertaintyResult& result, const DocumentLanguage& in) {
+    const NumberLocale& numbers = in.numbers();
+    std::string words =
+        in.say(tell<"Coverage probability %1.">(percent_text(result.coverage_probability, numbers))) + " " +
+        in.say(expanded_words(result)) + " ";
     if (result.trials == 0) {
-        words += "Values from the law of propagation of uncertainty (JCGM 100).";
+        words += in.say(tell<"Values from the law of propagation of uncertainty (JCGM 100).">());
     } else {
-        words += "Values from the propagation of distributions (JCGM 101) with " + count_text(result.trials) +
-                 " trials; the interval is probabilistically symmetric, the shortest one beside it. "
-                 "The effective degrees of freedom are those of the law of propagation.";
+        words += in.say(
+            tell<"Values from the propagation of distributions (JCGM 101) with %1 trials; the interval is "
+                 "probabilistically symmetric, the shortest one beside it. The effective degrees of freedom "
+                 "are those of the law of propagation.">(count_text(result.trials, numbers)));
         if (!represents_measurand(result))
-            words += " This result " + std::string(does_not_represent) + ": " +
-                     count_text(result.failed_trials) + " trials, more than 1 %, have no value.";
+            words += " " + in.say(tell<"This result does not represent the measurand: %1 trials, more than "
+                                       "1 %, have no value.">(count_text(result.failed_trials, numbers)));
     }
     blocks.push_back(ParagraphBlock{words});
 }
 
 /// Nothing where they were not asked for.
-void add_second_order(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_second_order(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     std::vector<std::size_t> outputs;
     for (std::size_t i = 0; i < result.outputs.size(); ++i)
         if (result.outputs[i].first_order.second_order_standard_uncertainty) outputs.push_back(i);
     if (outputs.empty()) return;
     TableBuilder table("second-order-" + evaluated.analysis->id,
-                       "Law of propagation with second-order terms");
+                       tell<"Law of propagation with second-order terms">(), in);
     table.results(result, outputs,
                   {"symbol", "unit", "u first order", "u second order", "shift second order"});
-    table.note(
-        "JCGM 100 5.1.2, NOTE, for independent components with symmetric distributions. The shift, half the "
-        "sum "
-        "of the second derivatives times the variances, is what the mean of the measurand differs by from "
-        "the "
-        "value at the estimates; neither is part of the results above.");
+    table.note(tell<"JCGM 100 5.1.2, NOTE, for independent components with symmetric distributions. The "
+                    "shift, half the sum of the second derivatives times the variances, is what the mean of "
+                    "the measurand differs by from the value at the estimates; neither is part of the "
+                    "results above.">());
     blocks.push_back(table.take());
 }
 
 }  // namespace
 
 TableBlock results_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
-                         const std::string& title) {
+                         const Message& title, const DocumentLanguage& in) {
     const bool intervals = std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
         return result.outputs[i].monte_carlo.has_value();
     });
     std::vector<std::string> keys = {"symbol", "unit", "estimate", "u", "nu_eff", "k", "U"};
     if (intervals)
         keys.insert(keys.end(), {"interval low", "interval high", "shortest low", "shortest high"});
-    TableBuilder table("results", title);
+    TableBuilder table("results", title, in);
     table.results(result, outputs, keys);
     return table.take();
 }
 
-std::optional<TableBlock> summary_matrix(const UncertaintyResult& result, const std::string& title) {
+std::optional<TableBlock> summary_matrix(const UncertaintyResult& result, const Message& title,
+                                         const DocumentLanguage& in) {
     const std::vector<std::string> groups = measurand_groups(result);
     if (groups.size() < 3 || !groups_alike(result, groups)) return std::nullopt;
-    return groups.size() <= most_group_columns ? groups_as_columns(result, groups, title)
-                                               : groups_as_rows(result, groups, title);
+    return groups.size() <= most_group_columns ? groups_as_columns(result, groups, title, in)
+                                               : groups_as_rows(result, groups, title, in);
 }
 
 void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
-    blocks.push_back(HeadingBlock{2, "Results"});
-    add_run_words(blocks, result);
+    const DocumentLanguage& in = source.in;
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Results">())});
+    add_run_words(blocks, result, in);
     std::vector<std::size_t> measurands, others;
     for (std::size_t i = 0; i < result.outputs.size(); ++i)
         (is_measurand(result.outputs[i]) ? measurands : others).push_back(i);
-    TableBlock block = results_block(result, measurands, "Measurands");
+    TableBlock block = results_block(result, measurands, tell<"Measurands">(), in);
     block.table.id = "results-" + evaluated.analysis->id;
     blocks.push_back(std::move(block));
     if (!others.empty()) {
-        TableBlock intermediate = results_block(result, others, "Intermediate quantities");
+        TableBlock intermediate = results_block(result, others, tell<"Intermediate quantities">(), in);
         intermediate.table.id = "intermediate-" + evaluated.analysis->id;
         blocks.push_back(std::move(intermediate));
     }
-    add_second_order(blocks, evaluated);
+    add_second_order(blocks, evaluated, in);
     add_requirements(blocks, source, evaluated);
 }
 

@@ -11,20 +11,28 @@ namespace {
 
 constexpr std::size_t most_setup_rows = 60;  // of a set-up table; the file has them all
 
-std::string quantity_text(double value, const Unit& unit) {
-    return typeset_number(format_cell(Quantity{value, unit}, TableColumn{}));
+std::string quantity_text(double value, const Unit& unit, const DocumentLanguage& in) {
+    return typeset_number(format_cell(Quantity{value, unit}, TableColumn{}), in.numbers());
 }
 
-std::string triple_text(const std::array<double, 3>& values, const Unit& unit) {
-    const auto number = [](double value) { return typeset_number(format_cell(value, TableColumn{})); };
-    return "(" + number(values[0]) + ", " + number(values[1]) + ", " + number(values[2]) + ")\u00a0" +
+std::string triple_text(const std::array<double, 3>& values, const Unit& unit, const DocumentLanguage& in) {
+    const auto number = [&in](double value) {
+        return typeset_number(format_cell(value, TableColumn{}), in.numbers());
+    };
+    const char* between = in.numbers().decimal == "," ? "; " : ", ";
+    return "(" + number(values[0]) + between + number(values[1]) + between + number(values[2]) + ")\u00a0" +
            unit.display();
 }
 
-std::string choice_title(const std::vector<Choice>& choices, const std::string& key) {
+std::string choice_title(const std::vector<Choice>& choices, const std::string& key,
+                         const DocumentLanguage& in) {
     for (const Choice& choice : choices)
-        if (choice.key == key) return choice.title;
+        if (choice.key == key) return in.say_declared(choice.title);
     return key;
+}
+
+std::string yes_or_no(bool yes, const DocumentLanguage& in) {
+    return in.say(yes ? tell<"yes">() : tell<"no">());
 }
 
 std::string name_of_asset(const std::string& id, const ReportSource& source) {
@@ -35,10 +43,10 @@ std::string name_of_asset(const std::string& id, const ReportSource& source) {
 TableCell cell_of(const ColumnSpec& spec, const Unit& unit, const SetupCell& cell,
                   const ReportSource& source) {
     if (const auto* number = std::get_if<double>(&cell)) return Quantity{*number, unit};
-    if (const auto* flag = std::get_if<bool>(&cell)) return std::string(*flag ? "yes" : "no");
+    if (const auto* flag = std::get_if<bool>(&cell)) return yes_or_no(*flag, source.in);
     if (const auto* text = std::get_if<std::string>(&cell))
         return spec.kind == FieldKind::reference ? name_of_asset(*text, source)
-                                                 : choice_title(spec.choices, *text);
+                                                 : choice_title(spec.choices, *text, source.in);
     return std::monostate{};
 }
 
@@ -52,37 +60,39 @@ bool is_used(const SetupTable& table, std::size_t column) {
 
 std::string setup_text(const FieldSpec& field, const SetupValue& value, const ReportSource& source) {
     if (const auto* quantity = std::get_if<Quantity>(&value))
-        return quantity_text(quantity->value, quantity->unit);
-    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
+        return quantity_text(quantity->value, quantity->unit, source.in);
+    if (const auto* flag = std::get_if<bool>(&value)) return yes_or_no(*flag, source.in);
     if (const auto* pose = std::get_if<PoseValue>(&value))
-        return "position " + triple_text(pose->position, pose->length_unit) +
-               ", α, β, γ = " + triple_text(pose->angles, pose->angle_unit);
+        return source.in.say(
+            tell<"position %1, α, β, γ = %2">(triple_text(pose->position, pose->length_unit, source.in),
+                                              triple_text(pose->angles, pose->angle_unit, source.in)));
     const auto* text = std::get_if<std::string>(&value);
     if (!text) return {};
     if (field.kind == FieldKind::reference) return name_of_asset(*text, source);
-    return choice_title(field.choices, *text);
+    return choice_title(field.choices, *text, source.in);
 }
 
 TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const ReportSource& source) {
-    TableBlock block;
+    const DocumentLanguage& in = source.in;
+    TableBlock block{{}, {}, in.numbers()};
     block.table.id = "setup-" + id_part(field.key);
-    block.table.title = field.title;
+    block.table.title = in.say_declared(field.title);
     const std::size_t rows = std::min(table.rows.size(), most_setup_rows);
     block.table.rows.resize(rows);
     for (std::size_t c = 0; c < field.columns.size(); ++c) {
         if (!is_used(table, c)) continue;
         const ColumnSpec& spec = field.columns[c];
         const Unit unit = c < table.units.size() ? table.units[c] : spec.unit;
-        block.table.columns.push_back({spec.title, unit, looks_like_symbol(spec.title), 0});
+        const bool symbol = looks_like_symbol(spec.title);
+        block.table.columns.push_back({symbol ? spec.title : in.say_declared(spec.title), unit, symbol, 0});
         for (std::size_t r = 0; r < rows; ++r)
             block.table.rows[r].push_back(
                 c < table.rows[r].size() ? cell_of(spec, unit, table.rows[r][c], source) : TableCell{});
     }
-    if (!table.csv_file.empty()) block.table.notes.push_back("Read from " + table.csv_file + ".");
+    if (!table.csv_file.empty()) block.table.notes.push_back(in.say(tell<"Read from %1.">(table.csv_file)));
     if (rows < table.rows.size())
-        block.table.notes.push_back("The first " + std::to_string(rows) + " of " +
-                                    std::to_string(table.rows.size()) +
-                                    " rows; the project file has them all.");
+        block.table.notes.push_back(
+            in.say(tell<"The first %1 of %2 rows; the project file has them all.">(rows, table.rows.size())));
     return block;
 }
 
@@ -109,13 +119,14 @@ void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& se
     for (const FieldSpec& field : schema.fields()) {
         if (!is_shown(schema, field, setup) || field.several_lines) continue;  // the model sets its equations
         if (field.section != section) flush();
-        if (field.section != section && !field.section.empty()) heading = field.section;
+        if (field.section != section && !field.section.empty())
+            heading = source.in.say_declared(field.section);
         section = field.section;
         const SetupValue& value = value_of(field, setup);
         if (const auto* table = std::get_if<SetupTable>(&value)) {
             if (!table->rows.empty()) tables.push_back(setup_table(field, *table, source));
         } else if (const std::string text = setup_text(field, value, source); !text.empty()) {
-            facts.facts.emplace_back(field.title, text);
+            facts.facts.emplace_back(source.in.say_declared(field.title), text);
         }
     }
     flush();
@@ -124,7 +135,7 @@ void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& se
 void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
     const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);
     if (!entry) return;
-    blocks.push_back(HeadingBlock{2, "Set-up"});
+    blocks.push_back(HeadingBlock{2, source.in.say(tell<"Set-up">())});
     add_paragraphs(blocks, entry->notes);
     if (evaluated.analysis->model)
         for (const ModelEquation& equation : evaluated.analysis->model->formulas())

@@ -20,18 +20,18 @@ TableCell first_order_share(const UncertaintyResult& result, std::size_t output,
     return 100.0 * share;
 }
 
-TableBlock sobol_table(const EvaluatedAnalysis& evaluated, std::size_t output) {
+TableBlock sobol_table(const EvaluatedAnalysis& evaluated, std::size_t output, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     const OutputQuantity& quantity = result.outputs[output].quantity;
     TableBuilder table(
         "sobol-" + evaluated.analysis->id + "-" + id_part(quantity.symbol + " " + quantity.group),
-        "Sobol indices of " + output_label(quantity) + " in %");
-    table.text("Component");
-    table.fixed("first order of the law of propagation", 1);
+        tell<"Sobol indices of %1 in %">(output_label(quantity)), in);
+    table.text(tell<"Component">());
+    table.fixed(tell<"first order of the law of propagation">(), 1);
     table.fixed("S", 1);
-    table.fixed("standard error of S", 1);
-    table.fixed("S total", 1);
-    table.fixed("standard error of S total", 1);
+    table.fixed(tell<"standard error of S">(), 1);
+    table.fixed(tell<"S total">(), 1);
+    table.fixed(tell<"standard error of S total">(), 1);
     const std::vector<SobolIndex>& indices = result.sobol[output];
     for (std::size_t i = 0; i < std::min(indices.size(), most_indices); ++i) {
         const SobolIndex& s = indices[i];
@@ -39,26 +39,24 @@ TableBlock sobol_table(const EvaluatedAnalysis& evaluated, std::size_t output) {
                    100.0 * s.first_standard_error, 100.0 * s.total, 100.0 * s.total_standard_error});
     }
     if (indices.size() > most_indices)
-        table.note(std::to_string(indices.size() - most_indices) +
-                   " components with smaller indices are left out.");
+        table.note(tell<"%1 components with smaller indices are left out.">(indices.size() - most_indices));
     return table.take();
 }
 
 }  // namespace
 
-void add_sobol(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_sobol(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     if (result.sobol.empty()) return;
-    blocks.push_back(HeadingBlock{2, "Sobol indices"});
-    blocks.push_back(ParagraphBlock{
-        "S is the share of the variance that a component causes by itself, S total the share with all its "
-        "interactions with others: where both agree and the shares sum to 100 %, the measurement model is "
-        "additive. "
-        "Components that are correlated have indices together. By Monte Carlo with " +
-        count_text(result.sobol_trials) + " pairs of trials."});
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Sobol indices">())});
+    blocks.push_back(ParagraphBlock{in.say(
+        tell<"S is the share of the variance that a component causes by itself, S total the share with "
+             "all its interactions with others: where both agree and the shares sum to 100 %, the "
+             "measurement model is additive. Components that are correlated have indices together. By "
+             "Monte Carlo with %1 pairs of trials.">(count_text(result.sobol_trials, in.numbers())))});
     for (const std::string& group : groups_in_full(result))
         for (const std::size_t output : measurands_of(result, group))
-            blocks.push_back(sobol_table(evaluated, output));
+            blocks.push_back(sobol_table(evaluated, output, in));
 }
 
 }  // namespace covaria::report_parts

@@ -13,23 +13,33 @@ namespace {
 constexpr std::size_t most_points = 30;     // of a sweep that is printed in full
 constexpr std::size_t most_quantities = 8;  // of the table of best and worst points
 
-std::string what_was_done(const StudyResult& study) {
-    std::string words = "Evaluated at " + count_text(study.points.size()) + " grid points, ";
-    words += study.trials > 0 ? "with " + count_text(study.trials) + " trials at each"
-                              : std::string("by the law of propagation of uncertainty");
-    for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
-        const StudyAxisValues& values = study.axes[axis];
-        const std::string unit = values.unit == Unit{} ? "" : " " + values.unit.display();
-        words += (axis ? "; " : ". Varied: ") + to_unicode(values.title) + " from " +
-                 format_trimmed(values.values.front(), 6) + " to " + format_trimmed(values.values.back(), 6) +
-                 unit + " (" + std::to_string(values.values.size()) + " values" +
-                 (values.logarithmic ? ", logarithmic)" : ")");
-    }
-    return words + ".";
+Message range_of(const StudyAxisValues& axis, const DocumentLanguage& in) {
+    const auto number = [&in](double value) {
+        return with_decimal_sign(format_trimmed(value, 6), in.numbers());
+    };
+    const std::string title = to_unicode(axis.title), from = number(axis.values.front()),
+                      to =
+                          number(axis.values.back()) + (axis.unit == Unit{} ? "" : " " + axis.unit.display());
+    return axis.logarithmic
+               ? tell<"%1 from %2 to %3 (%4 values, logarithmic)">(title, from, to, axis.values.size())
+               : tell<"%1 from %2 to %3 (%4 values)">(title, from, to, axis.values.size());
 }
 
-TableBlock sweep_table(const StudyResult& study) {
-    TableBuilder table("study-" + study.id, study.name);
+std::string what_was_done(const StudyResult& study, const DocumentLanguage& in) {
+    const std::string points = count_text(study.points.size(), in.numbers());
+    std::string words =
+        in.say(study.trials > 0
+                   ? tell<"Evaluated at %1 grid points, with %2 trials at each.">(
+                         points, count_text(study.trials, in.numbers()))
+                   : tell<"Evaluated at %1 grid points, by the law of propagation of uncertainty.">(points));
+    std::string ranges;
+    for (const StudyAxisValues& axis : study.axes)
+        ranges += (ranges.empty() ? "" : "; ") + in.say(range_of(axis, in));
+    return ranges.empty() ? words : words + " " + in.say(tell<"Varied: %1.">(ranges));
+}
+
+TableBlock sweep_table(const StudyResult& study, const DocumentLanguage& in) {
+    TableBuilder table("study-" + study.id, study.name, in);
     const StudyAxisValues& axis = study.axes.front();
     table.number(to_unicode(axis.title) + (axis.unit == Unit{} ? "" : " / " + axis.unit.display()), 4);
     const std::vector<StudyQuantity> all = study_quantities(study);
@@ -43,17 +53,17 @@ TableBlock sweep_table(const StudyResult& study) {
         row.resize(shown + 1);
         table.row(std::move(row));
     }
-    if (all.size() > shown) table.note("The CSV table of the study has all output quantities.");
+    if (all.size() > shown) table.note(tell<"The CSV table of the study has all output quantities.">());
     return table.take();
 }
 
-TableBlock extremes_table(const StudyResult& study) {
-    TableBuilder table("study-" + study.id, study.name + ": best and worst grid points");
-    table.text("Quantity");
-    table.number("least", 3);
-    table.text("at");
-    table.number("greatest", 3);
-    table.text("at");
+TableBlock extremes_table(const StudyResult& study, const DocumentLanguage& in) {
+    TableBuilder table("study-" + study.id, tell<"%1: best and worst grid points">(study.name), in);
+    table.text(tell<"Quantity">());
+    table.number(tell<"least">(), 3);
+    table.text(tell<"at">());
+    table.number(tell<"greatest">(), 3);
+    table.text(tell<"at">());
     const std::vector<StudyQuantity> all = study_quantities(study);
     for (std::size_t q = 0; q < std::min(all.size(), most_quantities); ++q) {
         const StudyExtremes extremes = extremes_of(study, all[q]);
@@ -61,48 +71,49 @@ TableBlock extremes_table(const StudyResult& study) {
         const auto cell = [&](std::size_t point) {
             return interval_in(all[q].unit, value_at(study, all[q], point));
         };
-        table.row({to_unicode(all[q].title), cell(extremes.best), point_words(study, extremes.best),
-                   cell(extremes.worst), point_words(study, extremes.worst)});
+        table.row({to_unicode(all[q].title), cell(extremes.best),
+                   point_words(study, extremes.best, in.numbers()), cell(extremes.worst),
+                   point_words(study, extremes.worst, in.numbers())});
     }
     return table.take();
 }
 
-void add_reasons(Blocks& blocks, const StudyResult& study) {
+void add_reasons(Blocks& blocks, const StudyResult& study, const DocumentLanguage& in) {
+    const auto number = [&in](std::uint64_t count) { return count_text(count, in.numbers()); };
     if (const std::size_t count = not_representing(study).size(); count > 0)
         blocks.push_back(ParagraphBlock{
-            "What is given for " + count_text(count) + " of the grid points " + does_not_represent +
-            ": more than 1 % of their trials have no value (see the CSV table)."});
+            in.say(tell<"What is given for %1 of the grid points does not represent the measurand: more than "
+                        "1 % of their trials have no value (see the CSV table).">(number(count)))});
     if (study.failed() == 0) return;
-    blocks.push_back(ParagraphBlock{count_text(study.failed()) + " grid points have no values:"});
+    blocks.push_back(ParagraphBlock{in.say(tell<"%1 grid points have no values:">(number(study.failed())))});
     ListBlock list;
     constexpr std::size_t most = 6;
     for (std::size_t reason = 1; reason < study.reasons.size() && reason <= most; ++reason) {
         const auto count = std::count_if(study.points.begin(), study.points.end(),
                                          [&](const StudyPoint& point) { return point.reason == reason; });
-        list.items.push_back(count_text(static_cast<std::uint64_t>(count)) + ": " + study.reasons[reason]);
+        list.items.push_back(number(static_cast<std::uint64_t>(count)) + ": " +
+                             in.say(study.reasons[reason]));
     }
-    if (study.reasons.size() > most + 1) list.items.push_back("others: see the CSV table of the study");
+    if (study.reasons.size() > most + 1)
+        list.items.push_back(in.say(tell<"others: see the CSV table of the study">()));
     blocks.push_back(std::move(list));
 }
 
 }  // namespace
 
-void add_studies(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_studies(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     if (evaluated.studies.empty()) return;
-    blocks.push_back(HeadingBlock{2, "Studies"});
+    blocks.push_back(HeadingBlock{2, in.say(tell<"Studies">())});
     for (const auto& study : evaluated.studies) {
         blocks.push_back(HeadingBlock{3, study->name});
-        blocks.push_back(ParagraphBlock{what_was_done(*study)});
+        blocks.push_back(ParagraphBlock{what_was_done(*study, in)});
         if (study->axes.size() == 1 && study->points.size() <= most_points)
-            blocks.push_back(sweep_table(*study));
+            blocks.push_back(sweep_table(*study, in));
         else
-            blocks.push_back(extremes_table(*study));
-        for (PlotSpecification& plot : study_plots(*study))
-            if (!plot.series.empty()) {
-                std::string caption = to_unicode(plot.title) + ".";
-                blocks.push_back(figure(std::move(plot), evaluated, std::move(caption)));
-            }
-        add_reasons(blocks, *study);
+            blocks.push_back(extremes_table(*study, in));
+        for (PlotSpecification& plot : study_plots(*study, in))
+            if (!plot.series.empty()) blocks.push_back(titled_figure(std::move(plot), evaluated));
+        add_reasons(blocks, *study, in);
     }
 }
 

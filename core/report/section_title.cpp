@@ -8,37 +8,46 @@
 namespace covaria::report_parts {
 namespace {
 
-std::string method_text(const UncertaintyResult& result) {
-    if (result.trials == 0) return "law of propagation of uncertainty";
-    const std::string trials = count_text(result.trials) + " trials";
-    return (result.adaptive ? "adaptive Monte Carlo, " : "Monte Carlo, ") + trials;
+Message method_text(const UncertaintyResult& result, const DocumentLanguage& in) {
+    if (result.trials == 0) return tell<"law of propagation of uncertainty">();
+    const std::string trials = count_text(result.trials, in.numbers());
+    return result.adaptive ? tell<"adaptive Monte Carlo, %1 trials">(trials)
+                           : tell<"Monte Carlo, %1 trials">(trials);
 }
 
-std::string analysis_text(const EvaluatedAnalysis& evaluated) {
+Message analysis_text(const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
-    return evaluated.analysis->descriptor->title + "; " + method_text(result) + "; coverage probability " +
-           percent_text(result.coverage_probability);
+    return tell<"%1; %2; coverage probability %3">(Message::declared(evaluated.analysis->descriptor->title),
+                                                   method_text(result, in),
+                                                   percent_text(result.coverage_probability, in.numbers()));
 }
 
-std::string factor_text(const UncertaintyResult& result) {
-    return "Coverage probability " + percent_text(result.coverage_probability) + ". " +
-           expanded_words(result) +
-           " k, intervals and the law of propagation are in the results of the analysis.";
+std::string factor_text(const UncertaintyResult& result, const DocumentLanguage& in) {
+    const std::string p = percent_text(result.coverage_probability, in.numbers());
+    return in.say(tell<"Coverage probability %1.">(p)) + " " + in.say(expanded_words(result)) + " " +
+           in.say(tell<"k, intervals and the law of propagation are in the results of the analysis.">());
 }
 
-void add_glance(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+Message not_evaluated(const FailedAnalysis& failed) {
+    const std::string name = failed.name.empty() ? failed.id : failed.name;
+    return failed.study.empty()
+               ? tell<"Not evaluated: %1: %2.">(name, failed.cause)
+               : tell<"Study \"%1\" not evaluated: %2: %3.">(failed.study, name, failed.cause);
+}
+
+void add_glance(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
-    const std::string title = "Expanded uncertainty U: " + evaluated.analysis->name;
-    if (auto matrix = summary_matrix(result, title)) {
+    const std::string& name = evaluated.analysis->name;
+    if (auto matrix = summary_matrix(result, tell<"Expanded uncertainty U: %1">(name), in)) {
         matrix->table.id = "summary-" + evaluated.analysis->id;
-        matrix->table.notes.push_back(factor_text(result));
+        matrix->table.notes.push_back(factor_text(result, in));
         blocks.push_back(std::move(*matrix));
         return;
     }
     std::vector<std::size_t> outputs;
     for (std::size_t i = 0; i < result.outputs.size(); ++i)
         if (is_measurand(result.outputs[i])) outputs.push_back(i);
-    TableBlock block = results_block(result, outputs, "Results: " + evaluated.analysis->name);
+    TableBlock block = results_block(result, outputs, tell<"Results: %1">(name), in);
     block.table.id = "summary-" + evaluated.analysis->id;
     blocks.push_back(std::move(block));
 }
@@ -46,31 +55,32 @@ void add_glance(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
 }  // namespace
 
 void add_title(Blocks& blocks, const ReportSource& source) {
+    const DocumentLanguage& in = source.in;
     FactsBlock facts;
     const Project& project = source.made.project();
-    if (!project.number.empty()) facts.facts.emplace_back("Number", project.number);
-    if (!project.author.empty()) facts.facts.emplace_back("Author", project.author);
+    const auto add = [&](const Message& name, const std::string& text) {
+        facts.facts.emplace_back(in.say(name), text);
+    };
+    if (!project.number.empty()) add(tell<"Number">(), project.number);
+    if (!project.author.empty()) add(tell<"Author">(), project.author);
     for (const EvaluatedAnalysis& evaluated : source.analyses)
-        facts.facts.emplace_back(evaluated.analysis->name, analysis_text(evaluated));
+        add(evaluated.analysis->name, in.say(analysis_text(evaluated, in)));
     if (!source.analyses.empty())
-        facts.facts.emplace_back("Evaluated with",
-                                 "Covaria " + source.analyses.front().result->provenance.covaria_version);
+        add(tell<"Evaluated with">(),
+            "Covaria " + source.analyses.front().result->provenance.covaria_version);
     std::string missing;
     for (const AnalysisEntry& entry : source.made.project().analyses) {
         const bool there = std::any_of(source.analyses.begin(), source.analyses.end(),
                                        [&](const auto& one) { return one.analysis->id == entry.id; });
         if (!there) missing += (missing.empty() ? "" : ", ") + entry.name;
     }
-    if (!missing.empty()) facts.facts.emplace_back("Not in this report", missing);
-    facts.facts.emplace_back("Project fingerprint", project_fingerprint(source));
+    if (!missing.empty()) add(tell<"Not in this report">(), missing);
+    add(tell<"Project fingerprint">(), project_fingerprint(source));
     blocks.push_back(std::move(facts));
     add_paragraphs(blocks, source.made.project().notes);
     for (const FailedAnalysis& failed : source.failed)
-        blocks.push_back(ParagraphBlock{
-            (failed.study.empty() ? "Not evaluated: " : "Study \"" + failed.study + "\" not evaluated: ") +
-                (failed.name.empty() ? failed.id : failed.name) + ": " + failed.cause + ".",
-            true});
-    for (const EvaluatedAnalysis& evaluated : source.analyses) add_glance(blocks, evaluated);
+        blocks.push_back(ParagraphBlock{in.say(not_evaluated(failed)), true});
+    for (const EvaluatedAnalysis& evaluated : source.analyses) add_glance(blocks, evaluated, in);
 }
 
 }  // namespace covaria::report_parts

@@ -229,7 +229,8 @@ PlotSpecification study_plot(const StudyResult& study, const StudyView& view,
     return plot;
 }
 
-std::vector<PlotSpecification> study_plots(const StudyResult& study, std::size_t most) {
+std::vector<PlotSpecification> study_plots(const StudyResult& study, const DocumentLanguage& language,
+                                           std::size_t most) {
     std::vector<PlotSpecification> plots;
     std::set<Text> shown_series;
     StudyView view;
@@ -241,19 +242,19 @@ std::vector<PlotSpecification> study_plots(const StudyResult& study, std::size_t
     for (view.quantity = 0; view.quantity < quantities.size() && plots.size() < most; ++view.quantity) {
         // a sweep shows several quantities at once
         if (study.axes.size() == 1 && shown_series.contains(quantities[view.quantity].title)) continue;
-        plots.push_back(study_plot(study, view));
+        plots.push_back(study_plot(study, view, language));
         for (const PlotSeries& series : plots.back().series) shown_series.insert(series.name);
     }
     return plots;
 }
 
-std::string point_words(const StudyResult& study, std::size_t point) {
+std::string point_words(const StudyResult& study, std::size_t point, const NumberLocale& numbers) {
     const std::vector<std::size_t> at = study.indices_of(point);
     std::string words;
     for (std::size_t axis = 0; axis < at.size(); ++axis) {
         const StudyAxisValues& values = study.axes[axis];
-        words +=
-            (axis ? ", " : "") + to_unicode(values.title) + " = " + value_text(values.values[at[axis]], {});
+        if (axis) words += numbers.decimal == "," ? "; " : ", ";
+        words += to_unicode(values.title) + " = " + value_text(values.values[at[axis]], numbers);
         if (!(values.unit == Unit{})) words += " " + values.unit.display();
     }
     return words;

@@ -26,9 +26,10 @@ PlotSpecification study_plot(const StudyResult& study, const StudyView& view,
                              const DocumentLanguage& language = {});
 
 /// Those of a report: every group of outputs of a sweep; the first quantities of a map, in its middle slice.
-std::vector<PlotSpecification> study_plots(const StudyResult& study, std::size_t most = 3);
+std::vector<PlotSpecification> study_plots(const StudyResult& study, const DocumentLanguage& language = {},
+                                           std::size_t most = 3);
 
 /// "x = 1 500 mm, y = 200 mm": where a grid point is.
-std::string point_words(const StudyResult& study, std::size_t point);
+std::string point_words(const StudyResult& study, std::size_t point, const NumberLocale& numbers = {});
 
 }  // namespace covaria

@@ -49,7 +49,7 @@ struct NumberRule {
 struct Column {
     std::string key;  ///< head in files; what views choose by
     std::function<Cell(std::size_t row)> cell;
-    std::string head = {};   ///< in print
+    std::string head = {};   ///< in print; "%1" is the unit of all its numbers
     bool is_symbol = false;  ///< the head
     bool symbols = false;    ///< the cells
     Text title = {};         ///< head in the window

@@ -9,8 +9,8 @@ const std::string too_few_trials =
 
 }  // namespace
 
-std::string why_not_judged() {
-    return "the result " + too_few_trials;
+Message why_not_judged() {
+    return tell<"the result does not represent the measurand: more than 1 % of the trials have no value">();
 }
 
 std::vector<std::size_t> not_representing(const StudyResult& study) {

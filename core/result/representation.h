@@ -20,7 +20,7 @@ inline bool represents_measurand(const UncertaintyResult& result) {
 }
 
 /// Of requirements on such a result: "the result does not represent the measurand: ...".
-std::string why_not_judged();
+Message why_not_judged();
 
 /// Points of a study that have values, of too few trials.
 std::vector<std::size_t> not_representing(const StudyResult& study);

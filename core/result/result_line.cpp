@@ -36,16 +36,17 @@ std::string distribution_key(RequirementResult::Distribution distribution) {
     return "normal";
 }
 
-std::string expanded_words(const UncertaintyResult& result) {
+Message expanded_words(const UncertaintyResult& result) {
     switch (expanded_by(result)) {
         case ExpandedBy::fixed_factor:
-            return "U = k u with the coverage factor that was fixed.";
+            return tell<"U = k u with the coverage factor that was fixed.">();
         case ExpandedBy::interval:
-            return "U is half the width of the probabilistically symmetric coverage interval, and k = U/u.";
+            return tell<
+                "U is half the width of the probabilistically symmetric coverage interval, and k = U/u.">();
         case ExpandedBy::degrees_of_freedom:
             break;
     }
-    return "U = k u with k of the t distribution for the effective degrees of freedom.";
+    return tell<"U = k u with k of the t distribution for the effective degrees of freedom.">();
 }
 
 CoverageInterval coverage_interval_of(const OutputResult& output, const UncertaintyResult& result) {

@@ -17,7 +17,7 @@ ExpandedBy expanded_by(const UncertaintyResult& result);
 /// For scripts: "effective-degrees-of-freedom", "half-interval", "fixed-factor".
 std::string expanded_key(const UncertaintyResult& result);
 /// The same as a sentence: "U is half the width of the ... coverage interval, k = U/u."
-std::string expanded_words(const UncertaintyResult& result);
+Message expanded_words(const UncertaintyResult& result);
 
 /// Fills in U and k of the result line from its u, its interval (Monte Carlo) or nu_eff. k is NaN where it
 /// has no meaning: u infinite (a Student t with at most two degrees of freedom in Monte Carlo).

@@ -52,7 +52,7 @@ std::vector<GroupContribution> contributions_by_group(const UncertaintyBudget& b
                                                       const std::string& grouping) {
     std::vector<GroupContribution> groups;
     for (const BudgetRow& row : budget.rows[output]) {
-        std::string group = "other";
+        std::string group = group_without_tag;
         for (const GroupTag& tag : budget.components[row.component].tags)
             if (tag.grouping == grouping) group = tag.group;
         auto found = std::find_if(groups.begin(), groups.end(),

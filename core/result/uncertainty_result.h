@@ -54,8 +54,8 @@ struct NormalityVerdict {
     double skewness_z = 0.0;  ///< skewness / its standard error under normality
     double kurtosis_z = 0.0;
     double coverage_ratio = 1.0;  ///< (q_high - q_low) / (2 k_normal u): 1 for a normal distribution
-    bool acceptable = true;       ///< for stating U = k u
-    std::string words;            ///< "normal within 1 %", "too heavy-tailed for k u"
+    bool acceptable = true;       ///< for stating U = k u; else the coverage interval is to be stated
+    Message words;                ///< "normal within 1 %", "too heavy-tailed for k u"
 };
 
 /// Propagation of distributions for one output (JCGM 101 7).
@@ -163,7 +163,7 @@ struct OutputRequirement {
 struct RequirementResult : OutputRequirement {
     /// Why there is no verdict; empty if there is one. Without it the target is not met and nothing is
     /// decided.
-    std::string not_judged = {};
+    Message not_judged = {};
     bool meets_target = true;
 
     double guard_band = 0.0;  ///< w
@@ -240,8 +240,9 @@ std::optional<double> least_gain(const UncertaintyResult& result);
 
 /// The groupings of a budget, in order of appearance: "parameter", "joint", "kind".
 std::vector<std::string> groupings_of(const UncertaintyBudget& budget);
+inline constexpr const char* group_without_tag = "other";
 /// Contributions to an output by the groups of a grouping, by falling share; components without a tag are
-/// "other".
+/// `group_without_tag`.
 std::vector<GroupContribution> contributions_by_group(const UncertaintyBudget& budget, std::size_t output,
                                                       const std::string& grouping);
 

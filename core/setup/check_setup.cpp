@@ -58,7 +58,7 @@ Message range_words(const Demand& demand) {
     if (below && above)
         return demand.range.low_open ? tell<"greater than %1 and at most %2">(low, high)
                                      : tell<"between %1 and %2">(low, high);
-    if (below) return (demand.range.low_open ? "greater than " : "at least ") + low;
+    if (below) return demand.range.low_open ? tell<"greater than %1">(low) : tell<"at least %1">(low);
     return tell<"at most %1">(high);
 }
 

@@ -40,7 +40,8 @@ Result<ChangedModel> ChangedProject::make_with(const std::vector<std::size_t>& a
 Result<ChangedModel> ChangedProject::of_state(Project state) const {
     const auto made = MadeProject::make(std::move(state), numbers_.made);
     auto analysis = made->analysis(project_.analyses.front().id);
-    if (!analysis) return fail(ErrorCode::numeric, first_error(made->problems(), "the model cannot be made"));
+    if (!analysis)
+        return fail(ErrorCode::numeric, first_error(made->problems(), tell<"the model cannot be made">()));
     return of_analysis(std::move(analysis));
 }
 

@@ -22,6 +22,11 @@ const std::vector<const char*>& Phrase::all() {
     return known_phrases();
 }
 
+const DocumentLanguage& DocumentLanguage::english() {
+    static const DocumentLanguage language;
+    return language;
+}
+
 std::string DocumentLanguage::say_declared(const std::string& english) const {
     return words_ && !english.empty() ? words_(english) : english;
 }
@@ -36,6 +41,19 @@ std::string DocumentLanguage::say(const Message& message) const {
 
 Text DocumentLanguage::say_text(const Phrase& phrase, std::initializer_list<Text> arguments) const {
     return fill_placeholders<Text>(say_declared(phrase.english()), std::vector(arguments));
+}
+
+Text DocumentLanguage::say_title(const Text& english) const {
+    return english.is_plain() ? Text(say_declared(english.letters())) : english;
+}
+
+PlotSpecification DocumentLanguage::say_plot(PlotSpecification plot) const {
+    const auto say = [this](Text& text) { text = say_title(text); };
+    for (Text* text : {&plot.title, &plot.x.title, &plot.y.title}) say(*text);
+    for (PlotSeries& series : plot.series) say(series.name);
+    for (PlotMark& mark : plot.marks) say(mark.label);
+    for (PlotBand& band : plot.bands) say(band.label);
+    return plot;
 }
 
 }  // namespace covaria

@@ -8,6 +8,7 @@
 
 #include "core/base/message.h"
 #include "core/text/numbers.h"
+#include "core/text/plot_specification.h"
 #include "core/text/text.h"
 
 namespace covaria {
@@ -35,6 +36,8 @@ public:
     DocumentLanguage(std::string code, NumberLocale numbers, Words words)
         : code_(std::move(code)), numbers_(std::move(numbers)), words_(std::move(words)) {}
 
+    static const DocumentLanguage& english();
+
     const std::string& code() const { return code_; }  ///< "en", "pt", "zh_CN"
     const NumberLocale& numbers() const { return numbers_; }
 
@@ -44,6 +47,10 @@ public:
     Text say_text(const Phrase& phrase, std::initializer_list<Text> arguments) const;
     /// What a registry declares: the title of a field, the name of an output. Names that people gave stay.
     std::string say_declared(const std::string& english) const;
+    /// Likewise; a text with symbols in it stays.
+    Text say_title(const Text& english) const;
+    /// A chart of a model or an asset: titles, axes, legends, marks.
+    PlotSpecification say_plot(PlotSpecification english) const;
 
 private:
     std::string code_ = "en";

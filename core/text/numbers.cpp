@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "core/base/superscript.h"
 
@@ -182,8 +183,7 @@ std::string typeset_number(std::string plain, const NumberLocale& locale) {
         const std::size_t end = std::min(plain.find_first_not_of("0123456789", e + 2), plain.size());
         plain.replace(e, end - e, "×" + power_of_ten(std::atoi(plain.c_str() + e + 1)));
     }
-    if (const std::size_t point = plain.find('.'); point != std::string::npos)
-        plain.replace(point, 1, locale.decimal);
+    plain = with_decimal_sign(std::move(plain), locale);
     if (!plain.empty() && plain.front() == '-') plain.replace(0, 1, "−");
     return plain;
 }
@@ -212,12 +212,18 @@ std::string grouped_digits(const std::string& plain, const NumberLocale& locale)
     return (first ? "−" : "") + whole + locale.decimal + parts;
 }
 
-std::string count_text(std::uint64_t count) {
-    return grouped_number(static_cast<double>(count), 0);
+std::string with_decimal_sign(std::string plain, const NumberLocale& locale) {
+    if (const std::size_t point = plain.find('.'); point != std::string::npos)
+        plain.replace(point, 1, locale.decimal);
+    return plain;
 }
 
-std::string percent_text(double probability) {
-    return typeset_number(format_typed(100.0 * probability)) + "\u00a0%";
+std::string count_text(std::uint64_t count, const NumberLocale& locale) {
+    return grouped_number(static_cast<double>(count), 0, locale);
+}
+
+std::string percent_text(double probability, const NumberLocale& locale) {
+    return typeset_number(format_typed(100.0 * probability), locale) + "\u00a0%";
 }
 
 std::string power_of_ten(int exponent) {

@@ -54,8 +54,10 @@ std::string grouped_number(double value, int decimals, const NumberLocale& local
 /// The digits of a plain number in groups of three on both sides of its point, where there are more than
 /// four: "50.000 78".
 std::string grouped_digits(const std::string& plain, const NumberLocale& locale = {});
-std::string count_text(std::uint64_t count);   ///< "1 000 000"
-std::string percent_text(double probability);  ///< "95 %", "95.45 %"
+/// With the locale's decimal sign, else as it is.
+std::string with_decimal_sign(std::string plain, const NumberLocale& locale);
+std::string count_text(std::uint64_t count, const NumberLocale& locale = {});   ///< "1 000 000"
+std::string percent_text(double probability, const NumberLocale& locale = {});  ///< "95 %", "95.45 %"
 /// 10 to that power: "10⁻⁵".
 std::string power_of_ten(int exponent);
 

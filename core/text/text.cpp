@@ -67,6 +67,10 @@ bool Text::has_scripts() const {
     return std::any_of(spans_.begin(), spans_.end(), [](const Span& s) { return s.script != Script::line; });
 }
 
+bool Text::is_plain() const {
+    return spans_.size() == 1 && spans_[0].script == Script::line && !spans_[0].italic;
+}
+
 std::string Text::letters() const {
     std::string all;
     for (const Span& span : spans_) all += span.letters;

@@ -34,6 +34,8 @@ public:
     const std::vector<Span>& spans() const { return spans_; }
     bool empty() const { return spans_.empty(); }
     bool has_scripts() const;
+    /// Words alone: no symbol among them.
+    bool is_plain() const;
     /// All letters in their order, whatever their script: where words and units are looked for.
     std::string letters() const;
     /// The bytes [begin, end) of `letters()`, with their scripts.

@@ -178,7 +178,7 @@ private:
             if (!verdict.not_judged.empty() && (verdict.lower_limit || verdict.upper_limit))
                 said_.push_back("not stated: conformity of " +
                                 xml_line(evaluated.result->outputs[verdict.output].quantity.symbol) +
-                                " of analysis " + entry->id + ": " + verdict.not_judged);
+                                " of analysis " + entry->id + ": " + verdict.not_judged.english());
         return verdicts;
     }
 

@@ -5929,7 +5929,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>sensitivity coefficient</source>
-        <translation>Empfindlichkeitskoeffizient</translation>
+        <translation>Sensitivitätskoeffizient</translation>
     </message>
     <message>
         <source>contribution to u(y)</source>
@@ -6772,7 +6772,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>The results are kept: the tab Compare shows them beside those to come.</source>
-        <translation>Die Ergebnisse sind behalten: Die Registerkarte Vergleich zeigt sie neben den kommenden.</translation>
+        <translation>Die Ergebnisse sind behalten: Der Reiter Vergleich zeigt sie neben den kommenden.</translation>
     </message>
     <message>
         <source>Go back to kept state</source>

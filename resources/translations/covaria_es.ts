@@ -4585,7 +4585,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>No result is stated: what was evaluated does not represent the measurand; %1 trials have no value.</source>
-        <translation>No se indica ningún resultado: lo evaluado no representa el mensurando; %1 ensayos no tienen valor.</translation>
+        <translation>No se indica ningún resultado: lo evaluado no representa el mensurando; %1 pruebas no tienen valor.</translation>
     </message>
     <message>
         <source>Coverage intervals that are not symmetric about the estimate: %1.</source>
@@ -4673,11 +4673,11 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>trials</source>
-        <translation>ensayos</translation>
+        <translation>pruebas</translation>
     </message>
     <message>
         <source>JCGM 106: probability that the measurand lies inside the tolerance, by the distribution of the result: its trials, or by the law of propagation Student&apos;s t for the effective degrees of freedom. The acceptance interval is the tolerance less guard bands w. Decision rules are named as in ILAC-G8:09/2019. TUR: half of the tolerance over U. C_m: T/(2U) for U = 2u, T/(4u).</source>
-        <translation>JCGM 106: probabilidad de que el mensurando esté dentro de la tolerancia, según la distribución del resultado: sus ensayos o, con la ley de propagación, la t de Student con los grados efectivos de libertad. El intervalo de aceptación es la tolerancia menos las bandas de guarda w. Las reglas de decisión se nombran como en ILAC-G8:09/2019. TUR: mitad de la tolerancia dividida por U. C_m: T/(2U) para U = 2u, T/(4u).</translation>
+        <translation>JCGM 106: probabilidad de que el mensurando esté dentro de la tolerancia, según la distribución del resultado: sus pruebas o, con la ley de propagación, la t de Student con los grados efectivos de libertad. El intervalo de aceptación es la tolerancia menos las bandas de guarda w. Las reglas de decisión se nombran como en ILAC-G8:09/2019. TUR: mitad de la tolerancia dividida por U. C_m: T/(2U) para U = 2u, T/(4u).</translation>
     </message>
     <message>
         <source>simple acceptance (w = 0)</source>
@@ -5241,7 +5241,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>outlier test</source>
-        <translation>ensayo de valores atípicos</translation>
+        <translation>prueba de valores atípicos</translation>
     </message>
     <message>
         <source>Poses held back from the fit, calculated less measured</source>
@@ -5341,7 +5341,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>Parts of the Type B standard uncertainty (Eqs 5 to 8)</source>
-        <translation>Partes de la incertidumbre estándar de tipo B (ecs. 5 a 8)</translation>
+        <translation>Partes de la incertidumbre típica de tipo B (ecs. 5 a 8)</translation>
     </message>
     <message>
         <source>Means and standard deviations of the net values (Eqs 1 to 4)</source>
@@ -5949,19 +5949,19 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>standard uncertainty of x, y, z</source>
-        <translation>incertidumbre estándar de x, y, z</translation>
+        <translation>incertidumbre típica de x, y, z</translation>
     </message>
     <message>
         <source>standard uncertainty of x</source>
-        <translation>incertidumbre estándar de x</translation>
+        <translation>incertidumbre típica de x</translation>
     </message>
     <message>
         <source>standard uncertainty of y</source>
-        <translation>incertidumbre estándar de y</translation>
+        <translation>incertidumbre típica de y</translation>
     </message>
     <message>
         <source>standard uncertainty of z</source>
-        <translation>incertidumbre estándar de z</translation>
+        <translation>incertidumbre típica de z</translation>
     </message>
     <message>
         <source>expanded uncertainty of x, y, z, k = 2</source>

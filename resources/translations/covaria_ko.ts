@@ -6045,7 +6045,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>reference to an asset</source>
-        <translation>자산에 대한 참조</translation>
+        <translation>에셋에 대한 참조</translation>
     </message>
     <message>
         <source>real number</source>
@@ -9829,7 +9829,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>asset</source>
-        <translation>자산</translation>
+        <translation>에셋</translation>
     </message>
     <message>
         <source>command, menu %1</source>

@@ -9750,7 +9750,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Ellipsoids of the Kept State</source>
-        <translation>Elipsoides do estado guardado</translation>
+        <translation>Elipsoides do estado mantido</translation>
     </message>
     <message>
         <source>× auto</source>

@@ -6772,7 +6772,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>The results are kept: the tab Compare shows them beside those to come.</source>
-        <translation>结果已保留：“比较”选项卡将其与以后的结果并列显示。</translation>
+        <translation>结果已保留：“比较”标签页将其与以后的结果并列显示。</translation>
     </message>
     <message>
         <source>Go back to kept state</source>
@@ -9829,7 +9829,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>asset</source>
-        <translation>资产</translation>
+        <translation>资源</translation>
     </message>
     <message>
         <source>command, menu %1</source>
@@ -9849,7 +9849,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>tab</source>
-        <translation>选项卡</translation>
+        <translation>标签页</translation>
     </message>
     <message>
         <source>help</source>

@@ -40,7 +40,7 @@ struct Reader {
         if (!std::isfinite(z)) return {};
         const double largest = std::max(std::abs(plot.z_low), std::abs(plot.z_high));
         const int decimals = std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 3));
-        return ReadOut{plot.y.categories[row] + " and " + plot.x.categories[column] + ": " +
+        return ReadOut{plot.y.categories[row] + "; " + plot.x.categories[column] + ": " +
                            grouped_number(z, decimals, number_locale(QLocale())),
                        {}};
     }

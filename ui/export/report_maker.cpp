@@ -36,7 +36,8 @@ void do_on_window(QObject* window, const std::stop_token& stop, const std::funct
 }  // namespace
 
 FigurePainters report_painters(ScenePictures& scenes) {
-    return {[theme = Theme::light()](QPainter& painter, const QRectF& area, const PlotSpecification& plot) {
+    return {[theme = Theme::light().with_numbers(scenes.language().numbers())](
+                QPainter& painter, const QRectF& area, const PlotSpecification& plot) {
                 paint_plot(painter, area, plot, theme);
             },
             [&scenes](const SceneBlock& block, QSize size) { return scenes.render(block, size); }};

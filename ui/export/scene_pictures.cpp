@@ -1,8 +1,10 @@
 #include "ui/export/scene_pictures.h"
 
+#include "ui/theme/document_language.h"
 #include "viz/scene/analysis_scene.h"
 #include "viz/scene/context_meshes.h"
 #include "viz/scene/design_scene.h"
+#include "viz/vtk/scene_fonts.h"
 #include "viz/vtk/scene_renderer.h"
 
 namespace covaria::ui {
@@ -31,7 +33,8 @@ struct ScenePictures::Renderer {
 ScenePictures::ScenePictures(const ReportSource& source)
     : analyses_(source.analyses),
       context_(context_meshes(source.made)),
-      renderer_(std::make_unique<Renderer>()) {}
+      renderer_(std::make_unique<Renderer>()),
+      language_(document_language(source.made.project())) {}
 
 ScenePictures::~ScenePictures() = default;
 
@@ -41,6 +44,7 @@ QImage ScenePictures::render(const SceneBlock& block, QSize size) {
         SceneOptions options;
         options.group = block.group;
         options.context = context_;
+        options.language = scene_language(language_);
         options.probability = evaluated.result->coverage_probability;
         auto scene = scene_of(evaluated, block.design, options);
         if (!scene) {

@@ -10,7 +10,8 @@
 
 namespace covaria::ui {
 
-/// Draws scenes of evaluated analyses off screen, with one renderer for all of them. Usable on any thread.
+/// Draws scenes of evaluated analyses off screen, in the language of the project, with one renderer for all
+/// of them. Usable on any thread.
 class ScenePictures {
 public:
     /// `source` outlives it.
@@ -21,12 +22,14 @@ public:
     /// why.
     QImage render(const SceneBlock& block, QSize size);
     const Message& problem() const { return problem_; }
+    const DocumentLanguage& language() const { return language_; }
 
 private:
     struct Renderer;
     const std::vector<EvaluatedAnalysis>& analyses_;
     std::vector<LayoutMesh> context_;
     std::unique_ptr<Renderer> renderer_;
+    DocumentLanguage language_;
     Message problem_;
 };
 

@@ -118,7 +118,7 @@ void CsvImportDialog::read() {
     const std::optional<char> separator =
         chosen.isEmpty() ? std::nullopt : std::optional<char>(chosen.at(0).toLatin1());
     const std::string_view text(text_.data(), static_cast<std::size_t>(text_.size()));
-    if (const std::string refused = too_many_rows(field_, text); !refused.empty()) {
+    if (const Message refused = too_many_rows(field_, text); !refused.empty()) {
         failure = tr("The file cannot be imported: %1.").arg(to_qt(refused));
     } else if (const auto csv = read_csv(text, separator); !csv) {
         failure = csv.error().line > 0

@@ -12,13 +12,13 @@
 #include <utility>
 
 #include "core/model/has_layout.h"
-#include "core/text/numbers.h"
-#include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "viz/scene/analysis_scene.h"
 #include "viz/scene/context_meshes.h"
+#include "viz/vtk/scene_fonts.h"
 
 namespace covaria::ui {
 namespace {
@@ -234,7 +234,7 @@ SceneOptions ScenePanel::options() const {
     if (const QVariant factor = magnification_->currentData(); factor.isValid())
         options.magnification = factor.toDouble();
     options.probability = probability_->currentData().toDouble();
-    options.numbers = user_numbers();
+    options.language = scene_language(language_of_window());
     options.context = context_;
     return options;
 }

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -20,18 +21,12 @@ QString to_qt(const Message& message) {
 }
 
 Text core_title(const Text& english) {
-    const bool plain = english.spans().size() == 1 && !english.has_scripts() && !english.spans()[0].italic;
-    return plain ? Text(core_words(english.spans()[0].letters)) : english;
+    return english.is_plain() ? Text(core_words(english.letters())) : english;
 }
 
 std::vector<PlotSpecification> core_plots(std::vector<PlotSpecification> plots) {
-    const auto translate = [](Text& text) { text = core_title(text); };
-    for (PlotSpecification& plot : plots) {
-        for (Text* text : {&plot.title, &plot.x.title, &plot.y.title}) translate(*text);
-        for (PlotSeries& series : plot.series) translate(series.name);
-        for (PlotMark& mark : plot.marks) translate(mark.label);
-        for (PlotBand& band : plot.bands) translate(band.label);
-    }
+    const DocumentLanguage in = language_of_window();
+    for (PlotSpecification& plot : plots) plot = in.say_plot(std::move(plot));
     return plots;
 }
 

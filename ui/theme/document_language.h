@@ -6,8 +6,8 @@
 
 namespace covaria::ui {
 
-/// That of a project's certificate, with its numbers; English where its catalogue is not in the program. For
-/// any thread.
+/// That of a project's certificate and report, with its numbers; English where its catalogue is not in the
+/// program. For any thread.
 DocumentLanguage document_language(const Project& project);
 /// That of the window.
 DocumentLanguage language_of_window();

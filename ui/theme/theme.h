@@ -30,8 +30,8 @@ public:
     static Theme dark();
 
     bool is_dark() const { return dark_; }
-    /// How numbers in charts are written: with the point in reports, which are the same everywhere; as the
-    /// user writes them in the window.
+    /// How numbers in charts are written: as the language of the document does; as the user writes them in
+    /// the window.
     const NumberLocale& numbers() const { return numbers_; }
     Theme with_numbers(const NumberLocale& numbers) const;
     const Neutrals& neutrals() const { return neutrals_; }

@@ -13,6 +13,7 @@ namespace covaria::detail {
 namespace {
 
 constexpr double air = 0.03;  // around everything, of the scene's size
+const Phrase distributions_of{"distributions of %1"};
 
 LengthUnit unit_for(double size) {
     if (size > 50.0) return {"m", 1.0};
@@ -103,38 +104,37 @@ std::vector<AxisTick> colour_ticks(const SceneMap& map, const NumberLocale& numb
 
 void add_legend(SceneBuild& build) {
     Scene& scene = build.scene;
-    const std::string p = typeset_number(percent_text(scene.probability), scene.numbers);
-    for (const auto& [role, name] : {std::pair{Role::output, "outputs"}, std::pair{Role::input, "inputs"}}) {
+    const DocumentLanguage& in = build.options.language;
+    const std::string p = percent_text(scene.probability, in.numbers());
+    const auto add = [&](LegendMark mark, Role role, const Message& words) {
+        scene.legend.push_back({mark, role, in.say(words)});
+    };
+    for (const auto& [role, name] :
+         {std::pair{Role::output, tell<"outputs">()}, {Role::input, tell<"inputs">()}}) {
         const auto is_role = [role = role](const auto& item) { return item.role == role; };
         if (std::any_of(scene.ellipsoids.begin(), scene.ellipsoids.end(), is_role))
-            scene.legend.push_back(
-                {LegendMark::ellipsoid, role, std::string(name) + ": coverage ellipsoids, p = " + p});
+            add(LegendMark::ellipsoid, role, tell<"%1: coverage ellipsoids, p = %2">(name, p));
         const auto cloud = std::find_if(scene.clouds.begin(), scene.clouds.end(), is_role);
         if (cloud != scene.clouds.end())
-            scene.legend.push_back({LegendMark::cloud, role,
-                                    std::string(name) + ": " +
-                                        grouped_number(static_cast<double>(cloud->size()), 0, scene.numbers) +
-                                        " trials per point"});
+            add(LegendMark::cloud, role,
+                tell<"%1: %2 trials per point">(name, count_text(cloud->size(), in.numbers())));
     }
     if (!scene.ellipsoids_before.empty())
-        scene.legend.push_back(
-            {LegendMark::ellipsoid, Role::before, "before: coverage ellipsoids, p = " + p});
+        add(LegendMark::ellipsoid, Role::before, tell<"before: coverage ellipsoids, p = %1">(p));
     if (!scene.wall_histograms.empty()) {
         const SceneItem* item = find_item(scene, scene.wall_histograms.front().cloud);
         scene.legend.push_back({LegendMark::histogram, scene.wall_histograms.front().role,
-                                "distributions of " + (item ? running_text(item->name) : Text())});
+                                in.say_text(distributions_of, {item ? running_text(item->name) : Text()})});
     }
-    for (const SceneLink& link : scene.links)
-        if (link.kind == LinkKind::sight_line) {
-            scene.legend.push_back({LegendMark::line, Role::sight_line, "line of sight"});
-            break;
-        }
-    for (const auto& [kind, role, name] : {std::tuple{VectorKind::force, Role::vector, "forces"},
-                                           std::tuple{VectorKind::moment, Role::moment, "moments"}})
-        if (std::any_of(scene.vectors.begin(), scene.vectors.end(),
-                        [kind = kind](const SceneVector& vector) { return vector.kind == kind; }))
-            scene.legend.push_back(
-                {LegendMark::arrow, role, std::string(name) + ", to a scale of their own"});
+    if (std::ranges::any_of(scene.links,
+                            [](const SceneLink& link) { return link.kind == LinkKind::sight_line; }))
+        add(LegendMark::line, Role::sight_line, tell<"line of sight">());
+    for (const auto& [kind, role, words] :
+         {std::tuple{VectorKind::force, Role::vector, tell<"forces, to a scale of their own">()},
+          {VectorKind::moment, Role::moment, tell<"moments, to a scale of their own">()}})
+        if (std::ranges::any_of(scene.vectors,
+                                [kind = kind](const SceneVector& vector) { return vector.kind == kind; }))
+            add(LegendMark::arrow, role, words);
 }
 
 }  // namespace covaria::detail

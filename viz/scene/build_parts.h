@@ -41,6 +41,8 @@ void add_wall_histograms(SceneBuild& build);
 void add_labels(SceneBuild& build);
 /// Axes around everything, in place of those there were; unit of length, scale bar.
 void add_axes(Scene& scene);
+/// "uncertainty × 2000, ellipsoids p = 95 %".
+std::string magnified_ellipsoids_words(const Scene& scene, double probability, const DocumentLanguage& in);
 /// Of a colour bar, at round numbers.
 std::vector<AxisTick> colour_ticks(const SceneMap& map, const NumberLocale& numbers);
 void add_legend(SceneBuild& build);

@@ -35,7 +35,7 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     Scene scene;
     scene.title = source.title;
     scene.probability = options.probability;
-    scene.numbers = options.numbers;
+    scene.numbers = options.language.numbers();
     scene.group = options.group.empty() ? first_group(source) : options.group;
     if (!source.layout) return scene;
     const PointUncertainties uncertainties(source.result);

@@ -9,6 +9,7 @@
 #include "core/model/layout.h"
 #include "core/result/comparison.h"
 #include "core/result/uncertainty_result.h"
+#include "core/text/document_language.h"
 #include "viz/scene/scene.h"
 
 namespace covaria {
@@ -21,7 +22,7 @@ struct SceneOptions {
     bool ellipsoids = true, clouds = true, wall_histograms = true, labels = true, links = true, bodies = true;
     std::size_t cloud_limit = 20'000;      ///< points of each cloud; more trials are thinned evenly
     std::string histograms_of = {};        ///< name of the point; empty = the first with output quantities
-    NumberLocale numbers = {};             ///< how texts write theirs
+    DocumentLanguage language = {};        ///< of its texts; names stay
     std::vector<LayoutMesh> context = {};  ///< drawn around a layout that is not empty (context_meshes)
 };
 

@@ -111,16 +111,23 @@ void add_cloud(SceneBuild& build, const UncertainPoint& p) {
     if (cloud.size() > 0) build.scene.clouds.push_back(std::move(cloud));
 }
 
-std::string caption_of(const Scene& scene) {
+std::string magnification_text(const Scene& scene) {
+    return typeset_number(round_number_text(scene.magnification), scene.numbers);
+}
+
+std::string caption_of(const Scene& scene, const DocumentLanguage& in) {
     if (scene.ellipsoids.empty() && scene.ellipsoids_before.empty() && scene.clouds.empty()) return {};
-    std::string caption =
-        "uncertainty × " + typeset_number(round_number_text(scene.magnification), scene.numbers);
-    if (!scene.ellipsoids.empty() || !scene.ellipsoids_before.empty())
-        caption += ", ellipsoids p = " + typeset_number(percent_text(scene.probability), scene.numbers);
-    return caption;
+    const bool ellipsoids = !scene.ellipsoids.empty() || !scene.ellipsoids_before.empty();
+    return ellipsoids ? magnified_ellipsoids_words(scene, scene.probability, in)
+                      : in.say(tell<"uncertainty × %1">(magnification_text(scene)));
 }
 
 }  // namespace
+
+std::string magnified_ellipsoids_words(const Scene& scene, double probability, const DocumentLanguage& in) {
+    return in.say(tell<"uncertainty × %1, ellipsoids p = %2">(magnification_text(scene),
+                                                              percent_text(probability, scene.numbers)));
+}
 
 void add_uncertainties(SceneBuild& build) {
     const auto points = uncertain_points(build);
@@ -139,7 +146,7 @@ void add_uncertainties(SceneBuild& build) {
         draw(p, Role::before, p.before, scene.ellipsoids_before);
         if (build.options.clouds) add_cloud(build, p);
     }
-    scene.caption = caption_of(scene);
+    scene.caption = caption_of(scene, build.options.language);
 }
 
 }  // namespace covaria::detail

@@ -48,9 +48,9 @@ void scale_colours(SceneMap& map) {
 }
 
 /// The rows of the table, larger where they were chosen.
-SceneMap map_of_rows(const DesignResult& design, double extent) {
+SceneMap map_of_rows(const DesignResult& design, double extent, const DocumentLanguage& in) {
     SceneMap map;
-    map.title = "gain (%)";
+    map.title = in.say(tell<"gain (%)">());
     map.radius = point_radius * extent;
     for (const DesignGain& gain : design.gains) {
         if (!gain.place) continue;
@@ -64,9 +64,9 @@ SceneMap map_of_rows(const DesignResult& design, double extent) {
 }
 
 /// The places of the best so far, coloured by the objective, with the way between them.
-SceneMap map_of_paths(const DesignResult& design, double extent) {
+SceneMap map_of_paths(const DesignResult& design, double extent, const DocumentLanguage& in) {
     SceneMap map;
-    map.title = design.objective_words;
+    map.title = in.say_declared(design.objective_words);
     map.radius = 0.6 * point_radius * extent;
     map.way_radius = path_radius * extent;
     for (const DesignTrack& track : design.places.tracks) {
@@ -107,20 +107,25 @@ void add_edges(Scene& scene, const std::string& id, const std::vector<Eigen::Vec
                     edge(id + ":" + std::to_string(scene.links.size()), corners[a], corners[b], dash));
 }
 
-void add_tracks(Scene& scene, const DesignResult& design, double extent) {
+void add_tracks(Scene& scene, const DesignResult& design, double extent, const DocumentLanguage& in) {
     for (const DesignTrack& track : design.places.tracks) {
         add_edges(scene, "region:" + track.name, track.region, frame_dash * extent);
-        const std::string of = design.places.tracks.size() > 1 ? track.name + " " : "";
+        const auto add = [&](const Message& words, const Eigen::Vector3d& place, double above, int priority) {
+            const std::string said = in.say(words);
+            const std::string label = design.places.tracks.size() > 1 ? track.name + ": " + said : said;
+            scene.labels.push_back({label, place, above, Role::text, priority});
+            return label;
+        };
         if (track.before) {
             ScenePoint before;
-            before.item = {.id = "before:" + track.name, .name = of + "before", .position = *track.before};
             before.radius = 0.7 * point_radius * extent;
-            scene.labels.push_back({before.item.name, *track.before, before.radius, Role::text, 450});
+            before.item = {.id = "before:" + track.name,
+                           .name = add(tell<"before">(), *track.before, before.radius, 450),
+                           .position = *track.before};
             scene.points.push_back(std::move(before));
         }
-        const std::string best =
-            "best: " + typeset_number(format_significant(design.objective, 4), scene.numbers);
-        scene.labels.push_back({of + best, track.chosen, 2.0 * point_radius * extent, Role::text, 500});
+        add(tell<"best: %1">(typeset_number(format_significant(design.objective, 4), scene.numbers)),
+            track.chosen, 2.0 * point_radius * extent, 500);
     }
 }
 
@@ -155,6 +160,7 @@ void name_rows(Scene& scene, const DesignResult& design) {
 }  // namespace
 
 Scene design_scene(const DesignResult& design, const SceneOptions& options) {
+    const DocumentLanguage& in = options.language;
     SceneOptions plain = options;
     plain.ellipsoids = plain.clouds = plain.wall_histograms = false;
     SceneSource source{&design.places.layout, nullptr, nullptr, nullptr, design.name};
@@ -163,27 +169,26 @@ Scene design_scene(const DesignResult& design, const SceneOptions& options) {
         std::ranges::any_of(design.gains, [](const DesignGain& gain) { return gain.place.has_value(); });
     if (!stands_in_space(design) || !(extent > 0.0)) {
         Scene scene = build_scene(source, plain);
-        scene.caption = design.found ? "nothing that this design chooses stands in space"
-                                     : "nothing that was tried has a result";
+        scene.caption = in.say(design.found ? tell<"nothing that this design chooses stands in space">()
+                                            : tell<"nothing that was tried has a result">());
         return scene;
     }
-    const SceneMap map = of_rows ? map_of_rows(design, extent) : map_of_paths(design, extent);
+    const SceneMap map = of_rows ? map_of_rows(design, extent, in) : map_of_paths(design, extent, in);
     source.map = &map;
     Scene scene = build_scene(source, plain);
-    add_tracks(scene, design, extent);
+    add_tracks(scene, design, extent, in);
     add_obstacles(scene, design);
     if (of_rows) {
         name_rows(scene, design);
         scene.legend.push_back({LegendMark::none, Role::quiet_text,
-                                "candidates; the larger " + std::to_string(design.rows.size()) + " of " +
-                                    std::to_string(design.candidates) + " are chosen"});
-        scene.caption =
-            "gain: by how much the uncertainty is smaller with this candidate than without it, "
-            "the others as chosen";
+                                in.say(tell<"candidates; the larger %1 of %2 are chosen">(
+                                    design.rows.size(), design.candidates))});
+        scene.caption = in.say(tell<"gain: by how much the uncertainty is smaller with this candidate than "
+                                    "without it, the others as chosen">());
     } else {
         scene.legend.push_back(
-            {LegendMark::none, Role::quiet_text, "best so far, in the order of the search"});
-        scene.caption = "dashed: where it may stand";
+            {LegendMark::none, Role::quiet_text, in.say(tell<"best so far, in the order of the search">())});
+        scene.caption = in.say(tell<"dashed: where it may stand">());
     }
     detail::add_axes(scene);
     return scene;

@@ -82,23 +82,25 @@ SceneMap map_of(const StudyResult& study, const StudyQuantity& quantity, std::si
     return map;
 }
 
-void add_extremes(const StudyResult& study, const StudyQuantity& quantity, Scene& scene) {
+void add_extremes(const StudyResult& study, const StudyQuantity& quantity, const DocumentLanguage& in,
+                  Scene& scene) {
     const StudyExtremes extremes = extremes_of(study, quantity);
     if (!extremes.known) return;
-    const auto add = [&](const char* words, std::size_t point) {
+    const auto add = [&](const Message& words, std::size_t point) {
         const double value = scene.map->values[point];
         const int decimals =
             std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(value, 1e-300)))), 0, 9);
-        scene.labels.push_back({std::string(words) + ": " + grouped_number(value, decimals, scene.numbers) +
-                                    " " + quantity.unit.display(),
-                                scene.map->positions[point], 1.4 * scene.map->radius, Role::text, 500});
+        const std::string said = in.say(words);
+        scene.labels.push_back(
+            {said + ": " + grouped_number(value, decimals, scene.numbers) + " " + quantity.unit.display(),
+             scene.map->positions[point], 1.4 * scene.map->radius, Role::text, 500});
         scene.points.push_back(
-            {{.id = std::string("map:") + words, .name = words, .position = scene.map->positions[point]},
+            {{.id = "map:" + words.english(), .name = said, .position = scene.map->positions[point]},
              PointKind::other,
              1.25 * scene.map->radius});
     };
-    add("best", extremes.best);
-    if (extremes.worst != extremes.best) add("worst", extremes.worst);
+    add(tell<"best">(), extremes.best);
+    if (extremes.worst != extremes.best) add(tell<"worst">(), extremes.worst);
 }
 
 double automatic_magnification(const std::vector<CoverageEllipsoid>& ellipsoids, double room) {
@@ -133,20 +135,22 @@ void add_ellipsoids(const StudyResult& study, std::size_t triple, const SceneOpt
         scene.ellipsoids.push_back({item, Role::output, scene.magnification * ellipsoids[k].axes,
                                     ellipsoids[k].rank, ellipsoids[k].coverage_factor});
     }
-    const std::string p = typeset_number(percent_text(options.probability), scene.numbers);
-    scene.legend.push_back({LegendMark::ellipsoid, Role::output, "coverage ellipsoids, p = " + p});
-    scene.caption = "uncertainty × " + typeset_number(round_number_text(scene.magnification), scene.numbers) +
-                    ", ellipsoids p = " + p;
+    const DocumentLanguage& in = options.language;
+    scene.legend.push_back(
+        {LegendMark::ellipsoid, Role::output,
+         in.say(tell<"coverage ellipsoids, p = %1">(percent_text(options.probability, in.numbers())))});
+    scene.caption = detail::magnified_ellipsoids_words(scene, options.probability, in);
 }
 
-std::string surface_words(const Scene& scene, const Unit& unit) {
+std::string surface_words(const Scene& scene, const Unit& unit, const DocumentLanguage& in) {
     const SceneMap& map = *scene.map;
-    std::string words = "iso-surfaces at";
+    const char* between = scene.numbers.decimal == "," ? "; " : ", ";
+    std::string levels;
     const int decimals =
         std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(map.high, 1e-300)))), 0, 9);
     for (std::size_t i = 0; i < map.levels.size(); ++i)
-        words += (i ? ", " : " ") + grouped_number(map.levels[i], decimals, scene.numbers);
-    return words + " " + unit.display();
+        levels += (i ? between : "") + grouped_number(map.levels[i], decimals, scene.numbers);
+    return in.say(tell<"iso-surfaces at %1">(levels + " " + unit.display()));
 }
 
 }  // namespace
@@ -159,24 +163,26 @@ Scene study_scene(const PreparedAnalysis& analysis, const StudyResult& study, co
     const Layout layout = analysis.model->layout(x);
     SceneSource source{&layout, nullptr, nullptr, nullptr, study.name};
     const auto quantities = study_quantities(study);
-    const auto plain = [&](const std::string& caption) {
+    const auto plain = [&](const Message& caption) {
         Scene scene = build_scene(source, options);
-        scene.caption = caption;
+        scene.caption = options.language.say(caption);
         return scene;
     };
-    if (quantities.empty()) return plain("the study has not been run");
+    if (quantities.empty()) return plain(tell<"the study has not been run">());
     const StudyQuantity& quantity = quantities[std::min(wanted.quantity, quantities.size() - 1)];
     const std::size_t triple = triple_of(study, quantity);
-    if (triple == no_triple) return plain("none of the study's output quantities has a place in space");
+    if (triple == no_triple)
+        return plain(tell<"none of the study's output quantities has a place in space">());
     const SceneMap map = map_of(study, quantity, triple, wanted);
     if (!(map.radius > 0) || !std::isfinite(map.radius))
-        return plain("the point " + study.triples[triple].name + " does not move in this study");
+        return plain(tell<"the point %1 does not move in this study">(study.triples[triple].name));
     source.map = &map;
     Scene scene = build_scene(source, options);
     if (wanted.ellipsoids) add_ellipsoids(study, triple, options, scene);
-    add_extremes(study, quantity, scene);
+    add_extremes(study, quantity, options.language, scene);
     if (!map.levels.empty())
-        scene.legend.push_back({LegendMark::none, Role::quiet_text, surface_words(scene, quantity.unit)});
+        scene.legend.push_back(
+            {LegendMark::none, Role::quiet_text, surface_words(scene, quantity.unit, options.language)});
     return scene;
 }
 

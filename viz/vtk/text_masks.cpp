@@ -4,6 +4,8 @@
 #define VTK_DEPRECATION_LEVEL 0
 #include "viz/vtk/text_masks.h"
 
+#include "viz/vtk/scene_fonts.h"
+
 #include <vtkFreeTypeTools.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -12,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <mutex>
 
 namespace covaria::detail {
@@ -20,24 +21,8 @@ namespace {
 
 constexpr std::size_t most_masks = 2000;  // beyond that the store starts anew: bounded memory
 
-std::string font_file(bool bold) {
-    const std::string weight = bold ? "-Bold.ttf" : "-Regular.ttf";
-    const std::string candidates[] = {
-        "/usr/share/fonts/truetype/liberation2/LiberationSans" + weight,
-        "/usr/share/fonts/truetype/liberation/LiberationSans" + weight,
-        "/usr/share/fonts/liberation-sans/LiberationSans" + weight,
-        std::string("/usr/share/fonts/truetype/dejavu/DejaVuSans") + (bold ? "-Bold.ttf" : ".ttf"),
-        std::string("/usr/share/fonts/TTF/DejaVuSans") + (bold ? "-Bold.ttf" : ".ttf"),
-    };
-    std::error_code ignored;
-    for (const std::string& file : candidates)
-        if (std::filesystem::is_regular_file(file, ignored)) return file;
-    return {};
-}
-
-void set_font(vtkTextProperty* property, bool bold) {
-    static const std::string regular_file = font_file(false), bold_file = font_file(true);
-    const std::string& file = bold ? bold_file : regular_file;
+void set_font(vtkTextProperty* property, const std::string& text, bool bold) {
+    const std::string& file = font_file_for(text, bold);
     if (file.empty()) {
         property->SetFontFamilyToArial();
         property->SetBold(bold);
@@ -51,7 +36,7 @@ Mask plain_letters(const std::string& text, int pixels, bool bold) {
     static std::mutex freetype;  // VTK keeps one FreeType for the process
     const std::lock_guard lock(freetype);
     vtkNew<vtkTextProperty> property;
-    set_font(property, bold);
+    set_font(property, text, bold);
     property->SetFontSize(pixels);
     property->SetColor(1, 1, 1);
     vtkNew<vtkImageData> data;

@@ -278,16 +278,15 @@ void check_triangle(const BallbarSource& ballbars, Problems& problems) {
     const auto& L = ballbars.support_lengths();
     const double a = L[0].length, b = L[1].length, c = L[2].length;
     const double longest = std::max({a, b, c}), others = a + b + c - longest;
-    const std::string lengths = in_mm(a) + ", " + in_mm(b) + " and " + in_mm(c);
     if (longest > others * (1.0 + 1e-9))
         return problems.error(ballbar_fields().place(&StatedBallbars::length_12),
-                              tell<"the lengths between the supports make no triangle: the longest of %1 "
-                                   "exceeds the sum of the others">(lengths));
+                              tell<"the lengths between the supports make no triangle: the longest of %1, %2 "
+                                   "and %3 exceeds the sum of the others">(in_mm(a), in_mm(b), in_mm(c)));
     const double height = std::abs(support_positions(ballbars)[2].y());
     if (!(height > 1e-3 * longest))
         problems.error(ballbar_fields().place(&StatedBallbars::length_12),
-                       tell<"the three supports lie on a line (%1): they leave the place of the ball "
-                            "undetermined; move one of them aside">(lengths));
+                       tell<"the three supports lie on a line (%1, %2 and %3): they leave the place of the "
+                            "ball undetermined; move one of them aside">(in_mm(a), in_mm(b), in_mm(c)));
 }
 
 void check_further(const BallbarSource& ballbars, Problems& problems) {

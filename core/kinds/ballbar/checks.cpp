@@ -20,8 +20,8 @@ std::string text_of(const char* format, double value) {
     return text;
 }
 
-std::string about(const Sequence& sequence) {
-    return std::string("the rotation about ") + axis_letters[sequence.axis];
+Message about(const Sequence& sequence) {
+    return tell<"the rotation about %1">(axis_letters[sequence.axis]);
 }
 
 void check_sequence(const TcpSetup& setup, const Sequence& sequence, Problems& problems) {

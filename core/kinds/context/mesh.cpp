@@ -84,11 +84,11 @@ std::unique_ptr<Asset> create_mesh(const SetupReader& setup, const AssetLibrary&
         mesh.triangles = *std::move(read);
     } else {
         const Error& error = read.error();
-        const std::string line = error.line > 0 ? "line " + std::to_string(error.line) + ", " : "";
+        const Message why = error.line > 0 ? tell<"line %1, %2">(error.line, error.message) : error.message;
         problems.warning(mesh_fields().place(&StatedMesh::file),
-                         tell<"The mesh is not drawn: %1%2%3">(
-                             (error.code == ErrorCode::bad_input ? in_quotes(stated.file) + ": " : ""), line,
-                             error.message));
+                         error.code == ErrorCode::bad_input
+                             ? tell<"The mesh is not drawn: %1: %2">(in_quotes(stated.file), why)
+                             : tell<"The mesh is not drawn: %1">(why));
     }
     return std::make_unique<ContextMesh>(std::move(mesh));
 }

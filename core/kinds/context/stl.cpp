@@ -29,12 +29,17 @@ bool is_drawable(float coordinate) {
     return std::isfinite(coordinate) && std::abs(coordinate) <= largest_coordinate;
 }
 
-std::string in_triangle(const TriangleMesh& mesh) {
-    return "triangle " + std::to_string(mesh.triangles() + 1);
+/// That which is being read: counts from 1.
+std::size_t number_of_next(const TriangleMesh& mesh) {
+    return mesh.triangles() + 1;
 }
 
-std::string too_many() {
-    return "it has more than " + std::to_string(most_triangles) + " triangles: thin it out";
+Message too_many() {
+    return tell<"it has more than %1 triangles: thin it out">(most_triangles);
+}
+
+Message not_finite(const TriangleMesh& mesh) {
+    return tell<"triangle %1 has a coordinate that is not a finite number">(number_of_next(mesh));
 }
 
 std::uint32_t little_endian(const char* bytes) {
@@ -52,8 +57,7 @@ Result<TriangleMesh> from_binary(std::string_view bytes, std::size_t count) {
         const char* at = bytes.data() + header_bytes + i * triangle_bytes + 12;  // behind the normal
         std::array<float, 9> corners{};
         for (std::size_t k = 0; k < 9; ++k) corners[k] = std::bit_cast<float>(little_endian(at + 4 * k));
-        if (!std::ranges::all_of(corners, is_drawable))
-            return no_stl(in_triangle(mesh) + " has a coordinate that is not a finite number");
+        if (!std::ranges::all_of(corners, is_drawable)) return no_stl(not_finite(mesh));
         mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
     }
     return mesh;
@@ -150,24 +154,24 @@ private:
             // Out of range because of a negative exponent: zero.
             const bool vanishes = failure == std::errc::result_out_of_range && word.find('-', 1) != word.npos;
             if (!vanishes && (failure != std::errc() || end != word.data() + word.size()))
-                return no_stl(
-                    in_triangle(mesh_) + ": " + in_quotes(std::string(word.substr(0, 40))) + " is no number",
-                    words_.line());
-            number = std::abs(read) <= largest_coordinate ? static_cast<float>(read) : HUGE_VALF;
-            if (!is_drawable(number))
-                return no_stl(in_triangle(mesh_) + " has a coordinate that is not a finite number",
+                return no_stl(tell<"triangle %1: %2 is no number">(
+                                  number_of_next(mesh_), in_quotes(std::string(word.substr(0, 40)))),
                               words_.line());
+            number = std::abs(read) <= largest_coordinate ? static_cast<float>(read) : HUGE_VALF;
+            if (!is_drawable(number)) return no_stl(not_finite(mesh_), words_.line());
         }
         return {};
     }
 
     tl::unexpected<Error> cut_off() {
-        return no_stl("it ends in " + in_triangle(mesh_) + ": it has been cut off", words_.line());
+        return no_stl(tell<"it ends in triangle %1: it has been cut off">(number_of_next(mesh_)),
+                      words_.line());
     }
     tl::unexpected<Error> unexpected(const std::string& wanted, std::string_view given) {
-        return no_stl(in_triangle(mesh_) + ": " + in_quotes(std::string(given.substr(0, 40))) +
-                          " stands where " + in_quotes(wanted) + " should",
-                      words_.line());
+        return no_stl(
+            tell<"triangle %1: %2 stands where %3 should">(
+                number_of_next(mesh_), in_quotes(std::string(given.substr(0, 40))), in_quotes(wanted)),
+            words_.line());
     }
 
     StlWords words_;
@@ -183,13 +187,13 @@ Result<TriangleMesh> triangles_in(std::string_view bytes) {
     }
     if (is_word(bytes.substr(0, 5), "solid") && bytes.find('\0') == bytes.npos) return AsciiStl(bytes).read();
     if (bytes.size() < header_bytes)
-        return no_stl("it is no STL file: it neither begins with \"solid\" nor has a header of 84 bytes");
+        return no_stl(
+            tell<"it is no STL file: it neither begins with \"solid\" nor has a header of 84 bytes">());
     const std::size_t whole = (bytes.size() - header_bytes) / triangle_bytes;
     if (count < whole)
-        return no_stl("it is no STL file: its header states " + std::to_string(count) +
-                      " triangles, and there is more behind them");
-    return no_stl("its header states " + std::to_string(count) + " triangles; it ends in triangle " +
-                  std::to_string(whole + 1));
+        return no_stl(
+            tell<"it is no STL file: its header states %1 triangles, and there is more behind them">(count));
+    return no_stl(tell<"its header states %1 triangles; it ends in triangle %2">(count, whole + 1));
 }
 
 }  // namespace
@@ -197,7 +201,7 @@ Result<TriangleMesh> triangles_in(std::string_view bytes) {
 Result<TriangleMesh> mesh_from_stl(std::string_view bytes) {
     auto mesh = triangles_in(bytes);
     if (!mesh) return mesh;
-    if (mesh->corners.empty()) return no_stl("it has no triangles");
+    if (mesh->corners.empty()) return no_stl(tell<"it has no triangles">());
     for (std::size_t i = 0; i < mesh->corners.size(); i += 3)
         mesh->box.extend(Eigen::Map<const Eigen::Vector3f>(&mesh->corners[i]));
     return mesh;

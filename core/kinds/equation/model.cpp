@@ -155,14 +155,12 @@ equation::TextProblem no_value(const Program& program, std::size_t instruction) 
         for (std::size_t i = system.first; i < system.last; ++i)
             if (program.instructions[i].y == system.residuals.front()) place = program.places[i];
         return {place,
-                "Newton's method finds no solution of this equation from the starting value, at the "
-                "estimates of the "
-                "quantities"};
+                tell<"Newton's method finds no solution of this equation from the starting value, at the "
+                     "estimates of the quantities">()};
     }
     return {program.places[instruction],
-            "this operation has no value at the estimates of the quantities (division by zero, root or "
-            "logarithm of "
-            "a negative number, or a number too large)"};
+            tell<"this operation has no value at the estimates of the quantities (division by zero, root or "
+                 "logarithm of a negative number, or a number too large)">()};
 }
 
 void check_value(const equation_model::EquationSetup& setup, Problems& problems) {

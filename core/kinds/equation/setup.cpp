@@ -37,7 +37,7 @@ public:
         equation::TextProblems found;
         setup.parsed = equation::parse(stated_.text, found);
         if (found.empty() && setup.parsed.statements.empty())
-            found.push_back({{}, "there is no equation: write one, y = x_1 + x_2"});
+            found.push_back({{}, tell<"there is no equation: write one, y = x_1 + x_2">()});
         StatedQuantities stated = read_quantities(stated_, problems_);
         check_names(setup.parsed, stated);
         const auto wanted = wanted_outputs(setup.parsed, setup.outputs);

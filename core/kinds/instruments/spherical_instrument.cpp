@@ -162,10 +162,11 @@ public:
         return {sensor_.station().X_WS().translation()};
     }
 
-    std::string objection(const Eigen::Vector3d& p) const override {
+    Message objection(const Eigen::Vector3d& p) const override {
         const Eigen::Vector3d v = sensor_.station().X_WS().inverse() * p;
-        if (v.norm() == 0.0) return "it is at the place of the instrument";
-        return sensor_.sees(v) ? "" : "it is out of the range or field of view of the instrument";
+        if (v.norm() == 0.0) return tell<"it is at the place of the instrument">();
+        return sensor_.sees(v) ? Message()
+                               : tell<"it is out of the range or field of view of the instrument">();
     }
 
 private:

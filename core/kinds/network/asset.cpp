@@ -144,18 +144,19 @@ public:
         return std::move(readings.deviations);
     }
 
-    std::string objection(const Eigen::Vector3d& p) const override {
+    Message objection(const Eigen::Vector3d& p) const override {
         const std::vector<Eigen::Vector3d> points{p};
         std::string seeing;
         for (const Member& member : members_) {
             const Eigen::Vector3d v = member->station().X_WS().inverse() * p;
-            if (v.norm() == 0.0) return "it is at the place of " + member.name;
+            if (v.norm() == 0.0) return tell<"it is at the place of %1">(member.name);
             if (member->sees(v)) seeing += (seeing.empty() ? "" : ", ") + member.name;
         }
-        if (seeing.empty()) return "no sensor of the network sees it";
+        if (seeing.empty()) return tell<"no sensor of the network sees it">();
         if (localises(ReadingCollector(members_, points).collect().to_points)) return {};
-        return "it cannot be localised from what " + seeing +
-               " read: the readings leave a direction undetermined; add a sensor or a reading";
+        return tell<
+            "it cannot be localised from what %1 read: the readings leave a direction undetermined; "
+            "add a sensor or a reading">(seeing);
     }
 
     std::vector<Eigen::Vector3d> stations_seeing(const Eigen::Vector3d& p) const override {

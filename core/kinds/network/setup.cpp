@@ -233,7 +233,7 @@ private:
             ScaleBar bar{.u = stated.u,
                          .distribution = stated.distribution,
                          .constrains = stated.constrains,
-                         .name = "scale bar " + stated.from + " – " + stated.to,
+                         .name = scale_bar_words(stated.from, stated.to).english(),
                          .source = place(&Stated::bars, row)};
             bar.from = called(stated.from, bar.source);
             bar.to = called(stated.to, bar.source);
@@ -258,7 +258,11 @@ private:
         else if (std::abs(*length - nominal_length) > std::max(5.0 * bar.u, 1e-3 * *length))
             problems_.warning(bar.source,
                               tell<"the nominal targets of the %1 are at another distance than its "
-                                   "calibrated length; the design takes their distance">(bar.name));
+                                   "calibrated length; the design takes their distance">(words_of(bar)));
+    }
+
+    Message words_of(const ScaleBar& bar) const {
+        return scale_bar_words(network_.targets[bar.from].name, network_.targets[bar.to].name);
     }
 
     void check_constraint(const ScaleBar& bar) {
@@ -269,7 +273,7 @@ private:
         if (!problems_.has_errors() && network_.targets[bar.from].set_up != network_.targets[bar.to].set_up)
             problems_.error(bar.source,
                             tell<"the targets of the %1 belong to two set-ups, which are estimated one after "
-                                 "the other: it can only be a check">(bar.name));
+                                 "the other: it can only be a check">(words_of(bar)));
     }
 
     const Eigen::Vector3d& nominal(std::size_t target) const { return network_.targets[target].nominal; }
@@ -318,6 +322,10 @@ private:
 };
 
 }  // namespace
+
+Message scale_bar_words(const std::string& from, const std::string& to) {
+    return tell<"scale bar %1 – %2">(from, to);
+}
 
 std::vector<Sensor> sensors_of(const SensorList& list, Problems& problems) {
     std::vector<Sensor> sensors;

@@ -159,6 +159,8 @@ struct ScaleBar {
     std::string source = {};        ///< place in the set-up
     std::size_t input = 0;          ///< index of the input quantity
 };
+/// Its name.
+Message scale_bar_words(const std::string& from, const std::string& to);
 
 /// At the target `at`, between the directions to `from` and `to`.
 struct Angle {

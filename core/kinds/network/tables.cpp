@@ -176,7 +176,8 @@ public:
 private:
     struct Worst {
         double w = 0.0;
-        std::string source = network_fields().place(&StatedNetwork::readings), name;
+        std::string source = network_fields().place(&StatedNetwork::readings);
+        Message name = {};
     };
 
     void add(const JointSetUp& joint) {
@@ -234,16 +235,24 @@ private:
         const Unit unit = Unit::of(i == 0 || (i == 1 && sight.overhead) ? "mm" : "arcsec");
         const std::string& sensor = setup_.sensors[sight.sensor].name;
         put(target.name, sensor, names[i], unit, numbers);
-        compare(numbers.w, sight.source[i], std::string(names[i]) + " of " + target.name + " by " + sensor);
+        compare(numbers.w, sight.source[i], reading_words(i, target.name, sensor));
+    }
+
+    static Message reading_words(std::size_t i, const std::string& target, const std::string& sensor) {
+        if (i == 0) return tell<"distance of %1 by %2">(target, sensor);
+        return i == 1 ? tell<"azimuth of %1 by %2">(target, sensor)
+                      : tell<"elevation of %1 by %2">(target, sensor);
     }
 
     void add_bar(const ScaleBar& bar, const Numbers& numbers) {
         put(setup_.targets[bar.from].name + " – " + setup_.targets[bar.to].name, "scale bar", "length",
             Unit::of("mm"), numbers);
-        compare(numbers.w, bar.source, "length of the " + bar.name);
+        compare(numbers.w, bar.source,
+                tell<"length of the %1">(
+                    scale_bar_words(setup_.targets[bar.from].name, setup_.targets[bar.to].name)));
     }
 
-    void compare(double w, const std::string& source, const std::string& name) {
+    void compare(double w, const std::string& source, const Message& name) {
         if (std::abs(w) > worst_.w) worst_ = {std::abs(w), source, name};
     }
 
@@ -266,7 +275,7 @@ private:
             table_.notes.push_back("No redundancy: as many readings as unknowns, so nothing can be checked.");
             return;
         }
-        table_.notes.push_back(test_words());
+        table_.notes.push_back(test_words().english());
         table_.notes.push_back(too_large() ? "The residuals are larger than the uncertainties allow."
                                : p_value() > 0.99
                                    ? "The residuals are smaller than the uncertainties lead to expect."
@@ -281,12 +290,12 @@ private:
 
     bool too_large() const { return degrees_ > 0 && p_value() < 0.01; }
 
-    std::string test_words() const {
-        char text[160];
-        std::snprintf(text, sizeof text,
-                      "Chi-square of the residuals: %.3g with %d degrees of freedom, p = %.2g.", chi_square_,
-                      degrees_, p_value());
-        return text;
+    Message test_words() const {
+        char chi_square[32], p[32];
+        std::snprintf(chi_square, sizeof chi_square, "%.3g", chi_square_);
+        std::snprintf(p, sizeof p, "%.2g", p_value());
+        return tell<"Chi-square of the residuals: %1 with %2 degrees of freedom, p = %3.">(chi_square,
+                                                                                           degrees_, p);
     }
 
     const NetworkSetup& setup_;

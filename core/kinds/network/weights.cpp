@@ -15,11 +15,11 @@ namespace covaria::network {
 
 namespace {
 
-std::string names_of(const NetworkSetup& setup, const Target& target) {
+Message names_of(const NetworkSetup& setup, const Target& target) {
     std::string names;
     for (const Sight& sight : target.sights)
         names += (names.empty() ? "" : ", ") + setup.sensors[sight.sensor].name;
-    return names.empty() ? "no sensor" : names;
+    return names.empty() ? tell<"no sensor">() : Message(names);
 }
 
 bool only_distances(const Target& target) {

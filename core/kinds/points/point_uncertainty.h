@@ -52,7 +52,7 @@ public:
     /// Where the instruments stand that measure a point at p, for its sight lines.
     virtual std::vector<Eigen::Vector3d> stations_seeing(const Eigen::Vector3d&) const { return {}; }
     /// Why a point at p cannot be measured so; empty if it can.
-    virtual std::string objection(const Eigen::Vector3d&) const { return {}; }
+    virtual Message objection(const Eigen::Vector3d&) const { return {}; }
 };
 
 /// Beside it, of analyses: the points are outputs, with all their uncertainty.

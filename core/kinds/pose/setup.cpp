@@ -36,17 +36,19 @@ public:
 private:
     /// Names are in the first column.
     template <class Row>
-    void refuse_duplicates(const std::vector<Row>& rows, const std::string& table, const std::string& what) {
+    void refuse_duplicates(const std::vector<Row>& rows, const std::string& table,
+                           Message (*two_called)(const std::string& name)) {
         std::set<std::string> names;
         for (std::size_t row = 0; row < rows.size(); ++row)
             if (!names.insert(rows[row].name).second)
-                problems_.error(table + "/rows/" + std::to_string(row) + "/name",
-                                tell<"there are two %1 called '%2'; rename one">(what, rows[row].name));
+                problems_.error(table + "/rows/" + std::to_string(row) + "/name", two_called(rows[row].name));
     }
 
     void complete_frame(FrameRule& rule, Side side) {
         const auto& fields = frame_fields(side);
-        refuse_duplicates(rule.points, fields.place(&FrameRule::points), "points");
+        refuse_duplicates(rule.points, fields.place(&FrameRule::points), [](const std::string& name) {
+            return tell<"there are two points called '%1'; rename one">(name);
+        });
         if (rule.least_squares) return complete_least_squares(rule, fields.place(&FrameRule::points));
         if (rule.points.size() > 3)
             problems_.warning(fields.place(&FrameRule::points, 3),
@@ -59,7 +61,8 @@ private:
 
     void check_three(const FrameRule& rule, const std::vector<Eigen::Vector3d>& q, Side side,
                      const std::string& path) {
-        const std::string frame = "the " + prefix_of(side) + " frame is undefined";
+        const Message frame = side == Side::base ? tell<"the base frame is undefined">()
+                                                 : tell<"the moving frame is undefined">();
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = i + 1; j < 3; ++j)
                 if ((q[i] - q[j]).norm() <= smallest_sine * (q[0].norm() + q[1].norm() + q[2].norm())) {
@@ -95,7 +98,9 @@ private:
     }
 
     void complete_poses(PoseSetup& s) {
-        refuse_duplicates(s.poses, pose_fields().place(&PoseSetup::poses), "poses");
+        refuse_duplicates(s.poses, pose_fields().place(&PoseSetup::poses), [](const std::string& name) {
+            return tell<"there are two poses called '%1'; rename one">(name);
+        });
         for (std::size_t row = 0; row < s.poses.size(); ++row) {
             Pose& pose = s.poses[row];
             pose.X_bp.translation() = pose.position;

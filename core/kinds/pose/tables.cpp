@@ -180,15 +180,25 @@ std::string figure(double value, const char* unit = "") {
     return text;
 }
 
-std::string words_of(const FrameFit& fit, const FrameFit::Explanation& explanation) {
-    const std::string change =
-        figure(1e3 * explanation.rms, " mm") + " instead of " + figure(1e3 * fit.rms, " mm");
+Message words_of(const FrameFit& fit, const FrameFit::Explanation& explanation) {
+    const std::string now = figure(1e3 * explanation.rms, " mm"), before = figure(1e3 * fit.rms, " mm");
     if (!explanation.exchanged)
-        return "the mirrored coordinates leave " + change +
-               ": frame 0 is left-handed, check the signs and the order of its axes";
-    return "with " + fit.names[explanation.exchanged->first] + " and " +
-           fit.names[explanation.exchanged->second] + " exchanged the residuals are " + change +
-           ": check the names";
+        return tell<
+            "the mirrored coordinates leave %1 instead of %2: frame 0 is left-handed, check the signs "
+            "and the order of its axes">(now, before);
+    return tell<"with %1 and %2 exchanged the residuals are %3 instead of %4: check the names">(
+        fit.names[explanation.exchanged->first], fit.names[explanation.exchanged->second], now, before);
+}
+
+/// Words of a warning, without what would explain the misfit.
+Message misfit_of(const FrameFit& fit, bool failed) {
+    if (!failed) return tell<"the points of '%1' do not fit their nominal coordinates">(fit.set);
+    const Largest largest = largest_of(fit);
+    return tell<
+        "the points of '%1' do not fit their nominal coordinates within the stated uncertainties: "
+        "chi-square %2 with %3 degrees of freedom; the largest normalised residual is %4 (%5)">(
+        fit.set, figure(fit.chi_square), fit.degrees_of_freedom, figure(largest.normalised),
+        coordinate_name(fit, largest));
 }
 
 bool fails(const FrameFit& fit, std::size_t sets) {
@@ -215,7 +225,7 @@ DataTable summary_table(const std::vector<FrameFit>& fits) {
                              : fails(fit, fits.size()) ? "residuals larger than stated"
                                                        : "agrees";
         if (fit.explanation && (!tested || fails(fit, fits.size())))
-            remark += "; " + words_of(fit, *fit.explanation);
+            remark += "; " + words_of(fit, *fit.explanation).english();
         table.rows.push_back({fit.set, double(fit.names.size()), fit.rms,
                               tested ? TableCell(double(fit.degrees_of_freedom)) : TableCell(),
                               tested ? TableCell(fit.chi_square) : TableCell(),
@@ -302,14 +312,7 @@ void warn_of_misfits(const std::vector<FrameFit>& fits, Problems& problems) {
     for (const FrameFit& fit : fits) {
         const bool failed = fails(fit, fits.size());
         if (!failed && (fit.degrees_of_freedom > 0 || !fit.explanation)) continue;
-        std::string text = "the points of '" + fit.set + "' do not fit their nominal coordinates";
-        if (failed) {
-            const Largest largest = largest_of(fit);
-            text += " within the stated uncertainties: chi-square " + figure(fit.chi_square) + " with " +
-                    std::to_string(fit.degrees_of_freedom) +
-                    " degrees of freedom; the largest normalised residual is " + figure(largest.normalised) +
-                    " (" + coordinate_name(fit, largest) + ")";
-        }
+        Message text = misfit_of(fit, failed);
         if (fit.explanation) text += "; " + words_of(fit, *fit.explanation);
         problems.warning(pose_fields().place(&PoseSetup::measured), text);
     }

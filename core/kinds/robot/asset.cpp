@@ -83,7 +83,7 @@ private:
     }
 
     void check_joint(const RobotJoint& joint, std::size_t row) {
-        const std::string name = "joint " + std::to_string(row + 1);
+        const Message name = tell<"joint %1">(row + 1);
         const auto cell = [&](JointParameter p) {
             return place(&StatedRobot::joints, row, &StatedJoint::values, index_of(p));
         };

@@ -63,7 +63,7 @@ private:
         problems_.warning(pose.source,
                           tell<"pose %1: the orientation is within 2° of one that %2 cannot state (gimbal "
                                "lock, half turn); state it otherwise">(
-                              pose.name, std::string(rotation_convention(*read_.orientation).title)));
+                              pose.name, Message::declared(rotation_convention(*read_.orientation).title)));
     }
 
     void read_pose(std::size_t row) {

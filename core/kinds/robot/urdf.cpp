@@ -162,40 +162,46 @@ std::string notes_of(const Chain& chain, const Axes& axes) {
     std::string names, remarks;
     for (const urdf::Joint& joint : axes.joints) names += (names.empty() ? "" : ", ") + joint.name;
     for (const urdf::Remark& remark : chain.remarks)
-        remarks += " Joint " + remark.joint + " " + remark.words + ".";
+        remarks += " Joint " + remark.joint + " " + remark.words.english() + ".";
     return "Imported from URDF, from link " + chain.root + " to link " + chain.tip + ". Joints: " + names +
            "." + remarks + " Nominal geometry: give the parameters their uncertainty.";
 }
 
-std::string limits_of(const urdf::Joint& joint) {
-    if (!joint.limited) return "without limits";
+Message limits_of(const urdf::Joint& joint) {
+    if (!joint.limited) return tell<"without limits">();
     const Unit unit = Unit::of(joint.slides() ? "mm" : "deg");
+    char low[32], high[32];
+    std::snprintf(low, sizeof low, "%.6g", unit.from_si(joint.low));
+    std::snprintf(high, sizeof high, "%.6g", unit.from_si(joint.high));
+    return tell<"%1 to %2 %3">(low, high, joint.slides() ? "mm" : "deg");
+}
+
+/// In parentheses.
+std::string three_numbers(const std::array<double, 3>& v) {
     char text[80];
-    std::snprintf(text, sizeof text, "%.6g to %.6g %s", unit.from_si(joint.low), unit.from_si(joint.high),
-                  joint.slides() ? "mm" : "deg");
+    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", v[0], v[1], v[2]);
     return text;
 }
 
-std::string words_of(const PoseValue& pose) {
-    char text[160];
-    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g) mm, turned by (%.6g, %.6g, %.6g) deg",
-                  pose.position[0], pose.position[1], pose.position[2], pose.angles[0], pose.angles[1],
-                  pose.angles[2]);
-    return text;
+Message words_of(const PoseValue& pose) {
+    return tell<"%1 mm, turned by %2 deg">(three_numbers(pose.position), three_numbers(pose.angles));
 }
 
-std::vector<std::string> report_of(const Chain& chain, const Axes& axes, const Setup& setup) {
-    std::vector<std::string> lines{std::to_string(axes.joints.size()) +
-                                   (axes.joints.size() == 1 ? " joint" : " joints") + " from link " +
-                                   chain.root + " to link " + chain.tip};
-    for (std::size_t j = 0; j < axes.joints.size(); ++j)
-        lines.push_back("joint " + std::to_string(j + 1) + ": " + axes.joints[j].name + ", " +
-                        (axes.joints[j].slides() ? "slides, " : "turns, ") + limits_of(axes.joints[j]));
-    lines.push_back("tool: link " + chain.tip + " at " +
-                    words_of(std::get<PoseValue>(setup.values.at("tool"))) +
-                    " from the frame of the last joint");
-    PoseValue zero = pose_value(axes.X_tip);
-    lines.push_back("with all readings at 0 the tool stands at " + words_of(zero) + " in link " + chain.root);
+Message joint_words(std::size_t number, const urdf::Joint& joint) {
+    return joint.slides() ? tell<"joint %1: %2, slides, %3">(number, joint.name, limits_of(joint))
+                          : tell<"joint %1: %2, turns, %3">(number, joint.name, limits_of(joint));
+}
+
+std::vector<Message> report_of(const Chain& chain, const Axes& axes, const Setup& setup) {
+    std::vector<Message> lines;
+    const std::size_t n = axes.joints.size();
+    lines.push_back(n == 1 ? tell<"%1 joint from link %2 to link %3">(n, chain.root, chain.tip)
+                           : tell<"%1 joints from link %2 to link %3">(n, chain.root, chain.tip));
+    for (std::size_t j = 0; j < n; ++j) lines.push_back(joint_words(j + 1, axes.joints[j]));
+    lines.push_back(tell<"tool: link %1 at %2 from the frame of the last joint">(
+        chain.tip, words_of(std::get<PoseValue>(setup.values.at("tool")))));
+    lines.push_back(tell<"with all readings at 0 the tool stands at %1 in link %2">(
+        words_of(pose_value(axes.X_tip)), chain.root));
     for (const urdf::Remark& remark : chain.remarks) lines.push_back(remark.joint + ": " + remark.words);
     return lines;
 }

@@ -13,7 +13,7 @@ namespace covaria {
 struct ImportedAsset {
     std::string kind, name, notes;
     Setup setup;
-    std::vector<std::string> report;  ///< lines: joints, tool, what is frozen, what was left out and why
+    std::vector<Message> report;  ///< lines: joints, tool, what is frozen, what was left out and why
 };
 
 /// A joint that the imported arm does not have: it stands at a value, in degrees or millimetres.

@@ -28,7 +28,7 @@ struct Place {
     std::size_t moving = 0;        ///< number of moving joints, itself and above
     std::size_t below = 0;         ///< most moving joints on a path below
     std::size_t depth = 0;
-    std::string gripper = {};  ///< why it is part of a gripper; empty: it is not
+    Message gripper = {};  ///< why it is part of a gripper; empty: it is not
 };
 
 /// Says of joints why they are part of a gripper. `order`: each joint behind those above it.
@@ -43,11 +43,11 @@ void find_grippers(const std::vector<Joint>& joints, const std::vector<std::size
         const bool at_end = place.below == 0 && place.moving > 2;
         const bool short_stroke = joint.limited && joint.high - joint.low < gripper_stroke;
         if (called_a_finger(joint.name))
-            place.gripper = "it is called like a joint of a gripper";
+            place.gripper = tell<"it is called like a joint of a gripper">();
         else if (at_end && followed.count(joint.name) > 0)
-            place.gripper = "others follow it at the end of the arm, as in a gripper";
+            place.gripper = tell<"others follow it at the end of the arm, as in a gripper">();
         else if (at_end && joint.kind == JointKind::sliding && short_stroke)
-            place.gripper = "it slides by less than 100 mm at the end of the arm, as in a gripper";
+            place.gripper = tell<"it slides by less than 100 mm at the end of the arm, as in a gripper">();
     }
 }
 
@@ -64,7 +64,7 @@ void find_forks(const std::vector<Joint>& joints, const std::vector<std::size_t>
                           });
         for (const std::size_t j : fork)
             if (hand && places[j].gripper.empty())
-                places[j].gripper = "it is one of several at the end of the arm, as in a hand";
+                places[j].gripper = tell<"it is one of several at the end of the arm, as in a hand">();
     }
 }
 
@@ -100,9 +100,7 @@ public:
         Chain way = chain(found->second);
         std::size_t moving = 0;
         for (Joint& joint : way.joints) {
-            if (joint.kind == JointKind::other)
-                return refused_at(joint.line, tell<"joint %1 on the way to %2 %3: freeze it, --freeze %4=0">(
-                                                  joint.name, tip, nature(joint), joint.name));
+            if (joint.kind == JointKind::other) return refused_at(joint.line, obstacle_words(joint, tip));
             if (joint.moves() && called_a_finger(joint.name))
                 joint.freeze(joint.limited ? std::clamp(0.0, joint.low, joint.high) : 0.0);
             moving += joint.moves();
@@ -120,8 +118,30 @@ private:
                           tell<"the links form a ring; URDF describes trees">());
     }
 
-    static std::string nature(const Joint& joint) {
-        return joint.follows.empty() ? "is of the type " + joint.type : "follows joint " + joint.follows;
+    /// Of a joint on the way to a tip that is named.
+    static Message obstacle_words(const Joint& joint, const std::string& tip) {
+        return joint.follows.empty()
+                   ? tell<"joint %1 on the way to %2 is of the type %3: freeze it, --freeze %1=0">(
+                         joint.name, tip, joint.type)
+                   : tell<"joint %1 on the way to %2 follows joint %3: freeze it, --freeze %1=0">(
+                         joint.name, tip, joint.follows);
+    }
+
+    Message why_no_arm_at(std::size_t j) const {
+        const Joint& joint = joints_[j];
+        if (!places_[j].gripper.empty())
+            return tell<"no arm: joint %1 was left out because %2">(joint.name, places_[j].gripper);
+        return joint.follows.empty() ? tell<"no arm: joint %1 is of the type %2">(joint.name, joint.type)
+                                     : tell<"no arm: joint %1 follows joint %2">(joint.name, joint.follows);
+    }
+
+    Message why_left_out(std::size_t j, const std::string& tip) const {
+        const Joint& joint = joints_[j];
+        if (joint.kind == JointKind::other)
+            return joint.follows.empty() ? tell<"left out: it is of the type %1">(joint.type)
+                                         : tell<"left out: it follows joint %1">(joint.follows);
+        if (!places_[j].gripper.empty()) return tell<"left out: %1">(places_[j].gripper);
+        return tell<"left out: it is not on the way to %1">(tip);
     }
 
     /// Each joint behind those above it; what hangs on a ring is not reached.
@@ -175,12 +195,7 @@ private:
     tl::unexpected<Error> why_no_arm() const {
         if (order_.size() < joints_.size()) return ring();
         for (const std::size_t j : order_)
-            if (places_[j].blocked == j)
-                return refused_at(joints_[j].line,
-                                  tell<"no arm: joint %1 %2">(
-                                      joints_[j].name, (places_[j].gripper.empty()
-                                                            ? nature(joints_[j])
-                                                            : "was left out because " + places_[j].gripper)));
+            if (places_[j].blocked == j) return refused_at(joints_[j].line, why_no_arm_at(j));
         return refused_at(line_, tell<"the file has no moving joint">());
     }
 
@@ -216,16 +231,11 @@ private:
         for (std::size_t j = 0; j < joints_.size(); ++j) {
             const Joint& joint = joints_[j];
             const bool on_the_way = taken.count(j) > 0;
-            const std::string& gripper = places_[j].gripper;
             if (joint.kind == JointKind::fixed) continue;
             if (on_the_way && joint.moves() && called_a_finger(joint.name))
-                chain.remarks.push_back({joint.name, "frozen: " + gripper});
+                chain.remarks.push_back({joint.name, tell<"frozen: %1">(places_[j].gripper)});
             else if (!on_the_way)
-                chain.remarks.push_back(
-                    {joint.name,
-                     "left out: " + (joint.kind == JointKind::other ? "it " + nature(joint)
-                                     : !gripper.empty()             ? gripper
-                                                        : "it is not on the way to " + chain.tip)});
+                chain.remarks.push_back({joint.name, why_left_out(j, chain.tip)});
         }
         return chain;
     }

@@ -37,7 +37,8 @@ struct Robot {
 
 /// What became of a joint of the file that is none of the arm.
 struct Remark {
-    std::string joint, words;
+    std::string joint;
+    Message words;
 };
 
 /// Links from root to tip: the joints between them.

@@ -114,10 +114,11 @@ Result<std::vector<Remark>> freeze(Robot& robot, const std::vector<FrozenJoint>&
             return refused_at(joint.line, tell<"joint %1 is of the type %2: it can be frozen at 0 only">(
                                               wanted.name, joint.type));
         const double value = Unit::of(joint.slides() ? "mm" : "deg").to_si(wanted.value);
-        char text[64];
-        std::snprintf(text, sizeof text, "frozen at %.10g%s", wanted.value, joint.slides() ? " mm" : "°");
+        char text[48];
+        std::snprintf(text, sizeof text, "%.10g%s", wanted.value, joint.slides() ? " mm" : "°");
         const bool beyond = joint.limited && (value < joint.low || value > joint.high);
-        remarks.push_back({joint.name, text + std::string(beyond ? ", beyond its limits" : "")});
+        remarks.push_back({joint.name, beyond ? tell<"frozen at %1, beyond its limits">(text)
+                                              : tell<"frozen at %1">(text)});
         joint.freeze(value);
     }
     return remarks;

@@ -23,12 +23,15 @@ inline constexpr std::size_t no_input = InputSet::npos;
 
 enum class UnknownKind { base, tool, parameter };
 
+/// "y", "rotation about z": of x, y, z and the rotations about them.
+Message coordinate_words(std::size_t coordinate);
+
 /// One number that the fit finds.
 struct Unknown {
     UnknownKind kind = UnknownKind::parameter;
     IdentifiedParameter parameter = {};  ///< of a joint
     std::size_t coordinate = 0;          ///< of base or tool: x, y, z, rotations about x, y, z
-    std::string name() const;
+    Message name() const;
 };
 
 struct MeasuredPose {

@@ -135,14 +135,13 @@ bool minimise(const Calibration& c, const VectorXd& w, std::vector<double>& v) {
 }
 
 void warn_of_outlier(const Calibration& c, Index row, double size, Problems& problems) {
-    static const char* const names[] = {
-        "x", "y", "z", "rotation about x", "rotation about y", "rotation about z"};
     const auto m = static_cast<Index>(c.rows_per_pose());
     const MeasuredPose& pose = c.poses[static_cast<std::size_t>(row / m)];
     problems.warning(pose.source,
                      tell<"pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). "
                           "Look at this pose first; hold it back by use = check">(
-                         pose.name, names[row % m], format_short(size), format_short(c.statistics.limit)));
+                         pose.name, coordinate_words(static_cast<std::size_t>(row % m)), format_short(size),
+                         format_short(c.statistics.limit)));
 }
 
 /// Of residuals that the uncertainties do not explain.
@@ -166,10 +165,12 @@ void warn_of_weakness(const Calibration& c, const std::string& place, Problems& 
     const FitStatistics& s = c.statistics;
     const double condition = s.singular_values[0] / s.singular_values[s.singular_values.size() - 1];
     if (condition < 1e4) return;
-    std::string names;
-    for (Index i = 0; i < s.weakest.size(); ++i)
-        if (std::abs(s.weakest[i]) > 0.3)
-            names += (names.empty() ? "" : ", ") + c.unknowns[static_cast<std::size_t>(i)].name();
+    Message names;
+    for (Index i = 0; i < s.weakest.size(); ++i) {
+        if (!(std::abs(s.weakest[i]) > 0.3)) continue;
+        if (!names.empty()) names += ", ";
+        names += c.unknowns[static_cast<std::size_t>(i)].name();
+    }
     problems.warning(
         place,
         tell<
@@ -252,14 +253,15 @@ private:
         for (std::size_t i = 0; i < c_.unknowns.size(); ++i) {
             const double length = A.col(static_cast<Index>(i)).norm();
             if (length < 1e-9 * largest) {
-                c_.held.push_back({c_.unknowns[i].name(), "does not move the measured points in any pose"});
+                c_.held.push_back(
+                    {c_.unknowns[i].name().english(), "does not move the measured points in any pose"});
                 continue;
             }
             const VectorXd column = A.col(static_cast<Index>(i)) / length;
             VectorXd rest = column - Q * (Q.transpose() * column);
             rest -= Q * (Q.transpose() * rest);
             if (rest.norm() < 1e-7) {
-                c_.held.push_back({c_.unknowns[i].name(), coupling(kept, unknowns, column)});
+                c_.held.push_back({c_.unknowns[i].name().english(), coupling(kept, unknowns, column)});
                 continue;
             }
             Q.conservativeResize(Eigen::NoChange, Q.cols() + 1);
@@ -276,7 +278,7 @@ private:
         std::string names;
         for (Index i = 0; i < shares.size(); ++i)
             if (std::abs(shares[i]) > 1e-4)
-                names += (names.empty() ? "" : ", ") + unknowns[static_cast<std::size_t>(i)].name();
+                names += (names.empty() ? "" : ", ") + unknowns[static_cast<std::size_t>(i)].name().english();
         return "moves the measured points as " + names + " can: coupled with it, held at its nominal value";
     }
 

@@ -54,7 +54,7 @@ DataTable observability_table(const Calibration& c) {
     std::string names;
     for (Index i = 0; i < s.weakest.size(); ++i)
         if (std::abs(s.weakest[i]) > 0.3)
-            names += (names.empty() ? "" : ", ") + c.unknowns[static_cast<std::size_t>(i)].name();
+            names += (names.empty() ? "" : ", ") + c.unknowns[static_cast<std::size_t>(i)].name().english();
     table.notes = {"Singular values are those of the weighted Jacobian with columns of length one.",
                    "Least well told apart: " + names + "."};
     return table;
@@ -69,7 +69,8 @@ DataTable coupling_table(const Calibration& c) {
                      {.header = "r", .is_symbol = true, .digits = 3}};
     for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
         const auto [other, r] = partner_of(c.statistics.covariance, i);
-        if (other != i) table.rows.push_back({c.unknowns[i].name(), c.unknowns[other].name(), r});
+        if (other != i)
+            table.rows.push_back({c.unknowns[i].name().english(), c.unknowns[other].name().english(), r});
     }
     return table;
 }
@@ -131,11 +132,15 @@ DataTable check_table(const Calibration& c) {
 
 }  // namespace
 
-std::string Unknown::name() const {
-    static const char* const coordinates[] = {
-        "x", "y", "z", "rotation about x", "rotation about y", "rotation about z"};
+Message coordinate_words(std::size_t coordinate) {
+    static const char* const axes[] = {"x", "y", "z"};
+    return coordinate < 3 ? Message(axes[coordinate]) : tell<"rotation about %1">(axes[coordinate - 3]);
+}
+
+Message Unknown::name() const {
     if (kind == UnknownKind::parameter) return parameter.symbol();
-    return std::string(kind == UnknownKind::base ? "base " : "tool ") + coordinates[coordinate];
+    const Message words = coordinate_words(coordinate);
+    return kind == UnknownKind::base ? tell<"base %1">(words) : tell<"tool %1">(words);
 }
 
 std::size_t Calibration::first_parameter() const {

@@ -13,8 +13,12 @@ namespace covaria::circle_points {
 
 namespace {
 
+Message joint_words(std::size_t j) {
+    return tell<"joint %1">(j + 1);
+}
+
 std::string joint_name(std::size_t j) {
-    return "joint " + std::to_string(j + 1);
+    return joint_words(j).english();
 }
 
 std::string millimetres(double m) {
@@ -53,7 +57,7 @@ public:
                 problems_.error(
                     id_.simulated ? place(&Identification::nominal) : place(&Identification::points),
                     tell<"the points of %1 run against the positive direction of the joint: reverse their "
-                         "order, or give its readings">(joint_name(j)));
+                         "order, or give its readings">(joint_words(j)));
         const double limit = std::sin(id_.parallel_limit);
         const RobotJoint& first = id_.robot().joints()[0];
         id_.structure.theta_1 = first.values.theta;
@@ -105,17 +109,16 @@ private:
 
     void warn_of_parallel(std::size_t j, double sine, bool parallel) {
         if (parallel == id_.robot().joints()[j].parallel) return;
-        const std::string names =
-            "the axes of joints " + std::to_string(j + 1) + " and " + std::to_string(j + 2);
+        const Message axes = tell<"the axes of joints %1 and %2">(j + 1, j + 2);
         if (parallel)
             problems_.warning(
                 place(&Identification::nominal),
                 tell<"%1 are nearly parallel (%2): they are described by beta with d = 0, because the place "
-                     "of their common perpendicular is hardly determined">(names, degrees(std::asin(sine))));
+                     "of their common perpendicular is hardly determined">(axes, degrees(std::asin(sine))));
         else
             problems_.warning(place(&Identification::nominal),
                               tell<"%1 are %2 apart: they are described by d without beta, although the "
-                                   "nominal robot has beta">(names, degrees(std::asin(std::min(1.0, sine)))));
+                                   "nominal robot has beta">(axes, degrees(std::asin(std::min(1.0, sine)))));
     }
 
     void decide_sides(const Eigen::Matrix3d& R, const NominalFrames& nominal) {
@@ -215,7 +218,7 @@ private:
             const std::size_t j = point.joint - 1;
             if (j >= id_.trajectories.size()) {
                 problems_.error(place(&Identification::points, row, &StatedPoint::joint),
-                                tell<"the robot has no %1">(joint_name(j)));
+                                tell<"the robot has no %1">(joint_words(j)));
                 continue;
             }
             id_.trajectories[j].points.push_back(point.p);
@@ -226,7 +229,7 @@ private:
             if (id_.trajectories[j].points.size() < 3)
                 problems_.error(place(&Identification::points),
                                 tell<"%1 has %2 points; a circle needs three or more">(
-                                    joint_name(j), id_.trajectories[j].points.size()));
+                                    joint_words(j), id_.trajectories[j].points.size()));
     }
 
     void add_inputs() {
@@ -275,15 +278,15 @@ private:
         if (t.shape.extents[0] < 10.0 * u)
             return problems_.error(
                 where, tell<"the ball hardly moves while %1 turns: it lies on the axis of that joint and "
-                            "draws no circle. Fix the ball off the axis">(joint_name(j)));
+                            "draws no circle. Fix the ball off the axis">(joint_words(j)));
         if (t.shape.extents[1] < 2.0 * u)
             return problems_.error(
                 where, tell<"the points of %1 lie on a straight line, as far as their uncertainty lets it be "
-                            "seen: no circle goes through them. Turn the joint further">(joint_name(j)));
+                            "seen: no circle goes through them. Turn the joint further">(joint_words(j)));
         if (t.shape.extents[1] < 10.0 * u)
             problems_.warning(where,
                               tell<"the arc of %1 over %2 is short for the uncertainty of its points: its "
-                                   "axis will be known poorly">(joint_name(j), degrees(t.shape.arc)));
+                                   "axis will be known poorly">(joint_words(j), degrees(t.shape.arc)));
         orient(j);
         refine(j);
         const Eigen::Vector3d n = t.shape.start.axes.col(2);
@@ -292,7 +295,7 @@ private:
             problems_.warning(
                 place(&Identification::plane),
                 tell<"the plane of %1 passes the origin at %2: Eq 1 excludes planes through the origin and "
-                     "fails near it. Use total least squares">(joint_name(j), millimetres(distance)));
+                     "fails near it. Use total least squares">(joint_words(j), millimetres(distance)));
     }
 
     /// Normal along the positive direction of the joint: by the readings where they are given, else by the
@@ -328,7 +331,7 @@ private:
         if (!circle.converged)
             problems_.error(
                 id_.simulated ? place(&Identification::half_range) : place(&Identification::points),
-                tell<"no circle fits the points of %1; look for exchanged points">(joint_name(j)));
+                tell<"no circle fits the points of %1; look for exchanged points">(joint_words(j)));
     }
 
     Problems& problems_;

@@ -72,10 +72,10 @@ TEST(LayoutConstraints, WhatALayoutCannotTellIsSaid) {
     EXPECT_EQ(detail::why_not_judged({}, design), "");
     design.hidden_by = {{"", {0, 0, 0}, {1, 1, 1}, m}};
     EXPECT_EQ(detail::why_not_judged(two_instruments(), design), "");
-    EXPECT_NE(detail::why_not_judged({}, design).find("no lines of sight"), std::string::npos);
+    EXPECT_NE(detail::why_not_judged({}, design).english().find("no lines of sight"), std::string::npos);
     design.hidden_by.clear();
     design.least_distance = Quantity{1, m};
-    EXPECT_NE(detail::why_not_judged({}, design).find("no instruments"), std::string::npos);
+    EXPECT_NE(detail::why_not_judged({}, design).english().find("no instruments"), std::string::npos);
 }
 
 }  // namespace

@@ -95,9 +95,9 @@ TEST(Normality, SpeaksInWords) {
     };
     EXPECT_EQ(words(-1.96, 1.96, 0).words, "normal within 1 %");
     EXPECT_FALSE(words(-1.65, 1.65, -1.2).acceptable);  // rectangular
-    EXPECT_NE(words(-1.65, 1.65, -1.2).words.find("flat"), std::string::npos);
-    EXPECT_NE(words(-1.0, 2.7, 6).words.find("skewed"), std::string::npos);
-    EXPECT_NE(words(-1.7, 1.7, 9).words.find("heavy"), std::string::npos);
+    EXPECT_NE(words(-1.65, 1.65, -1.2).words.english().find("flat"), std::string::npos);
+    EXPECT_NE(words(-1.0, 2.7, 6).words.english().find("skewed"), std::string::npos);
+    EXPECT_NE(words(-1.7, 1.7, 9).words.english().find("heavy"), std::string::npos);
     EXPECT_EQ(words(-1.9, 1.9, 0).words, "normal within 5 %");
 }
 

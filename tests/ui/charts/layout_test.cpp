@@ -2,6 +2,7 @@
 #include "ui/charts/chart_layout.h"
 
 #include <QFontMetricsF>
+#include <algorithm>
 
 #include "core/text/symbol.h"
 #include "tests/ui/charts/chart_test.h"
@@ -64,6 +65,22 @@ TEST(ChartLayout, KeepsLongNamesInside) {
     plot.y.categories[0] = "length standard, uncertainty of the calibration of the artefact at 20 degrees";
     plot.title += " with a title that is so long that it has to be broken into several lines";
     expect_clear(layout_chart(plot, {380, 260}, whole_view(plot)), {380, 260}, "long");
+}
+
+/// Of a study: its axes have other values, so that the cells are not made square.
+TEST(ChartLayout, NamesOnlyAsManyColumnsOfAMapAsHaveRoom) {
+    PlotSpecification plot = test::all_plots()[4];
+    plot.x.categories.clear();
+    for (int i = 0; i < 24; ++i) plot.x.categories.emplace_back("−1250." + std::to_string(10 + i));
+    plot.y.categories = {"1", "2"};
+    plot.series[0].z.assign(48, 0.5);
+    for (const QSize size : {QSize(300, 180), QSize(380, 260), QSize(1600, 300)}) {
+        const ChartLayout layout = layout_chart(plot, size, whole_view(plot));
+        expect_clear(layout, size, "study at " + std::to_string(size.width()));
+        EXPECT_TRUE(std::ranges::any_of(layout.texts, [](const PlacedText& text) {
+            return to_unicode(text.text) == "−1250.10";
+        })) << "the first is named";
+    }
 }
 
 TEST(ChartLayout, MapsValuesToPlacesAndBack) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <sstream>
 
+#include "tests/viz/scene_texts.h"
 #include "tests/viz/stewart_scene.h"
 #include "viz/scene/dump_scene.h"
 #include "viz/scene/visibility.h"
@@ -179,6 +180,19 @@ TEST(BuildScene, CaptionSaysMagnificationAndProbability) {
               "000");
     options.clouds = false;
     EXPECT_EQ(build_scene(setup.source(), options).caption, "");
+}
+
+TEST(BuildScene, IsInTheLanguageThatIsAskedFor) {
+    auto setup = test::stewart_setup(400);
+    setup.layout.vectors = {{.name = "F", .vector_W = {0.0, 0.0, 50.0}},
+                            {.name = "M", .vector_W = {0.2, 0.0, 0.0}, .kind = VectorKind::moment}};
+    SceneOptions options;
+    options.language = test::marking_language();
+    options.probability = 0.9545;
+    const std::vector<std::string> texts = test::words_of(build_scene(setup.source(), options));
+    EXPECT_GE(texts.size(), 8u) << "caption, ellipsoids and clouds of both roles, histograms, arrows";
+    for (const std::string& words : texts) EXPECT_TRUE(words.starts_with("#")) << words;
+    EXPECT_NE(test::joined(texts).find("95,45"), std::string::npos);
 }
 
 TEST(BuildScene, CloudIsMagnifiedAboutTheEstimate) {

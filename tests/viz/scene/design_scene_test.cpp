@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/viz/scene_texts.h"
 #include "viz/scene/dump_scene.h"
 
 namespace covaria::design_scene_test {
@@ -84,6 +85,24 @@ TEST(DesignScene, TheWayOfTheSearchLeadsFromItsPlaceToTheBest) {
     EXPECT_NE(dump.find("label \"before\""), std::string::npos);
     ASSERT_TRUE(scene.axes);
     EXPECT_LE(scene.axes->low.x(), -4.0) << "the region is within the axes";
+}
+
+TEST(DesignScene, IsInTheLanguageThatIsAskedFor) {
+    SceneOptions options;
+    options.language = test::marking_language();
+    DesignResult nowhere = of_rows();
+    for (DesignGain& gain : nowhere.gains) gain.place.reset();
+    for (const DesignResult& design : {of_rows(), of_values(), nowhere}) {
+        const Scene scene = design_scene(design, options);
+        EXPECT_FALSE(scene.caption.empty());
+        for (const std::string& words : test::words_of(scene)) EXPECT_TRUE(words.starts_with("#")) << words;
+        if (scene.map) {
+            EXPECT_TRUE(scene.map->title.starts_with("#"));
+        }
+    }
+    const std::string dump = dump_scene(design_scene(of_values(), options));
+    EXPECT_NE(dump.find("label \"#best: 0,6340\""), std::string::npos) << dump;
+    EXPECT_NE(dump.find("label \"#before\""), std::string::npos) << dump;
 }
 
 TEST(DesignScene, SaysWhyThereIsNothingToShow) {

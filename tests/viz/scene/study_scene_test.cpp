@@ -6,6 +6,7 @@
 #include "core/base/resource_path.h"
 #include "core/made/load_project.h"
 #include "core/study/study.h"
+#include "tests/viz/scene_texts.h"
 #include "viz/scene/dump_scene.h"
 #include "viz/scene/study_scene.h"
 
@@ -62,11 +63,11 @@ TEST(StudyScene, NamesBestAndWorst) {
     EXPECT_EQ(find_item(scene, "map:best")->position, map.result.points[extremes.best].places[0].p_W);
 }
 
-// A German window has no "0.41" beside its "0,41".
-TEST(StudyScene, NumbersHaveTheSignsThatAreAskedFor) {
+// A German window has no "0.41" beside its "0,41", and no English words.
+TEST(StudyScene, IsInTheLanguageThatIsAskedFor) {
     const Map map("volume");
     SceneOptions options;
-    options.numbers.decimal = ",";
+    options.language = test::marking_language();
     options.probability = 0.9545;
     StudySceneOptions wanted;
     wanted.ellipsoids = true;
@@ -78,7 +79,8 @@ TEST(StudyScene, NumbersHaveTheSignsThatAreAskedFor) {
         for (const AxisTick& tick : ticks) texts += '\n' + tick.text;
     for (const AxisTick& tick : scene.map->ticks) texts += '\n' + tick.text;
     EXPECT_NE(texts.find("95,45"), std::string::npos) << texts;
-    EXPECT_NE(texts.find("best: 0,41"), std::string::npos) << texts;
+    EXPECT_NE(texts.find("#best: 0,41"), std::string::npos) << texts;
+    for (const std::string& words : test::words_of(scene)) EXPECT_TRUE(words.starts_with("#")) << words;
     EXPECT_NE(scene.map->ticks.front().text.find(','), std::string::npos) << texts;
     EXPECT_EQ(texts.find('.'), std::string::npos) << texts;
 }

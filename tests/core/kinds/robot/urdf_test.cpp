@@ -264,9 +264,9 @@ TEST(Urdf, TheToolOfTheGimbalCaseStandsWhereTheFileSays) {
 }
 
 bool reports(const ImportedAsset& imported, const std::string& words) {
-    for (const std::string& line : imported.report)
-        if (line.find(words) != std::string::npos) return true;
-    for (const std::string& line : imported.report) std::printf("%s\n", line.c_str());
+    for (const Message& line : imported.report)
+        if (line.english().find(words) != std::string::npos) return true;
+    for (const Message& line : imported.report) std::printf("%s\n", line.english().c_str());
     return false;
 }
 
