@@ -4504,10 +4504,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>Of the certificate; what was typed stays as it is.</source>
-        <translation>Sprache des Kalibrierscheins; was eingegeben wurde, bleibt, wie es ist.</translation>
-    </message>
-    <message>
         <source>Logo</source>
         <translation>Logo</translation>
     </message>
@@ -6050,6 +6046,5970 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>real number</source>
         <translation>reelle Zahl</translation>
+    </message>
+    <message>
+        <source>Position and orientation of a moving frame in a base frame, both defined by measured points: the platform of a robot measured with a total station or laser tracker.</source>
+        <translation>Position und Orientierung eines bewegten Systems in einem Basissystem, beide durch gemessene Punkte bestimmt: die Plattform eines Roboters, gemessen mit Totalstation oder Lasertracker.</translation>
+    </message>
+    <message>
+        <source>Eq 19 is corrected: o_p − o_b must be expressed in the base frame. As printed, the pose does not depend on the orientation of the base, and U(x) of all poses is the same.</source>
+        <translation>Gl. 19 ist berichtigt: o_p − o_b muss im Basissystem ausgedrückt werden. Wie gedruckt hängt die Pose nicht von der Orientierung der Basis ab, und U(x) ist für alle Posen gleich.</translation>
+    </message>
+    <message>
+        <source>Eq 20 is corrected: R = R_bᵀ R_p. The printed R_p R_bᵀ is the same rotation expressed in frame 0.</source>
+        <translation>Gl. 20 ist berichtigt: R = R_bᵀ R_p. Das gedruckte R_p R_bᵀ ist dieselbe Drehung, ausgedrückt im System 0.</translation>
+    </message>
+    <message>
+        <source>Eqs 21-23 are corrected: as printed they are Z-Y-Z angles, undefined without tilt; the text and Table 3 use Z-Y-X angles, R = Rz(γ) Ry(β) Rx(α).</source>
+        <translation>Gl. 21 bis 23 sind berichtigt: Wie gedruckt sind es Z-Y-Z-Winkel, ohne Neigung undefiniert; Text und Tabelle 3 verwenden Z-Y-X-Winkel, R = Rz(γ) Ry(β) Rx(α).</translation>
+    </message>
+    <message>
+        <source>b₃ lies at negative y of its frame (Eq 10) and p₃ at positive y of its own (Eq 14); other arrangements can be chosen.</source>
+        <translation>b₃ liegt bei negativem y seines Systems (Gl. 10) und p₃ bei positivem y des seinen (Gl. 14); andere Anordnungen können gewählt werden.</translation>
+    </message>
+    <message>
+        <source>Typed uncertainties lie along the axes of the frame that the points define (those of the moving frame along the base&apos;s on request) and are turned into frame 0; those of an instrument lie along and across its line of sight.</source>
+        <translation>Eingegebene Unsicherheiten liegen entlang der Achsen des Systems, das die Punkte definieren (die des bewegten Systems auf Wunsch entlang derer der Basis), und werden in das System 0 gedreht; die eines Messgeräts liegen längs und quer zu seiner Ziellinie.</translation>
+    </message>
+    <message>
+        <source>Measured points of a least-squares frame are tested against their nominal coordinates: residuals, redundancy, chi-square with the full covariance of the stated uncertainties.</source>
+        <translation>Gemessene Punkte eines Systems nach kleinsten Quadraten werden gegen ihre Nennkoordinaten geprüft: Residuen, Redundanz, Chi-Quadrat mit der vollen Kovarianz der angegebenen Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>All poses of an analysis share one measurement of the base, so their results are correlated.</source>
+        <translation>Alle Posen einer Analyse teilen sich eine Messung der Basis, ihre Ergebnisse sind daher korreliert.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of the mean of repeated measurements (a posteriori) is taken as that of one measurement, as in the paper: the systematic part does not average out.</source>
+        <translation>Als Unsicherheit des Mittelwertes wiederholter Messungen (a posteriori) gilt wie in der Veröffentlichung die einer einzelnen Messung: Der systematische Teil mittelt sich nicht heraus.</translation>
+    </message>
+    <message>
+        <source>Angles are undefined in gimbal lock; the set-up then warns. Rotation vector and quaternion are free of it.</source>
+        <translation>Bei kardanischer Blockade sind die Winkel undefiniert; der Aufbau warnt dann. Rotationsvektor und Quaternion sind frei davon.</translation>
+    </message>
+    <message>
+        <source>Coordinates of targets and distances between them, measured by any mix of trackers, total stations, cameras and distance meters placed in space.</source>
+        <translation>Koordinaten von Zielpunkten und Abstände zwischen ihnen, gemessen mit beliebig gemischten Trackern, Totalstationen, Kameras und Distanzmessern, die im Raum stehen.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of the stations does not contribute marginally to the position of a target, as the paper says: only distances within one set-up are nearly free of it. Eq 5 is the precision of the readings; it is shown beside the total, never as the uncertainty of a position.</source>
+        <translation>Die Unsicherheit der Standpunkte trägt zur Position eines Zielpunktes, anders als die Veröffentlichung sagt, nicht nur unwesentlich bei: Nur Abstände innerhalb einer Aufstellung sind fast frei davon. Gl. 5 ist die Präzision der Ablesungen; sie steht neben der Gesamtunsicherheit, nie als Unsicherheit einer Position.</translation>
+    </message>
+    <message>
+        <source>Weights from the readings alone, as in the paper, are inefficient for positions; those with the stations are the default.</source>
+        <translation>Gewichte aus den Ablesungen allein, wie in der Veröffentlichung, sind für Positionen ineffizient; die mit den Standpunkten sind die Vorgabe.</translation>
+    </message>
+    <message>
+        <source>Eq 2 is corrected: D holds equations by readings; as printed it is transposed.</source>
+        <translation>Gl. 2 ist berichtigt: D enthält Gleichungen mal Ablesungen; wie gedruckt ist sie transponiert.</translation>
+    </message>
+    <message>
+        <source>The linearised equations have the measured angles in M: their estimate shrinks towards the sensors, the non-linear one moves outwards by half as much. It matters beyond a milliradian (3.5 mrad, cameras alone: −6.9 mm against +3.3 mm) and not for the paper&apos;s network.</source>
+        <translation>Die linearisierten Gleichungen enthalten die gemessenen Winkel in M: Ihr Schätzwert schrumpft zu den Sensoren hin, der nichtlineare wandert um halb so viel nach außen. Das zählt erst über einem Milliradiant (3.5 mrad, nur Kameras: −6.9 mm gegen +3.3 mm) und nicht für das Netz der Veröffentlichung.</translation>
+    </message>
+    <message>
+        <source>Stations are located once for a set-up: all its targets share their deviations. &quot;New set-up&quot; at a target draws them anew.</source>
+        <translation>Die Standpunkte werden für eine Aufstellung einmal bestimmt: Alle ihre Zielpunkte haben deren Abweichungen gemeinsam. &quot;Neue Aufstellung&quot; bei einem Zielpunkt zieht sie neu.</translation>
+    </message>
+    <message>
+        <source>A distance without angles has no linear equation; the non-linear estimator uses it, from the nominal coordinates as start.</source>
+        <translation>Eine Distanz ohne Winkel hat keine lineare Gleichung; der nichtlineare Schätzer verwendet sie, mit den Nennkoordinaten als Startwert.</translation>
+    </message>
+    <message>
+        <source>A calibrated length as a check is not used in the estimation: its difference is to be judged by its uncertainty. As a constraint it carries its own uncertainty; a scale that the instruments share is corrected by it.</source>
+        <translation>Eine kalibrierte Länge als Prüfung geht nicht in die Schätzung ein: Ihre Differenz ist nach deren Unsicherheit zu beurteilen. Als Bedingung bringt sie ihre eigene Unsicherheit mit; ein den Messgeräten gemeinsamer Maßstab wird durch sie korrigiert.</translation>
+    </message>
+    <message>
+        <source>With more than 600 readings in one set-up each target is estimated by itself, weighted with the stations.</source>
+        <translation>Bei mehr als 600 Ablesungen in einer Aufstellung wird jeder Zielpunkt für sich geschätzt, gewichtet mit den Standpunkten.</translation>
+    </message>
+    <message>
+        <source>Azimuths may be given with any number of whole turns.</source>
+        <translation>Azimute dürfen mit beliebig vielen ganzen Umdrehungen angegeben werden.</translation>
+    </message>
+    <message>
+        <source>The tool centre point of a robot: the flange turns about its own axes, telescopic ballbars measure where the ball at the tool goes, and planes and a sphere give the flange&apos;s axes and centre.</source>
+        <translation>Der Werkzeugmittelpunkt eines Roboters: der Flansch dreht sich um seine eigenen Achsen, teleskopische Ballbars messen, wohin die Kugel am Werkzeug kommt, und Ebenen und eine Kugel geben Achsen und Mittelpunkt des Flansches.</translation>
+    </message>
+    <message>
+        <source>The paper states neither the tool, nor the flange&apos;s orientation, start angles, how the frame is made, nor how the points are averaged. With a tool of (0, 0, 100) mm, the flange pointing down, arcs from -60° to 140° and from -90° to 90° and u(L) = 1.55 µm, the published values reproduce within 1.5 % (root mean square).</source>
+        <translation>Die Veröffentlichung nennt weder Werkzeug, Orientierung des Flansches und Startwinkel noch, wie das System gebildet wird oder die Punkte gemittelt werden. Mit einem Werkzeug von (0, 0, 100) mm, nach unten weisendem Flansch, Bögen von -60° bis 140° und von -90° bis 90° und u(L) = 1.55 µm werden die veröffentlichten Werte auf 1.5 % (quadratischer Mittelwert) reproduziert.</translation>
+    </message>
+    <message>
+        <source>U(TCP): published 8.2, 11.1, 5.1 µm; here 8.16, 10.92, 5.00 µm: reproduces.</source>
+        <translation>U(TCP): veröffentlicht 8.2, 11.1, 5.1 µm; hier 8.16, 10.92, 5.00 µm: reproduziert.</translation>
+    </message>
+    <message>
+        <source>U(TCP) with an ideal robot: published 2.8, 3.7, 1.6 µm; here 2.77, 3.61, 1.57 µm: reproduces.</source>
+        <translation>U(TCP) mit einem idealen Roboter: veröffentlicht 2.8, 3.7, 1.6 µm; hier 2.77, 3.61, 1.57 µm: reproduziert.</translation>
+    </message>
+    <message>
+        <source>U of the axes&apos; angles XY, XZ, YX, YZ: published 79, 87, 59, 123 µrad; here 78.3, 87.2, 58.5, 120.6 µrad: reproduces.</source>
+        <translation>U der Achsenwinkel XY, XZ, YX, YZ: veröffentlicht 79, 87, 59, 123 µrad; hier 78.3, 87.2, 58.5, 120.6 µrad: reproduziert.</translation>
+    </message>
+    <message>
+        <source>Largest U of a point measured by the ballbars alone: published 5.7, 5.7, 2.4 µm; here 5.83, 5.72, 2.38 µm: reproduces.</source>
+        <translation>Größtes U eines nur mit den Kugelstäben gemessenen Punktes: veröffentlicht 5.7, 5.7, 2.4 µm; hier 5.83, 5.72, 2.38 µm: reproduziert.</translation>
+    </message>
+    <message>
+        <source>With the stated U(L) = 4 µm the same geometry gives U(TCP) 8.46, 11.31, 5.16 µm and points up to 7.53, 7.37, 3.07 µm: differs, because the stated 4 µm and the published points cannot both hold. U(z) of a point at most 577 mm above the supports is 2.4 µm only for U(L) near 3.1 µm; all six figures of the instrument alone are 0.78 of what 4 µm gives.</source>
+        <translation>Mit dem angegebenen U(L) = 4 µm ergibt dieselbe Geometrie U(TCP) 8.46, 11.31, 5.16 µm und Punkte bis 7.53, 7.37, 3.07 µm: weicht ab, weil die angegebenen 4 µm und die veröffentlichten Punkte nicht beide gelten können. U(z) eines Punktes höchstens 577 mm über den Stützen ist nur für U(L) nahe 3.1 µm gleich 2.4 µm; alle sechs Zahlen des Messgeräts allein betragen das 0.78-Fache dessen, was 4 µm ergeben.</translation>
+    </message>
+    <message>
+        <source>The centre of the sphere is the centre of the flange, not the tool centre point as section 4 says: its U is 5.96, 7.42, 6.94 µm.</source>
+        <translation>Der Mittelpunkt der Kugelfläche ist der Mittelpunkt des Flansches, nicht der Werkzeugmittelpunkt, wie Abschnitt 4 sagt: Sein U ist 5.96, 7.42, 6.94 µm.</translation>
+    </message>
+    <message>
+        <source>Eq 8 needs perpendicular axes, which two measured normals are not: U(x) of the tool is 8.16, 8.37 or 8.66 µm with y first, symmetric or x first.</source>
+        <translation>Gl. 8 braucht senkrechte Achsen, was zwei gemessene Normalen nicht sind: U(x) des Werkzeugs ist 8.16, 8.37 oder 8.66 µm mit y zuerst, symmetrisch oder x zuerst.</translation>
+    </message>
+    <message>
+        <source>A trial whose lengths do not meet (negative root of Eq 3) has no value: it is counted and reported.</source>
+        <translation>Ein Versuch, dessen Längen sich nicht treffen (negative Wurzel in Gl. 3), hat keinen Wert: Er wird gezählt und berichtet.</translation>
+    </message>
+    <message>
+        <source>Position and orientation of the tool of a serial robot from its geometric parameters and joint readings.</source>
+        <translation>Position und Orientierung des Werkzeugs eines seriellen Roboters aus seinen geometrischen Parametern und Gelenkablesungen.</translation>
+    </message>
+    <message>
+        <source>The paper calls the model highly non-linear. At the uncertainties of its Table 1 it is not: the law of propagation and Monte Carlo agree to 4e-5 mm in u, and the laws are normal.</source>
+        <translation>Die Veröffentlichung nennt das Modell stark nichtlinear. Bei den Unsicherheiten ihrer Tabelle 1 ist es das nicht: Fortpflanzungsgesetz und Monte Carlo stimmen in u auf 4e-5 mm überein, und die Verteilungen sind normal.</translation>
+    </message>
+    <message>
+        <source>The tolerance 0.0001 of the paper has no unit. In millimetres it would need 5e9 trials; in metres it is 0.1 mm, and 20 000 trials do.</source>
+        <translation>Die Toleranz 0.0001 der Veröffentlichung hat keine Einheit. In Millimetern würde sie 5e9 Versuche brauchen; in Metern ist sie 0.1 mm, und 20 000 Versuche genügen.</translation>
+    </message>
+    <message>
+        <source>The paper takes the parameters as uncorrelated. Parameters identified together are strongly correlated; an identified robot carries their full covariance into this analysis, which lowers u by up to a factor of 12.</source>
+        <translation>Die Veröffentlichung nimmt die Parameter als unkorreliert an. Gemeinsam identifizierte Parameter sind stark korreliert; ein identifizierter Roboter bringt ihre volle Kovarianz in diese Analyse ein, was u um bis zu einem Faktor 12 senkt.</translation>
+    </message>
+    <message>
+        <source>Of two readings of section 4.1 (0.01 rad for theta alone, or for all angles) both are reproduced; that theta matters more than alpha holds only where its standard deviation is ten times larger.</source>
+        <translation>Von zwei Lesarten des Abschnitts 4.1 (0.01 rad nur für theta oder für alle Winkel) werden beide reproduziert; dass theta mehr zählt als alpha, gilt nur, wo seine Standardabweichung zehnmal größer ist.</translation>
+    </message>
+    <message>
+        <source>Readings of the joints deviate anew at each pose; parameters and tool are the same for all poses of an analysis.</source>
+        <translation>Ablesungen der Gelenke weichen bei jeder Pose neu ab; Parameter und Werkzeug sind für alle Posen einer Analyse dieselben.</translation>
+    </message>
+    <message>
+        <source>Geometric parameters of a serial robot from points measured while one joint after the other turns (circle point analysis).</source>
+        <translation>Geometrische Parameter eines seriellen Roboters aus Punkten, die gemessen werden, während sich ein Gelenk nach dem anderen dreht (Kreispunktanalyse).</translation>
+    </message>
+    <message>
+        <source>Eq 4 is corrected: without the square its derivative by R gives R = 0.</source>
+        <translation>Gl. 4 ist berichtigt: Ohne das Quadrat ergibt ihre Ableitung nach R, dass R = 0 ist.</translation>
+    </message>
+    <message>
+        <source>2.1.3 is corrected: x_i = z_i × y_i is left-handed.</source>
+        <translation>2.1.3 ist berichtigt: x_i = z_i × y_i ist linkshändig.</translation>
+    </message>
+    <message>
+        <source>2.1.4 is corrected: alpha_i and beta_i turn z_{i−1} into z_i.</source>
+        <translation>2.1.4 ist berichtigt: alpha_i und beta_i drehen z_{i−1} in z_i.</translation>
+    </message>
+    <message>
+        <source>The auxiliary plane of Figure 2 is not defined in the paper; it must pass through O_{i−1} with the normal z_{i−1}, or d_i = 0 is impossible.</source>
+        <translation>Die Hilfsebene in Bild 2 ist in der Veröffentlichung nicht definiert; sie muss mit der Normalen z_{i−1} durch O_{i−1} gehen, sonst ist d_i = 0 unmöglich.</translation>
+    </message>
+    <message>
+        <source>Eq 1 has no plane through the origin and fails near it; total least squares is the default.</source>
+        <translation>Gl. 1 kennt keine Ebene durch den Ursprung und versagt in seiner Nähe; totale kleinste Quadrate sind die Vorgabe.</translation>
+    </message>
+    <message>
+        <source>Eq 8 is a standard deviation of the mean of repeats. The paper applies it to different ranges and numbers of points, which are no repeats: the ±10° run dominates, and the noise is counted three times. Here the covariance is that of the chosen experiment.</source>
+        <translation>Gl. 8 ist eine Standardabweichung des Mittelwertes von Wiederholungen. Die Veröffentlichung wendet sie auf verschiedene Bereiche und Punktzahlen an, die keine Wiederholungen sind: Der Lauf mit ±10° überwiegt, und das Rauschen wird dreimal gezählt. Hier ist die Kovarianz die des gewählten Experiments.</translation>
+    </message>
+    <message>
+        <source>The standard deviation falls with the square of the range (factor 30 from ±10° to ±60°) and with the root of the number of points.</source>
+        <translation>Die Standardabweichung fällt mit dem Quadrat des Bereichs (Faktor 30 von ±10° bis ±60°) und mit der Wurzel der Punktzahl.</translation>
+    </message>
+    <message>
+        <source>Parameters are strongly correlated (d_3 and alpha_3: −0.99): use their full covariance, as an identified robot does.</source>
+        <translation>Parameter sind stark korreliert (d_3 und alpha_3: −0.99): Ihre volle Kovarianz verwenden, wie es ein identifizierter Roboter tut.</translation>
+    </message>
+    <message>
+        <source>Every joint needs a ball off its axis; at the paper&apos;s flange origin joint 6 draws no circle.</source>
+        <translation>Jedes Gelenk braucht eine Kugel außerhalb seiner Achse; im Flanschursprung der Veröffentlichung beschreibt Gelenk 6 keinen Kreis.</translation>
+    </message>
+    <message>
+        <source>Geometric parameters of a serial robot by least squares from measured positions or poses of its tool, with observability, residuals and validation.</source>
+        <translation>Geometrische Parameter eines seriellen Roboters nach kleinsten Quadraten aus gemessenen Positionen oder Posen seines Werkzeugs, mit Beobachtbarkeit, Residuen und Validierung.</translation>
+    </message>
+    <message>
+        <source>The paper identifies parameters by joint trajectories; least squares on measured positions or poses is the other usual way, with the same model of the arm (Eq 5).</source>
+        <translation>Die Veröffentlichung identifiziert Parameter durch Gelenkbahnen; kleinste Quadrate an gemessenen Positionen oder Posen sind der andere übliche Weg, mit demselben Modell des Arms (Gl. 5).</translation>
+    </message>
+    <message>
+        <source>Parameters that the poses cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, then ball or tool, then joint by joint) stays nominal and is named with its partners.</source>
+        <translation>Parameter, die die Posen nicht bestimmen können, werden an ihren Spalten der Jacobi-Matrix erkannt: Jeder, der eine Kombination der vor ihm stehenden ist (Basis, dann Kugel oder Werkzeug, dann Gelenk für Gelenk), behält seinen Nennwert und wird mit seinen Partnern genannt.</translation>
+    </message>
+    <message>
+        <source>Weights are the inverse variances of the measured coordinates. Shared deviations of an instrument and the readings of the joints do not change the weights, but are propagated in full.</source>
+        <translation>Gewichte sind die inversen Varianzen der gemessenen Koordinaten. Gemeinsame Abweichungen eines Messgeräts und die Ablesungen der Gelenke ändern die Gewichte nicht, werden aber vollständig fortgepflanzt.</translation>
+    </message>
+    <message>
+        <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature, below 1e-9 m here.</source>
+        <translation>In jedem Versuch wird die Verstärkung der Schätzwerte verwendet. Sie unterscheidet sich von einer vollständigen Anpassung um Residuum mal Krümmung, hier unter 1e-9 m.</translation>
+    </message>
+    <message>
+        <source>Position alone does not tell the last joint&apos;s parameters from the place of the ball; a known base and a known ball leave more to find.</source>
+        <translation>Die Position allein trennt die Parameter des letzten Gelenks nicht vom Ort der Kugel; mit bekannter Basis und bekannter Kugel ist mehr zu bestimmen.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of each channel of a multi-axis force/moment sensor, used alone or while unknown loads act on its other axes; by the GUM, with the paper&apos;s evaluation beside it.</source>
+        <translation>Die Unsicherheit jedes Kanals eines mehrachsigen Kraft-/Momentensensors, allein verwendet oder während unbekannte Lasten auf seine anderen Achsen wirken; nach dem GUM, daneben die Auswertung des Aufsatzes.</translation>
+    </message>
+    <message>
+        <source>U of the paper: 0.91, 1.22, 1.67, 1.68, 2.78, 1.20 % of rated output: reproduces.</source>
+        <translation>U der Veröffentlichung: 0.91, 1.22, 1.67, 1.68, 2.78, 1.20 % des Nennkennwerts: reproduziert.</translation>
+    </message>
+    <message>
+        <source>By the GUM (k = 2) with unknown loads on the other five axes: 1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %. With all others at rated load interference alone reaches 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %, more than U of the paper for all six: its linear sum is no bound.</source>
+        <translation>Nach dem GUM (k = 2) mit unbekannten Lasten auf den anderen fünf Achsen: 1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %. Mit Nennlast auf allen anderen erreicht schon das Übersprechen 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %, bei allen sechs mehr als U der Veröffentlichung: Deren lineare Summe ist keine Schranke.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo intervals are a little shorter than k = 2 because a few rectangular loads dominate.</source>
+        <translation>Die Monte-Carlo-Intervalle sind etwas kürzer als k = 2, weil wenige rechteckverteilte Lasten überwiegen.</translation>
+    </message>
+    <message>
+        <source>The load on an axis is one quantity in the equations of all channels, which correlates them.</source>
+        <translation>Die Last auf einer Achse ist eine einzige Größe in den Gleichungen aller Kanäle, was sie korreliert.</translation>
+    </message>
+    <message>
+        <source>With n = 3 a standard deviation has two degrees of freedom. Used alone a channel has effective degrees of freedom between 20 and 140, because its repeatability is a small part.</source>
+        <translation>Mit n = 3 hat eine Standardabweichung zwei Freiheitsgrade. Allein verwendet hat ein Kanal effektive Freiheitsgrade zwischen 20 und 140, weil seine Wiederholpräzision ein kleiner Teil ist.</translation>
+    </message>
+    <message>
+        <source>Not covered: misalignment of the loads, creep, temperature, remounting.</source>
+        <translation>Nicht erfasst: Fehlausrichtung der Lasten, Kriechen, Temperatur, erneute Montage.</translation>
+    </message>
+    <message>
+        <source>Forces and moments that act together, from the readings of all channels of a multi-axis sensor: the calibration matrix takes the interference between them away.</source>
+        <translation>Kräfte und Momente, die zusammen wirken, aus den Ablesungen aller Kanäle eines mehrachsigen Sensors: die Kalibriermatrix nimmt das Übersprechen zwischen ihnen weg.</translation>
+    </message>
+    <message>
+        <source>Kim prints no signs of the interference: nothing can be compensated from the paper. The readings of the example have signs of their own.</source>
+        <translation>Kim gibt keine Vorzeichen des Übersprechens an: Aus der Veröffentlichung lässt sich nichts kompensieren. Die Ablesungen des Beispiels haben eigene Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in % of rated load with all six axes at rated load: 0.184, 0.192, 0.152, 0.226, 0.219, 0.261; without load 0.149, 0.159, 0.144, 0.188, 0.179, 0.180. Compensation lowers the uncertainty under combined loads by a factor of 5 to 13 against U of the paper.</source>
+        <translation>U (k = 2) in % der Nennlast mit allen sechs Achsen unter Nennlast: 0.184, 0.192, 0.152, 0.226, 0.219, 0.261; ohne Last 0.149, 0.159, 0.144, 0.188, 0.179, 0.180. Die Kompensation senkt die Unsicherheit unter kombinierten Lasten gegenüber U der Veröffentlichung um einen Faktor 5 bis 13.</translation>
+    </message>
+    <message>
+        <source>Without compensation the same loads are told wrong by -0.73, +2.05, -1.42, -2.72, +2.90, -1.54 %.</source>
+        <translation>Ohne Kompensation werden dieselben Lasten um -0.73, +2.05, -1.42, -2.72, +2.90, -1.54 % falsch angezeigt.</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s deviation is common to all readings under one load: a column of the matrix, and so a scale of the load on that axis.</source>
+        <translation>Die Abweichung der Maschine ist allen Ablesungen unter einer Last gemeinsam: eine Spalte der Matrix und damit ein Maßstab der Last auf dieser Achse.</translation>
+    </message>
+    <message>
+        <source>Repeatability is that of one reading, the largest of the steps; hysteresis is rectangular over the loop, in proportion to the load.</source>
+        <translation>Die Wiederholpräzision ist die einer Ablesung, die größte der Stufen; die Hysterese ist rechteckverteilt über die Schleife, proportional zur Last.</translation>
+    </message>
+    <message>
+        <source>Not covered: products of loads in the interference, misalignment of loads, creep, temperature, remounting.</source>
+        <translation>Nicht erfasst: Produkte von Lasten im Übersprechen, Fehlausrichtung der Lasten, Kriechen, Temperatur, erneute Montage.</translation>
+    </message>
+    <message>
+        <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
+        <translation>Jede Messgleichung: sie eintippen, angeben, was über ihre Größen bekannt ist, und das Unsicherheitsbudget erhalten. Mehrere Ergebnisse, Zwischendefinitionen, Bedingungen und Gleichungen, die in jedem Versuch gelöst werden.</translation>
+    </message>
+    <message>
+        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
+        <translation>Dimensionen werden dort geprüft, wo die Gleichungen gelesen werden; der ebene Winkel zählt als Zahl, weil der Radiant im SI eine ist. Temperaturen in °C gelten als thermodynamische Temperaturen; eine Temperaturdifferenz wird in K angegeben.</translation>
+    </message>
+    <message>
+        <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
+        <translation>Sensitivitätskoeffizienten sind exakt (automatisches Differenzieren); die von Unbekannten, die Gleichungen implizit definieren, folgen JCGM 102 6.3.</translation>
+    </message>
+    <message>
+        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
+        <translation>Ein Mittelwert aus n Beobachtungen wird aus einer t-Verteilung mit n − 1 Freiheitsgraden gezogen (JCGM 101 6.4.9). Mittelwerte gleichzeitiger Beobachtungen werden durch eine Gauß-Copula korreliert; die multivariate t-Verteilung aus JCGM 102 5.3.2 hat für n − N ≤ 2 keine Kovarianz und wird nicht angeboten.</translation>
+    </message>
+    <message>
+        <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
+        <translation>JCGM 100 H.1, H.2 und JCGM 101 9.2 bis 9.5, JCGM 102 9.2 bis 9.4 sind Beispiele in projects/gum: covaria verify vergleicht sie mit ihren veröffentlichten Werten.</translation>
+    </message>
+    <message>
+        <source>A straight line or polynomial through the points of a calibration by least squares, with uncertainties in y and in x: the covariance of its coefficients, its values, and the x that belong to observed y, with their uncertainties.</source>
+        <translation>Eine Gerade oder ein Polynom durch die Punkte einer Kalibrierung nach kleinsten Quadraten, mit Unsicherheiten in y und in x: die Kovarianz der Koeffizienten, die Werte und die x, die zu beobachteten y gehören, mit ihren Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>Computed with polynomials that are orthonormal over the points, so results do not depend on the origin, up to degree 10. From the residuals their coefficients are drawn from a multivariate t distribution: one estimate of the scatter, n - p degrees of freedom for every result.</source>
+        <translation>Gerechnet mit Polynomen, die über den Punkten orthonormal sind, sodass Ergebnisse nicht vom Ursprung abhängen, bis Grad 10. Aus den Residuen werden ihre Koeffizienten aus einer multivariaten t-Verteilung gezogen: ein Schätzwert der Streuung, n - p Freiheitsgrade für jedes Ergebnis.</translation>
+    </message>
+    <message>
+        <source>JCGM 100 H.3, published y₁ = −0.1712 °C, y₂ = 0.002 18, u(y₁) = 0.0029 °C, u(y₂) = 0.000 67, b(30 °C) = −0.1494 °C with u = 0.0041 °C: reproduces.</source>
+        <translation>JCGM 100 H.3, veröffentlicht y₁ = −0.1712 °C, y₂ = 0.002 18, u(y₁) = 0.0029 °C, u(y₂) = 0.000 67, b(30 °C) = −0.1494 °C mit u = 0.0041 °C: reproduziert.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of b(x) is that of the curve: the scatter of a further observation is not part of it.</source>
+        <translation>Die Unsicherheit von b(x) ist die der Kurve: Die Streuung einer weiteren Beobachtung gehört nicht dazu.</translation>
+    </message>
+    <message>
+        <source>The mean of observations made on several days, with several instruments or by several operators, and an analysis of variance that says whether these have an effect.</source>
+        <translation>Der Mittelwert von Beobachtungen an mehreren Tagen, mit mehreren Messgeräten oder durch mehrere Personen, und eine Varianzanalyse, die sagt, ob diese einen Einfluss haben.</translation>
+    </message>
+    <message>
+        <source>Groups may have different numbers of observations; n_0 = (N − Σ n_j²/N)/(J − 1) is then their size in the components of variance.</source>
+        <translation>Gruppen dürfen verschieden viele Beobachtungen haben; n_0 = (N − Σ n_j²/N)/(J − 1) ist dann ihre Größe in den Varianzkomponenten.</translation>
+    </message>
+    <message>
+        <source>JCGM 100 H.5, published V̄ = 10.000 097 V, s(V̄_j) = 57 µV, s_b = 85 µV, u(V̄) = 18 µV with nine degrees of freedom, or 13 µV with 49 without an effect of the days: reproduces.</source>
+        <translation>JCGM 100 H.5, veröffentlicht V̄ = 10.000 097 V, s(V̄_j) = 57 µV, s_b = 85 µV, u(V̄) = 18 µV mit neun Freiheitsgraden oder 13 µV mit 49 ohne einen Einfluss der Tage: reproduziert.</translation>
+    </message>
+    <message>
+        <source>A plate or frame with calibrated nests, measured repeatedly where the real points will be. Its errors of indication give the uncertainty of each coordinate of a measured point.</source>
+        <translation>Eine Platte oder ein Rahmen mit kalibrierten Aufnahmen, wiederholt dort gemessen, wo die wirklichen Punkte sein werden. Seine Anzeigeabweichungen liefern die Unsicherheit jeder Koordinate eines gemessenen Punktes.</translation>
+    </message>
+    <message>
+        <source>u_i² = u_cal² + u_var,i² + u_T,i² + b_i² (Eq 2) with u_T = L_max α ΔT/√3 (Eq 3).</source>
+        <translation>u_i² = u_cal² + u_var,i² + u_T,i² + b_i² (Gl. 2) mit u_T = L_max α ΔT/√3 (Gl. 3).</translation>
+    </message>
+    <message>
+        <source>The paper draws all parts independently for each point; calibration, temperature and bias are in truth common to all points, which can be chosen.</source>
+        <translation>Die Veröffentlichung zieht alle Teile für jeden Punkt unabhängig; Kalibrierung, Temperatur und Bias sind in Wahrheit allen Punkten gemeinsam, was gewählt werden kann.</translation>
+    </message>
+    <message>
+        <source>The noise of the three points that define the artefact&apos;s frame is part of the errors of the others; the errors of the defining coordinates themselves are never observed.</source>
+        <translation>Das Rauschen der drei Punkte, die das System des Prüfkörpers definieren, ist Teil der Abweichungen der anderen; die Abweichungen der definierenden Koordinaten selbst werden nie beobachtet.</translation>
+    </message>
+    <message>
+        <source>A bar of calibrated length, measured in many positions and orientations. Its errors of indication give one figure for every coordinate of a measured point.</source>
+        <translation>Ein Stab kalibrierter Länge, in vielen Positionen und Orientierungen gemessen. Seine Anzeigeabweichungen ergeben eine Zahl für jede Koordinate eines gemessenen Punktes.</translation>
+    </message>
+    <message>
+        <source>u² = u_cal² + u_var² + u_T² + b² (Eq 5) with u_T = L α ΔT/√3 (Eq 6).</source>
+        <translation>u² = u_cal² + u_var² + u_T² + b² (Gl. 5) mit u_T = L α ΔT/√3 (Gl. 6).</translation>
+    </message>
+    <message>
+        <source>A length is a difference of two points: dividing by √2 would be consistent; the paper does not.</source>
+        <translation>Eine Länge ist eine Differenz zweier Punkte: Durch √2 zu teilen wäre folgerichtig; die Veröffentlichung tut es nicht.</translation>
+    </message>
+    <message>
+        <source>A sensor that stands somewhere and reads a distance, two angles, or some of them. Its uncertainty: each reading for itself, what all its readings share, and where it stands.</source>
+        <translation>Ein Sensor, der irgendwo steht und eine Distanz, zwei Winkel oder einen Teil davon abliest. Seine Unsicherheit: jede Ablesung für sich, was alle seine Ablesungen gemeinsam haben und wo er steht.</translation>
+    </message>
+    <message>
+        <source>The distance has the figure a + b L, each angle its own; these are independent from reading to reading. Scale, zero, index, collimation, squareness, beam offset and refraction are shared by all readings.</source>
+        <translation>Die Distanz hat die Angabe a + b L, jeder Winkel seine eigene; diese sind von Ablesung zu Ablesung unabhängig. Maßstab, Nullpunkt, Index, Zielachse, Rechtwinkligkeit, Strahlversatz und Refraktion sind allen Ablesungen gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Only a sensor that reads a distance and both angles can say by itself where a point is.</source>
+        <translation>Nur ein Sensor, der eine Distanz und beide Winkel abliest, kann allein sagen, wo ein Punkt ist.</translation>
+    </message>
+    <message>
+        <source>Instruments of the project that measure the same points together. Points measured by the network keep what they share: the scale and the station of each instrument.</source>
+        <translation>Messgeräte des Projekts, die dieselben Punkte gemeinsam messen. Vom Netz gemessene Punkte behalten, was sie gemeinsam haben: Maßstab und Standpunkt jedes Messgeräts.</translation>
+    </message>
+    <message>
+        <source>A point&apos;s deviations are the least-squares gain times those of the readings and stations, linearised at the point: exact to first order, and in Monte Carlo as long as the angles&apos; deviations stay below about a milliradian.</source>
+        <translation>Die Abweichungen eines Punktes sind die Verstärkung der kleinsten Quadrate mal denen der Ablesungen und Standpunkte, am Punkt linearisiert: exakt in erster Ordnung und in Monte Carlo, solange die Abweichungen der Winkel unter etwa einem Milliradiant bleiben.</translation>
+    </message>
+    <message>
+        <source>All points that an analysis takes from the network are measured from one set-up: none of its instruments is moved or located anew between them.</source>
+        <translation>Alle Punkte, die eine Analyse aus dem Netz nimmt, werden aus einer Aufstellung gemessen: Keines seiner Messgeräte wird dazwischen bewegt oder neu eingemessen.</translation>
+    </message>
+    <message>
+        <source>A sensor contributes to a point that is in its range and field of view, and no others.</source>
+        <translation>Ein Sensor trägt zu einem Punkt bei, der in seiner Reichweite und seinem Sichtfeld liegt, zu keinem anderen.</translation>
+    </message>
+    <message>
+        <source>One figure of a data sheet for all coordinates: a standard uncertainty or a maximum permissible error.</source>
+        <translation>Eine Zahl eines Datenblatts für alle Koordinaten: eine Standardunsicherheit oder eine Grenzabweichung (MPE).</translation>
+    </message>
+    <message>
+        <source>A specification taken alike in all directions overestimates, by a factor of 2 to 5 in the paper&apos;s example; an instrument that stands somewhere (spherical instrument) is closer to the truth.</source>
+        <translation>Eine in allen Richtungen gleich angenommene Spezifikation überschätzt, im Beispiel der Veröffentlichung um einen Faktor 2 bis 5; ein Messgerät, das irgendwo steht (sphärisches Messgerät), kommt der Wahrheit näher.</translation>
+    </message>
+    <message>
+        <source>Three or more telescopic ballbars that measure the lengths from their supports to one ball at once, and with it where the ball is.</source>
+        <translation>Drei oder mehr teleskopische Kugelstäbe, die die Längen von ihren Stützen zu einer Kugel zugleich messen und damit, wo die Kugel ist.</translation>
+    </message>
+    <message>
+        <source>The supports&apos; frame follows from the lengths between them (Eqs 4 to 7), measured once: their deviations are common to all points.</source>
+        <translation>Das System der Stützen folgt aus den Längen zwischen ihnen (Gl. 4 bis 7), einmal gemessen: Ihre Abweichungen sind allen Punkten gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Eq 2 as printed has Y_VC3; Y_KS3 is meant. Eq 3 has two roots; the side is a choice here.</source>
+        <translation>Gl. 2 enthält im Druck Y_VC3; gemeint ist Y_KS3. Gl. 3 hat zwei Wurzeln; die Seite ist hier wählbar.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s supports are called an equilateral triangle of 520 mm; its Table 1 is isosceles, 520 mm and 519.711 mm.</source>
+        <translation>Die Stützen der Veröffentlichung heißen gleichseitiges Dreieck mit 520 mm; ihre Tabelle 1 ist gleichschenklig, 520 mm und 519.711 mm.</translation>
+    </message>
+    <message>
+        <source>A fourth support and those after it are located by their lengths to the first three at a height that is an input of its own: lengths say nothing about a height above the plane in which all supports lie.</source>
+        <translation>Eine vierte Stütze und die folgenden werden durch ihre Längen zu den ersten drei in einer Höhe bestimmt, die eine eigene Eingangsgröße ist: Längen sagen nichts über eine Höhe über der Ebene, in der alle Stützen liegen.</translation>
+    </message>
+    <message>
+        <source>A robot as a source of uncertainty: each time it goes to a pose it misses it by a distance in a random direction, and perhaps by small rotations.</source>
+        <translation>Ein Roboter als Unsicherheitsquelle: Jedes Mal, wenn er eine Pose anfährt, verfehlt er sie um einen Abstand in zufälliger Richtung und vielleicht um kleine Drehungen.</translation>
+    </message>
+    <message>
+        <source>The paper takes the distance as rectangular in [0, r], r being the data sheet&apos;s ± 0.02 mm; u along an axis is then r/3. RP of ISO 9283 is the mean distance plus three standard deviations, which is another figure: for that law RP = 1.366 r, in a ball 1.331 r, on a sphere r, and 3.616 u for normal coordinates.</source>
+        <translation>Die Veröffentlichung nimmt den Abstand als rechteckverteilt in [0, r] an, mit r gleich den ± 0.02 mm des Datenblatts; u entlang einer Achse ist dann r/3. RP nach ISO 9283 ist der mittlere Abstand plus drei Standardabweichungen, was eine andere Zahl ist: für diese Verteilung RP = 1.366 r, in einer Kugel 1.331 r, auf einer Kugelfläche r und 3.616 u für normalverteilte Koordinaten.</translation>
+    </message>
+    <message>
+        <source>The paper leaves the orientation out. A rotation by e moves the tool by about e times its length.</source>
+        <translation>Die Veröffentlichung lässt die Orientierung weg. Eine Drehung um e bewegt das Werkzeug um etwa e mal seine Länge.</translation>
+    </message>
+    <message>
+        <source>An arm of joints that turn or slide: parameters in a Denavit-Hartenberg convention with one or more components of uncertainty each, their correlation, limits, encoders, base and tool.</source>
+        <translation>Ein Arm aus Gelenken, die drehen oder schieben: Parameter in einer Denavit-Hartenberg-Konvention mit je einer oder mehreren Unsicherheitskomponenten, ihre Korrelation, Grenzen, Encoder, Basis und Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Eq. 5: T = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta). Where an axis is parallel to the next, beta is a parameter and d is 0 by definition; elsewhere beta is 0.</source>
+        <translation>Gl. 5: T = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta). Wo eine Achse parallel zur nächsten ist, ist beta ein Parameter und d definitionsgemäß 0; sonst ist beta 0.</translation>
+    </message>
+    <message>
+        <source>alpha and beta of a row turn the axis of the joint into that of the next (the paper&apos;s text shifts them by one joint).</source>
+        <translation>alpha und beta einer Zeile drehen die Achse des Gelenks in die des nächsten (der Text der Veröffentlichung verschiebt sie um ein Gelenk).</translation>
+    </message>
+    <message>
+        <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
+        <translation>Der Gelenkwinkel ist theta plus Ablesung minus Nullablesung; ein Schubgelenk addiert seine Ablesung ebenso zu d.</translation>
+    </message>
+    <message>
+        <source>A serial robot whose parameters follow from points measured while one joint after the other turns, with the full covariance of the identification.</source>
+        <translation>Ein serieller Roboter, dessen Parameter aus Punkten folgen, die gemessen werden, während ein Gelenk nach dem anderen dreht, mit der vollen Kovarianz der Identifikation.</translation>
+    </message>
+    <message>
+        <source>The covariance is that of the law of propagation; the analysis &quot;Robot by joint trajectories&quot; with the same settings gives it by Monte Carlo too.</source>
+        <translation>Die Kovarianz ist die des Fortpflanzungsgesetzes; die Analyse &quot;Roboter aus Gelenkbahnen&quot; mit denselben Einstellungen liefert sie auch durch Monte Carlo.</translation>
+    </message>
+    <message>
+        <source>An analysis that uses this robot follows when a point changes.</source>
+        <translation>Eine Analyse, die diesen Roboter verwendet, folgt, wenn sich ein Punkt ändert.</translation>
+    </message>
+    <message>
+        <source>A serial robot whose parameters follow by least squares from measured positions or poses of its tool, with the full covariance of the identification.</source>
+        <translation>Ein serieller Roboter, dessen Parameter durch kleinste Quadrate aus gemessenen Positionen oder Posen seines Werkzeugs folgen, mit der vollen Kovarianz der Identifikation.</translation>
+    </message>
+    <message>
+        <source>The covariance is that of the law of propagation; the analysis &quot;Robot from measured poses&quot; with the same settings gives it by Monte Carlo too.</source>
+        <translation>Die Kovarianz ist die des Fortpflanzungsgesetzes; die Analyse &quot;Roboter aus gemessenen Posen&quot; mit denselben Einstellungen liefert sie auch durch Monte Carlo.</translation>
+    </message>
+    <message>
+        <source>The robot stands where the fit found its base; its tool is that of the nominal robot.</source>
+        <translation>Der Roboter steht dort, wo die Anpassung seine Basis gefunden hat; sein Werkzeug ist das des Nennroboters.</translation>
+    </message>
+    <message>
+        <source>An analysis that uses this robot follows when a pose changes.</source>
+        <translation>Eine Analyse, die diesen Roboter verwendet, folgt, wenn sich eine Pose ändert.</translation>
+    </message>
+    <message>
+        <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
+        <translation>Belastet einen mehrachsigen Kraft-/Momentensensor mit jeweils einer Kraft oder einem Moment.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of a load is common to all readings under loads on that axis: it does not average out in the calibration matrix.</source>
+        <translation>Die Unsicherheit einer Last ist allen Ablesungen unter Lasten auf dieser Achse gemeinsam: Sie mittelt sich in der Kalibriermatrix nicht heraus.</translation>
+    </message>
+    <message>
+        <source>Up to three forces and three moments measured at once; calibrated with one load at a time, evaluated from its readings.</source>
+        <translation>Bis zu drei Kräfte und drei Momente zugleich gemessen; mit jeweils einer Last kalibriert, aus seinen Ablesungen ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Tables 1 to 4 reproduce from raw readings that are consistent with them, to the printed digits, with relative uncertainties of the machine of 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4 and 1.7e-3.</source>
+        <translation>Die Tabellen 1 bis 4 werden aus Rohablesungen, die mit ihnen verträglich sind, auf die gedruckten Stellen reproduziert, mit relativen Unsicherheiten der Maschine von 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4 und 1.7e-3.</translation>
+    </message>
+    <message>
+        <source>Type B, Table 3: differs for five of six sensors, because the stated uncertainties of the machine (2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4) give 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V and not 0.27, 0.31, 0.28, 0.41, 0.40, 0.62. The list equals the Type A column in five places: most likely copied there.</source>
+        <translation>Typ B, Tabelle 3: weicht bei fünf von sechs Sensoren ab, weil die angegebenen Unsicherheiten der Maschine (2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4) 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V ergeben und nicht 0.27, 0.31, 0.28, 0.41, 0.40, 0.62. Die Liste gleicht an fünf Stellen der Spalte für Typ A: höchstwahrscheinlich von dort kopiert.</translation>
+    </message>
+    <message>
+        <source>Table 4, Mx under Fy: differs, printed 1.55 %, is 0.15 %; the largest for Mx is 1.38 %, and the difference to its U 0.30 %, not 0.13 %.</source>
+        <translation>Tabelle 4, Mx unter Fy: weicht ab, gedruckt 1.55 %, ist 0.15 %; der größte Wert für Mx ist 1.38 %, und die Differenz zu seinem U ist 0.30 %, nicht 0.13 %.</translation>
+    </message>
+    <message>
+        <source>Section 2.5 calls e_12 the output of Fy under Fx, but Table 4 divides by the rated output of the row: a row is taken as a sensor.</source>
+        <translation>Abschnitt 2.5 nennt e_12 die Ausgabe von Fy unter Fx, aber Tabelle 4 teilt durch den Nennkennwert der Zeile: Eine Zeile gilt als Sensor.</translation>
+    </message>
+    <message>
+        <source>Eq 12 adds hysteresis and interference, limits that are not standard uncertainties, to an expanded uncertainty: the sum is neither a standard uncertainty nor a coverage interval.</source>
+        <translation>Gl. 12 addiert Hysterese und Übersprechen, Grenzen, die keine Standardunsicherheiten sind, zu einer erweiterten Unsicherheit: Die Summe ist weder eine Standardunsicherheit noch ein Überdeckungsintervall.</translation>
+    </message>
+    <message>
+        <source>The largest values of Type A and Type B need not occur at the same step. Eq 5 takes the rated output at every step. In 2.1.1 &quot;h=2&quot; of My and Mz is a slip.</source>
+        <translation>Die größten Werte von Typ A und Typ B müssen nicht bei derselben Stufe auftreten. Gl. 5 nimmt den Nennkennwert bei jeder Stufe. In 2.1.1 ist &quot;h=2&quot; bei My und Mz ein Versehen.</translation>
+    </message>
+    <message>
+        <source>A surface from an STL file - the robot cell, the part, the fixture, the room - that is drawn in the scenes of all analyses. It is context only: no number depends on it.</source>
+        <translation>Eine Oberfläche aus einer STL-Datei - Roboterzelle, Werkstück, Vorrichtung, Raum -, die in den Szenen aller Analysen gezeichnet wird. Sie ist nur Umgebung: Keine Zahl hängt von ihr ab.</translation>
+    </message>
+    <message>
+        <source>The picture is fitted to what is measured, not to the mesh, which may be a whole hall.</source>
+        <translation>Das Bild wird an das angepasst, was gemessen wird, nicht an das Dreiecksnetz, das eine ganze Halle sein kann.</translation>
+    </message>
+    <message>
+        <source>A file that is missing or damaged is warned of; analyses keep their results.</source>
+        <translation>Vor einer fehlenden oder beschädigten Datei wird gewarnt; Analysen behalten ihre Ergebnisse.</translation>
+    </message>
+    <message>
+        <source>Of the certificate and the report; what was typed stays as it is.</source>
+        <translation>Von Zertifikat und Bericht; was eingetippt wurde, bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>distributions of %1</source>
+        <translation>Verteilungen von %1</translation>
+    </message>
+    <message>
+        <source>and %1 more like these</source>
+        <translation>und %1 weitere dieser Art</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was not written: %2: %3</source>
+        <translation>&apos;%1&apos; wurde nicht geschrieben: %2: %3</translation>
+    </message>
+    <message>
+        <source>it cannot be opened</source>
+        <translation>sie kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>writing failed</source>
+        <translation>das Schreiben ist gescheitert</translation>
+    </message>
+    <message>
+        <source>closing failed</source>
+        <translation>das Schließen ist gescheitert</translation>
+    </message>
+    <message>
+        <source>a file cannot be created in its folder &apos;%1&apos;</source>
+        <translation>im Ordner &apos;%1&apos; kann keine Datei angelegt werden</translation>
+    </message>
+    <message>
+        <source>the permissions of the old file cannot be kept</source>
+        <translation>die Rechte der alten Datei können nicht behalten werden</translation>
+    </message>
+    <message>
+        <source>flushing to the disk failed</source>
+        <translation>das Schreiben auf den Datenträger ist gescheitert</translation>
+    </message>
+    <message>
+        <source>the new file cannot take its place</source>
+        <translation>die neue Datei kann ihren Platz nicht einnehmen</translation>
+    </message>
+    <message>
+        <source>a folder</source>
+        <translation>ein Ordner</translation>
+    </message>
+    <message>
+        <source>a pipe</source>
+        <translation>eine Pipe</translation>
+    </message>
+    <message>
+        <source>a socket</source>
+        <translation>ein Socket</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>ein Gerät</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read: %2</source>
+        <translation>&apos;%1&apos; kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>it is %1, not a file</source>
+        <translation>es ist %1, keine Datei</translation>
+    </message>
+    <message>
+        <source>it is not a file</source>
+        <translation>es ist keine Datei</translation>
+    </message>
+    <message>
+        <source>it is too large: files of up to %1 MB are read, it has %2 MB</source>
+        <translation>zu groß: gelesen werden Dateien bis %1 MB, diese hat %2 MB</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>sie ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>unit &quot;%1&quot;: %2</source>
+        <translation>Einheit &quot;%1&quot;: %2</translation>
+    </message>
+    <message>
+        <source>a parenthesis is closed that was not opened.</source>
+        <translation>eine Klammer wird geschlossen, die nicht geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>write a product with &apos;*&apos; (&quot;N*m&quot;, &quot;W/(m*K)&quot;), not with a blank.</source>
+        <translation>ein Produkt mit &apos;*&apos; schreiben (&quot;N*m&quot;, &quot;W/(m*K)&quot;), nicht mit einem Leerzeichen.</translation>
+    </message>
+    <message>
+        <source>a parenthesis is not closed.</source>
+        <translation>eine Klammer ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>the exponent must be a whole number between -9 and 9, not 0 (&quot;mm^2&quot;).</source>
+        <translation>der Exponent muss eine ganze Zahl von -9 bis 9 und nicht 0 sein (&quot;mm^2&quot;).</translation>
+    </message>
+    <message>
+        <source>the exponents are too large.</source>
+        <translation>die Exponenten sind zu groß.</translation>
+    </message>
+    <message>
+        <source>a unit is missing beside &apos;*&apos;, &apos;/&apos; or a parenthesis.</source>
+        <translation>neben &apos;*&apos;, &apos;/&apos; oder einer Klammer fehlt eine Einheit.</translation>
+    </message>
+    <message>
+        <source>numbers other than 1 do not belong in a unit; put them into the value.</source>
+        <translation>Zahlen außer 1 gehören nicht in eine Einheit; in den Wert einrechnen.</translation>
+    </message>
+    <message>
+        <source>the unit &quot;%1&quot; is not known.%2</source>
+        <translation>die Einheit &quot;%1&quot; ist nicht bekannt.%2</translation>
+    </message>
+    <message>
+        <source>the text is too long for a unit.</source>
+        <translation>der Text ist zu lang für eine Einheit.</translation>
+    </message>
+    <message>
+        <source>the unit is empty: write &quot;1&quot; for a pure number.</source>
+        <translation>die Einheit ist leer: &quot;1&quot; für eine reine Zahl schreiben.</translation>
+    </message>
+    <message>
+        <source> Known units, most of them with the prefixes of the SI: %1.</source>
+        <translation> Bekannte Einheiten, die meisten mit den Vorsätzen des SI: %1.</translation>
+    </message>
+    <message>
+        <source> Did you mean %1?</source>
+        <translation> Gemeint ist vielleicht %1.</translation>
+    </message>
+    <message>
+        <source> Did you mean %1 or %2?</source>
+        <translation> Gemeint ist vielleicht %1 oder %2.</translation>
+    </message>
+    <message>
+        <source>the attached file &apos;%1&apos; is broken</source>
+        <translation>die angehängte Datei &apos;%1&apos; ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the coverage probability must lie between 0 and 1.</source>
+        <translation>die Überdeckungswahrscheinlichkeit muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>the effective degrees of freedom must be greater than 0.</source>
+        <translation>die effektiven Freiheitsgrade müssen größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is defined by itself here, directly or through other definitions; an equation that is to be solved is written &apos;solve %1 = 1: ... = ...&apos;, with a starting value</source>
+        <translation>&apos;%1&apos; ist hier durch sich selbst definiert, unmittelbar oder über andere Definitionen; eine Gleichung, die gelöst werden soll, wird &apos;solve %1 = 1: ... = ...&apos; geschrieben, mit einem Startwert</translation>
+    </message>
+    <message>
+        <source>the expression in columns %1-%2</source>
+        <translation>der Ausdruck in den Spalten %1-%2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither defined nor one of the quantities: give it a row in the table of quantities</source>
+        <translation>&apos;%1&apos; ist weder definiert noch eine der Größen: eine Zeile in der Tabelle der Größen geben</translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures: its unit is K, not %2</source>
+        <translation>%1 ist eine Temperaturdifferenz: ihre Einheit ist K, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
+        <translation>%1 ist ein Vielfaches einer Temperatur: die Einheit ist K, nicht %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
+        <translation>&apos;%1&apos; wäre eine Bedingung: eine Definition muss eine Zahl ergeben</translation>
+    </message>
+    <message>
+        <source>%1 is %2, %3 is %4: they cannot be equal</source>
+        <translation>%1 ist %2, %3 ist %4: sie können nicht gleich sein</translation>
+    </message>
+    <message>
+        <source>the equations do not depend on the unknown &apos;%1&apos;</source>
+        <translation>die Gleichungen hängen nicht von der Unbekannten &apos;%1&apos; ab</translation>
+    </message>
+    <message>
+        <source>this equation does not depend on any unknown</source>
+        <translation>diese Gleichung hängt von keiner Unbekannten ab</translation>
+    </message>
+    <message>
+        <source>this constant has no value (division by zero, or root of a negative number)</source>
+        <translation>diese Konstante hat keinen Wert (Division durch null oder Wurzel einer negativen Zahl)</translation>
+    </message>
+    <message>
+        <source>no equation defines &apos;%1&apos;</source>
+        <translation>keine Gleichung definiert &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is to be given in %2, but is %3</source>
+        <translation>&apos;%1&apos; ist in %2 anzugeben, ist aber %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is %2, which has no unit of its own</source>
+        <translation>&apos;%1&apos; ist %2, ohne eigene Einheit</translation>
+    </message>
+    <message>
+        <source>%1 is %2, %3 is %4</source>
+        <translation>%1 ist %2, %3 ist %4</translation>
+    </message>
+    <message>
+        <source>they cannot be added</source>
+        <translation>sie können nicht addiert werden</translation>
+    </message>
+    <message>
+        <source>they cannot be subtracted</source>
+        <translation>sie können nicht subtrahiert werden</translation>
+    </message>
+    <message>
+        <source>%1 is %2: %3</source>
+        <translation>%1 ist %2: %3</translation>
+    </message>
+    <message>
+        <source>the exponent %1 is %2: an exponent must be a pure number</source>
+        <translation>der Exponent %1 ist %2: ein Exponent muss eine reine Zahl sein</translation>
+    </message>
+    <message>
+        <source>%1 is %2: its exponent must be a constant, or the dimension would vary</source>
+        <translation>%1 ist %2: der Exponent muss eine Konstante sein, sonst wäre die Dimension veränderlich</translation>
+    </message>
+    <message>
+        <source>atan2 needs two quantities of one kind</source>
+        <translation>atan2 braucht zwei Größen gleicher Art</translation>
+    </message>
+    <message>
+        <source>a function of both needs quantities of one kind</source>
+        <translation>eine Funktion von beiden braucht Größen gleicher Art</translation>
+    </message>
+    <message>
+        <source>sin, cos and tan need an angle or a pure number</source>
+        <translation>sin, cos und tan brauchen einen Winkel oder eine reine Zahl</translation>
+    </message>
+    <message>
+        <source>an inverse function of an angle needs a pure number</source>
+        <translation>eine Umkehrfunktion eines Winkels braucht eine reine Zahl</translation>
+    </message>
+    <message>
+        <source>this function needs a pure number: divide by a quantity of the same kind</source>
+        <translation>diese Funktion braucht eine reine Zahl: durch eine Größe gleicher Art teilen</translation>
+    </message>
+    <message>
+        <source>they cannot be compared</source>
+        <translation>sie können nicht verglichen werden</translation>
+    </message>
+    <message>
+        <source>%1 is not a condition: write a comparison, as in x &gt; 0</source>
+        <translation>%1 ist keine Bedingung: einen Vergleich schreiben, etwa x &gt; 0</translation>
+    </message>
+    <message>
+        <source>a condition</source>
+        <translation>eine Bedingung</translation>
+    </message>
+    <message>
+        <source>a pure number</source>
+        <translation>eine reine Zahl</translation>
+    </message>
+    <message>
+        <source>measured in %1</source>
+        <translation>gemessen in %1</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in degC, %2 a difference of temperatures: give differences in K</source>
+        <translation>%1 ist eine Temperatur in degC, %2 eine Temperaturdifferenz: Differenzen in K angeben</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in degC, and 0 has no unit: write 0 [degC], or 0 [K] for absolute zero</source>
+        <translation>%1 ist eine Temperatur in degC, und 0 hat keine Einheit: 0 [degC] schreiben oder 0 [K] für den absoluten Nullpunkt</translation>
+    </message>
+    <message>
+        <source>%1 is a sum of temperatures in degC, which means nothing: give differences in K, or divide the sum by the number of temperatures for their mean</source>
+        <translation>%1 ist eine Summe von Temperaturen in degC, was keinen Sinn ergibt: Differenzen in K angeben oder für den Mittelwert die Summe durch die Anzahl der Temperaturen teilen</translation>
+    </message>
+    <message>
+        <source>%1 is not a condition: write a comparison, as in if(x &gt; 0, x, 0)</source>
+        <translation>%1 ist keine Bedingung: einen Vergleich schreiben, etwa if(x &gt; 0, x, 0)</translation>
+    </message>
+    <message>
+        <source>both values of &apos;if&apos; must be numbers, not conditions</source>
+        <translation>beide Werte von &apos;if&apos; müssen Zahlen sein, keine Bedingungen</translation>
+    </message>
+    <message>
+        <source>both values of &apos;if&apos; must be of one kind</source>
+        <translation>beide Werte von &apos;if&apos; müssen gleicher Art sein</translation>
+    </message>
+    <message>
+        <source>%1 is a condition: use it as the first argument of if(...)</source>
+        <translation>%1 ist eine Bedingung: als erstes Argument von if(...) verwenden</translation>
+    </message>
+    <message>
+        <source>the end of the equation</source>
+        <translation>das Ende der Gleichung</translation>
+    </message>
+    <message>
+        <source>%1 is not a function; to multiply, write &apos;*&apos;. Functions are: %2</source>
+        <translation>%1 ist keine Funktion; zum Multiplizieren &apos;*&apos; schreiben. Funktionen sind: %2</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 arguments; here it has %3</source>
+        <translation>%1 braucht %2 Argumente; hier sind es %3</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 to %3 arguments; here it has %4</source>
+        <translation>%1 braucht %2 bis %3 Argumente; hier sind es %4</translation>
+    </message>
+    <message>
+        <source>&apos;+&apos; stands here twice</source>
+        <translation>&apos;+&apos; steht hier zweimal</translation>
+    </message>
+    <message>
+        <source>the expression is nested more than %1 levels deep: split it into definitions</source>
+        <translation>der Ausdruck ist mehr als %1 Ebenen tief verschachtelt: in Definitionen aufteilen</translation>
+    </message>
+    <message>
+        <source>a unit in brackets belongs behind a number: 20 [degC]</source>
+        <translation>eine Einheit in Klammern gehört hinter eine Zahl: 20 [degC]</translation>
+    </message>
+    <message>
+        <source>a number, a name or a parenthesis is expected here, not %1</source>
+        <translation>hier wird eine Zahl, ein Name oder eine Klammer erwartet, nicht %1</translation>
+    </message>
+    <message>
+        <source>this parenthesis is not closed</source>
+        <translation>diese Klammer ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a function: its argument follows in parentheses</source>
+        <translation>&apos;%1&apos; ist eine Funktion: ihr Argument folgt in Klammern</translation>
+    </message>
+    <message>
+        <source>the word &apos;%1&apos; is not expected here</source>
+        <translation>das Wort &apos;%1&apos; wird hier nicht erwartet</translation>
+    </message>
+    <message>
+        <source>an operator, a comma or &apos;)&apos; is expected here, not %1</source>
+        <translation>hier wird ein Operator, ein Komma oder &apos;)&apos; erwartet, nicht %1</translation>
+    </message>
+    <message>
+        <source>this parenthesis closes nothing</source>
+        <translation>diese Klammer schließt nichts</translation>
+    </message>
+    <message>
+        <source>an equation defines one name: write &apos;y = ...&apos;; to compare, write &apos;==&apos;; an equation that is to be solved starts with &apos;solve&apos;</source>
+        <translation>eine Gleichung definiert einen Namen: &apos;y = ...&apos; schreiben; zum Vergleichen &apos;==&apos; schreiben; eine zu lösende Gleichung beginnt mit &apos;solve&apos;</translation>
+    </message>
+    <message>
+        <source>an operator is missing before %1</source>
+        <translation>vor %1 fehlt ein Operator</translation>
+    </message>
+    <message>
+        <source>%1 is not expected here</source>
+        <translation>%1 wird hier nicht erwartet</translation>
+    </message>
+    <message>
+        <source>an equation starts with the name that it defines: y = ...</source>
+        <translation>eine Gleichung beginnt mit dem Namen, den sie definiert: y = ...</translation>
+    </message>
+    <message>
+        <source>a name with its starting value is expected here: y = 1</source>
+        <translation>hier wird ein Name mit seinem Startwert erwartet: y = 1</translation>
+    </message>
+    <message>
+        <source>a function</source>
+        <translation>eine Funktion</translation>
+    </message>
+    <message>
+        <source>a word of the language</source>
+        <translation>ein Wort der Sprache</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is %2: choose another name</source>
+        <translation>&apos;%1&apos; ist %2: einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is defined twice</source>
+        <translation>&apos;%1&apos; ist zweimal definiert</translation>
+    </message>
+    <message>
+        <source>a colon is expected before the equations to be solved: solve y = 1: y^2 = x</source>
+        <translation>vor den zu lösenden Gleichungen wird ein Doppelpunkt erwartet: solve y = 1: y^2 = x</translation>
+    </message>
+    <message>
+        <source>%1 unknowns need as many equations; there are %2</source>
+        <translation>%1 Unbekannte brauchen ebenso viele Gleichungen; vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>at most six unknowns can be solved together</source>
+        <translation>höchstens sechs Unbekannte können zusammen gelöst werden</translation>
+    </message>
+    <message>
+        <source>an equals sign is expected in an equation to be solved</source>
+        <translation>in einer zu lösenden Gleichung wird ein Gleichheitszeichen erwartet</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: </source>
+        <translation>Zeile %1, Spalte %2: </translation>
+    </message>
+    <message>
+        <source>line %1, columns %2-%3: </source>
+        <translation>Zeile %1, Spalten %2-%3: </translation>
+    </message>
+    <message>
+        <source>this number is too large or too small to compute with</source>
+        <translation>diese Zahl ist zum Rechnen zu groß oder zu klein</translation>
+    </message>
+    <message>
+        <source>the bracket of a unit is not closed: write &apos;]&apos; behind the unit</source>
+        <translation>die Klammer einer Einheit ist nicht geschlossen: &apos;]&apos; hinter die Einheit schreiben</translation>
+    </message>
+    <message>
+        <source>the character &apos;%1&apos; does not belong in an equation</source>
+        <translation>das Zeichen &apos;%1&apos; gehört nicht in eine Gleichung</translation>
+    </message>
+    <message>
+        <source>the equations have %1 characters; more than %2 are not read: put tables of data into assets or observations</source>
+        <translation>die Gleichungen haben %1 Zeichen; mehr als %2 werden nicht gelesen: Tabellen von Daten in Betriebsmittel oder Beobachtungen stellen</translation>
+    </message>
+    <message>
+        <source>the coverage factor k must be greater than zero</source>
+        <translation>der Erweiterungsfaktor k muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>the coverage probability must lie between 0 and 100 %</source>
+        <translation>die Überdeckungswahrscheinlichkeit muss zwischen 0 und 100 % liegen</translation>
+    </message>
+    <message>
+        <source>the limits give the estimate: leave the value empty, or state a half-width</source>
+        <translation>die Grenzen liefern den Schätzwert: den Wert leer lassen oder eine halbe Weite angeben</translation>
+    </message>
+    <message>
+        <source>the lower limit is above the upper limit</source>
+        <translation>die untere Grenze liegt über der oberen Grenze</translation>
+    </message>
+    <message>
+        <source>a relative part of the permissible error needs the value of the quantity</source>
+        <translation>ein relativer Anteil der Fehlergrenze braucht den Wert der Größe</translation>
+    </message>
+    <message>
+        <source>an exponential distribution needs an estimate greater than zero</source>
+        <translation>eine Exponentialverteilung braucht einen Schätzwert größer als null</translation>
+    </message>
+    <message>
+        <source>the number of counts must be whole</source>
+        <translation>die Anzahl der Zählereignisse muss ganzzahlig sein</translation>
+    </message>
+    <message>
+        <source>the counts give the estimate: leave the value empty</source>
+        <translation>die Zählung liefert den Schätzwert: den Wert leer lassen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not used by this statement: leave it empty</source>
+        <translation>&apos;%1&apos; wird von dieser Angabe nicht gebraucht: leer lassen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing: %2</source>
+        <translation>&apos;%1&apos; fehlt: %2</translation>
+    </message>
+    <message>
+        <source>&apos;a&apos; must not be negative</source>
+        <translation>&apos;a&apos; darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>give the degrees of freedom or the relative uncertainty of u, not both</source>
+        <translation>die Freiheitsgrade oder die relative Unsicherheit von u angeben, nicht beides</translation>
+    </message>
+    <message>
+        <source>the degrees of freedom must be greater than zero</source>
+        <translation>die Freiheitsgrade müssen größer als null sein</translation>
+    </message>
+    <message>
+        <source>the relative uncertainty of u must not be negative</source>
+        <translation>die relative Unsicherheit von u darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>there is no statement &apos;%1&apos;</source>
+        <translation>es gibt keine Angabe &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not understood here</source>
+        <translation>&apos;%1&apos; wird hier nicht verstanden</translation>
+    </message>
+    <message>
+        <source>a number is missing after &apos;%1&apos;</source>
+        <translation>nach &apos;%1&apos; fehlt eine Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</source>
+        <translation>&apos;%1&apos; ist keine Angabe einer Unsicherheit. Zum Beispiel: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</translation>
+    </message>
+    <message>
+        <source>%1 has %2 figure</source>
+        <translation>%1 hat %2 Zahl</translation>
+    </message>
+    <message>
+        <source>%1 has %2 figures</source>
+        <translation>%1 hat %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>a figure is missing: an expanded uncertainty needs k = ... or p = ... %</source>
+        <translation>eine Zahl fehlt: eine erweiterte Unsicherheit braucht k = ... oder p = ... %</translation>
+    </message>
+    <message>
+        <source>a figure is missing: it is noted as %1</source>
+        <translation>eine Zahl fehlt: als %1 vermerkt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no part of it: it is noted as %2</source>
+        <translation>&apos;%1&apos; gehört nicht dazu: als %2 vermerkt</translation>
+    </message>
+    <message>
+        <source>it has no unit</source>
+        <translation>sie hat keine Einheit</translation>
+    </message>
+    <message>
+        <source>the second figure has no unit but %</source>
+        <translation>die zweite Zahl hat keine Einheit außer %</translation>
+    </message>
+    <message>
+        <source>the second figure has no unit</source>
+        <translation>die zweite Zahl hat keine Einheit</translation>
+    </message>
+    <message>
+        <source>the further part is one in %: write MPE 3 + 0.1 %</source>
+        <translation>der weitere Teil ist einer in %: MPE 3 + 0.1 % schreiben</translation>
+    </message>
+    <message>
+        <source>say which it is: k = ... or p = ... %</source>
+        <translation>angeben, was es ist: k = ... oder p = ... %</translation>
+    </message>
+    <message>
+        <source>a part of the value needs the value</source>
+        <translation>ein Teil des Wertes braucht den Wert</translation>
+    </message>
+    <message>
+        <source>%1 is no unit for a quantity in %2</source>
+        <translation>%1 ist keine Einheit für eine Größe in %2</translation>
+    </message>
+    <message>
+        <source>a Type A evaluation needs at least two observations.</source>
+        <translation>eine Auswertung nach Typ A braucht mindestens zwei Beobachtungen.</translation>
+    </message>
+    <message>
+        <source>one of the observations is not a finite number.</source>
+        <translation>eine der Beobachtungen ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>there is no series to be pooled.</source>
+        <translation>es gibt keine Reihe zum Zusammenfassen.</translation>
+    </message>
+    <message>
+        <source>the covariance of two means needs observations made in pairs: the series have different lengths.</source>
+        <translation>die Kovarianz zweier Mittelwerte braucht paarweise Beobachtungen: die Reihen sind verschieden lang.</translation>
+    </message>
+    <message>
+        <source>the covariance of two means needs at least two pairs.</source>
+        <translation>die Kovarianz zweier Mittelwerte braucht mindestens zwei Paare.</translation>
+    </message>
+    <message>
+        <source>the components %1 and %2 are given two different correlations; a quantity that combines its components arithmetically needs +1 or -1.</source>
+        <translation>die Komponenten %1 und %2 haben zwei verschiedene Korrelationen; eine Größe, die ihre Komponenten arithmetisch zusammenfasst, braucht +1 oder -1.</translation>
+    </message>
+    <message>
+        <source>a correlation refers to component number %1 of %2.</source>
+        <translation>eine Korrelation verweist auf Komponente Nummer %1 von %2.</translation>
+    </message>
+    <message>
+        <source>a correlation is given between the component %1 and itself.</source>
+        <translation>eine Korrelation ist zwischen der Komponente %1 und sich selbst angegeben.</translation>
+    </message>
+    <message>
+        <source>the correlation of the components %1 and %2 must lie between -1 and 1.</source>
+        <translation>die Korrelation der Komponenten %1 und %2 muss zwischen -1 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>the quantity &quot;%1&quot; refers to component number %2 of %3.</source>
+        <translation>die Größe &quot;%1&quot; verweist auf Komponente Nummer %2 von %3.</translation>
+    </message>
+    <message>
+        <source>the correlations of the components %1 contradict each other: the smallest eigenvalue of their correlation matrix is %2, it must not be negative.</source>
+        <translation>die Korrelationen der Komponenten %1 widersprechen einander: der kleinste Eigenwert ihrer Korrelationsmatrix ist %2, er darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>the component %1 is a coordinate of a vector of random direction and cannot be correlated with another component; give it a normal distribution first.</source>
+        <translation>die Komponente %1 ist eine Koordinate eines Vektors zufälliger Richtung und kann nicht mit einer anderen Komponente korreliert werden; ihr zuerst eine Normalverteilung geben.</translation>
+    </message>
+    <message>
+        <source>the estimate of variance &quot;%1&quot; has component number %2, which does not exist or rests on two estimates.</source>
+        <translation>die Varianzschätzung &quot;%1&quot; hat die Komponente Nummer %2, die es nicht gibt oder die auf zwei Schätzungen beruht.</translation>
+    </message>
+    <message>
+        <source>the component %1 rests on the estimate of variance &quot;%2&quot; with others: it needs a normal or Student t distribution and their finite degrees of freedom.</source>
+        <translation>die Komponente %1 beruht mit anderen auf der Varianzschätzung &quot;%2&quot;: sie braucht eine Normal- oder Student-t-Verteilung und deren endliche Freiheitsgrade.</translation>
+    </message>
+    <message>
+        <source>the components %1 and %2 cannot have the correlation %3: with these distributions it lies between %4 and %5.</source>
+        <translation>die Komponenten %1 und %2 können nicht die Korrelation %3 haben: mit diesen Verteilungen liegt sie zwischen %4 und %5.</translation>
+    </message>
+    <message>
+        <source>%1 distribution: %2</source>
+        <translation>Verteilung %1: %2</translation>
+    </message>
+    <message>
+        <source>the %1 must be a finite number.</source>
+        <translation>%1: eine endliche Zahl ist nötig.</translation>
+    </message>
+    <message>
+        <source>the %1 is too large (at most 1e150).</source>
+        <translation>%1: zu groß (höchstens 1e150).</translation>
+    </message>
+    <message>
+        <source>the %1 must not be negative.</source>
+        <translation>%1: negativ nicht zulässig.</translation>
+    </message>
+    <message>
+        <source>the %1 must lie between 0.001 and 1000000.</source>
+        <translation>%1: nur zwischen 0,001 und 1000000 zulässig.</translation>
+    </message>
+    <message>
+        <source>the lower limit must not be greater than the upper limit.</source>
+        <translation>die untere Grenze darf nicht größer als die obere Grenze sein.</translation>
+    </message>
+    <message>
+        <source>the degrees of freedom must be at least 0.2 (they may be infinite).</source>
+        <translation>die Freiheitsgrade müssen mindestens 0,2 betragen (sie dürfen unendlich sein).</translation>
+    </message>
+    <message>
+        <source>the inexactness of the limits must not exceed half the distance between them.</source>
+        <translation>die Ungenauigkeit der Grenzen darf nicht größer als ihr halber Abstand sein.</translation>
+    </message>
+    <message>
+        <source>the ratio beta of top to base must lie between 0 and 1.</source>
+        <translation>das Verhältnis beta von oberer Breite zu Basis muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>one of the limits excludes every value.</source>
+        <translation>eine der Grenzen schließt jeden Wert aus.</translation>
+    </message>
+    <message>
+        <source>the mean value lies outside the limits.</source>
+        <translation>der Mittelwert liegt außerhalb der Grenzen.</translation>
+    </message>
+    <message>
+        <source>the limits lie so far from the mean value that no probability is left between them.</source>
+        <translation>die Grenzen liegen so weit vom Mittelwert entfernt, dass zwischen ihnen keine Wahrscheinlichkeit bleibt.</translation>
+    </message>
+    <message>
+        <source>mean value of the logarithm</source>
+        <translation>Mittelwert des Logarithmus</translation>
+    </message>
+    <message>
+        <source>the parameters of the logarithm are too large: the quantity has no finite variance in numbers.</source>
+        <translation>die Parameter des Logarithmus sind zu groß: die Größe hat in Zahlen keine endliche Varianz.</translation>
+    </message>
+    <message>
+        <source>a discrete distribution needs at least one value.</source>
+        <translation>eine diskrete Verteilung braucht mindestens einen Wert.</translation>
+    </message>
+    <message>
+        <source>there must be as many probabilities as values.</source>
+        <translation>es muss so viele Wahrscheinlichkeiten wie Werte geben.</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>probabilities</source>
+        <translation>Wahrscheinlichkeiten</translation>
+    </message>
+    <message>
+        <source>the probabilities must sum to 1.</source>
+        <translation>die Summe der Wahrscheinlichkeiten muss 1 sein.</translation>
+    </message>
+    <message>
+        <source>discrete distribution: there must be as many probabilities as values.</source>
+        <translation>diskrete Verteilung: es muss so viele Wahrscheinlichkeiten wie Werte geben.</translation>
+    </message>
+    <message>
+        <source>%1 distribution: %2 parameters are needed, %3 are given.</source>
+        <translation>Verteilung %1: %2 Parameter werden gebraucht, %3 sind angegeben.</translation>
+    </message>
+    <message>
+        <source>the distribution &quot;%1&quot; is not known. Known distributions: %2.</source>
+        <translation>die Verteilung &quot;%1&quot; ist nicht bekannt. Bekannte Verteilungen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 in row %2 of %3</source>
+        <translation>%1 in Zeile %2 von %3</translation>
+    </message>
+    <message>
+        <source>greater than %1 and at most %2</source>
+        <translation>größer als %1 und höchstens %2</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
+    </message>
+    <message>
+        <source>greater than %1</source>
+        <translation>größer als %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number; it is %2</source>
+        <translation>%1 muss eine ganze Zahl sein; angegeben ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is too large a number: %2</source>
+        <translation>%1 ist eine zu große Zahl: %2</translation>
+    </message>
+    <message>
+        <source>%1 must be %2; it is %3</source>
+        <translation>%1 muss %2 sein; angegeben ist %3</translation>
+    </message>
+    <message>
+        <source>%1 must be one of %2; it is %3%4</source>
+        <translation>%1 muss eins von %2 sein; angegeben ist %3%4</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>one of its choices</source>
+        <translation>eine der Auswahlmöglichkeiten</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a pose</source>
+        <translation>eine Pose</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>eine Tabelle</translation>
+    </message>
+    <message>
+        <source>the id of an asset</source>
+        <translation>die Kennung eines Betriebsmittels</translation>
+    </message>
+    <message>
+        <source>%1 must be %2</source>
+        <translation>%1 muss %2 sein</translation>
+    </message>
+    <message>
+        <source>%1 needs at least 1 row; it has %2</source>
+        <translation>%1 braucht mindestens 1 Zeile; vorhanden: %2</translation>
+    </message>
+    <message>
+        <source>%1 needs at least %2 rows; it has %3</source>
+        <translation>%1 braucht mindestens %2 Zeilen; vorhanden: %3</translation>
+    </message>
+    <message>
+        <source>%1 has %2 columns, but %3 units</source>
+        <translation>%1 hat %2 Spalten, aber %3 Einheiten</translation>
+    </message>
+    <message>
+        <source>row %1 of %2 has %3 cells; there are %4 columns</source>
+        <translation>Zeile %1 von %2 hat %3 Zellen; es gibt %4 Spalten</translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation>%1 ist leer</translation>
+    </message>
+    <message>
+        <source>%1 must not be empty</source>
+        <translation>%1 darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>%1 must be given (&apos;%2&apos; is missing)</source>
+        <translation>%1 muss angegeben sein (&apos;%2&apos; fehlt)</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%1 [%4]&quot;</source>
+        <translation>Spalte &apos;%1&apos; von &apos;%2&apos; ist %3; die Einheit fehlt: &quot;%1 [%4]&quot; schreiben</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is %3; &apos;%4&apos; is the unit of %5</source>
+        <translation>Spalte &apos;%1&apos; von &apos;%2&apos; ist %3; &apos;%4&apos; ist die Einheit von etwas anderem: %5</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in K, not in %3</source>
+        <translation>Spalte &apos;%1&apos; von &apos;%2&apos; ist eine Temperaturdifferenz: in K angeben, nicht in %3</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; here%2</source>
+        <translation>hier gibt es kein Feld &apos;%1&apos;%2</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>ein Volumen</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>eine Masse</translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation>eine Zeit</translation>
+    </message>
+    <message>
+        <source>a frequency</source>
+        <translation>eine Frequenz</translation>
+    </message>
+    <message>
+        <source>an electric current</source>
+        <translation>eine elektrische Stromstärke</translation>
+    </message>
+    <message>
+        <source>a temperature</source>
+        <translation>eine Temperatur</translation>
+    </message>
+    <message>
+        <source>an expansion coefficient</source>
+        <translation>ein Ausdehnungskoeffizient</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>ein Winkel</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>an acceleration</source>
+        <translation>eine Beschleunigung</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>eine Kraft</translation>
+    </message>
+    <message>
+        <source>a moment</source>
+        <translation>ein Moment</translation>
+    </message>
+    <message>
+        <source>a pressure</source>
+        <translation>ein Druck</translation>
+    </message>
+    <message>
+        <source>a stiffness</source>
+        <translation>eine Steifigkeit</translation>
+    </message>
+    <message>
+        <source>a voltage</source>
+        <translation>eine Spannung</translation>
+    </message>
+    <message>
+        <source>an electric resistance</source>
+        <translation>ein elektrischer Widerstand</translation>
+    </message>
+    <message>
+        <source>an electric charge</source>
+        <translation>eine elektrische Ladung</translation>
+    </message>
+    <message>
+        <source>a capacitance</source>
+        <translation>eine Kapazität</translation>
+    </message>
+    <message>
+        <source>an inductance</source>
+        <translation>eine Induktivität</translation>
+    </message>
+    <message>
+        <source>a magnetic flux density</source>
+        <translation>eine magnetische Flussdichte</translation>
+    </message>
+    <message>
+        <source>a magnetic flux</source>
+        <translation>ein magnetischer Fluss</translation>
+    </message>
+    <message>
+        <source>a power</source>
+        <translation>eine Leistung</translation>
+    </message>
+    <message>
+        <source>an amount of substance</source>
+        <translation>eine Stoffmenge</translation>
+    </message>
+    <message>
+        <source>a luminous intensity</source>
+        <translation>eine Lichtstärke</translation>
+    </message>
+    <message>
+        <source>an angular velocity</source>
+        <translation>eine Winkelgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a density</source>
+        <translation>eine Dichte</translation>
+    </message>
+    <message>
+        <source> (did you mean &apos;%1&apos;?)</source>
+        <translation> (gemeint: &apos;%1&apos;?)</translation>
+    </message>
+    <message>
+        <source>%1 must be a finite number; it is %2</source>
+        <translation>%1 muss eine endliche Zahl sein; angegeben ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is too large to be computed with (at most 1e100): it is %2</source>
+        <translation>%1 ist zu groß zum Rechnen (höchstens 1e100): angegeben ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2; %3 has no unit</source>
+        <translation>%1 ist %2; %3 hat keine Einheit</translation>
+    </message>
+    <message>
+        <source>%1 is %2; %3 is %4</source>
+        <translation>%1 ist %2; %3 ist %4</translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures: give it in K, not in %2</source>
+        <translation>%1 ist eine Temperaturdifferenz: in K angeben, nicht in %2</translation>
+    </message>
+    <message>
+        <source>the result does not represent the measurand: more than 1 % of the trials have no value</source>
+        <translation>das Ergebnis stellt die Messgröße nicht dar: mehr als 1 % der Versuche haben keinen Wert</translation>
+    </message>
+    <message>
+        <source>U = k u with the coverage factor that was fixed.</source>
+        <translation>U = k u mit dem festgelegten Erweiterungsfaktor.</translation>
+    </message>
+    <message>
+        <source>U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
+        <translation>U ist die halbe Breite des probabilistisch symmetrischen Überdeckungsintervalls, und k = U/u.</translation>
+    </message>
+    <message>
+        <source>U = k u with k of the t distribution for the effective degrees of freedom.</source>
+        <translation>U = k u mit k der t-Verteilung für die effektiven Freiheitsgrade.</translation>
+    </message>
+    <message>
+        <source>the number of significant digits of the numerical tolerance must be 1, 2, 3 or 4</source>
+        <translation>die Anzahl der signifikanten Stellen der numerischen Toleranz muss 1, 2, 3 oder 4 sein</translation>
+    </message>
+    <message>
+        <source>the numerical tolerance must be greater than zero</source>
+        <translation>die numerische Toleranz muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>the adaptive procedure needs at least two batches</source>
+        <translation>das adaptive Verfahren braucht mindestens zwei Blöcke</translation>
+    </message>
+    <message>
+        <source>the adaptive procedure needs at least two batches: allow %1 trials or more</source>
+        <translation>das adaptive Verfahren braucht mindestens zwei Blöcke: %1 oder mehr Versuche zulassen</translation>
+    </message>
+    <message>
+        <source>a Monte Carlo run needs at least two trials</source>
+        <translation>ein Monte-Carlo-Lauf braucht mindestens zwei Versuche</translation>
+    </message>
+    <message>
+        <source>the coverage probability must lie between 0 and 1</source>
+        <translation>die Überdeckungswahrscheinlichkeit muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>the coverage probability is too near to 1</source>
+        <translation>die Überdeckungswahrscheinlichkeit liegt zu nahe bei 1</translation>
+    </message>
+    <message>
+        <source>the coverage factor must be greater than zero</source>
+        <translation>der Erweiterungsfaktor muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>one-at-a-time Monte Carlo needs at least two trials</source>
+        <translation>Monte Carlo mit einzelnen Beitragenden braucht mindestens zwei Versuche</translation>
+    </message>
+    <message>
+        <source>Monte Carlo without a contributor needs at least two trials</source>
+        <translation>Monte Carlo ohne einen Beitragenden braucht mindestens zwei Versuche</translation>
+    </message>
+    <message>
+        <source>Sobol indices need at least 100 trials</source>
+        <translation>Sobol-Indizes brauchen mindestens 100 Versuche</translation>
+    </message>
+    <message>
+        <source>the evaluation was stopped</source>
+        <translation>die Auswertung wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>none of the trials has a value: the measurement model cannot be evaluated within the uncertainties of its inputs; check the standard uncertainties and the geometry</source>
+        <translation>keiner der Versuche hat einen Wert: das Messmodell ist innerhalb der Unsicherheiten seiner Eingangsgrößen nicht auswertbar; die Standardunsicherheiten und die Geometrie prüfen</translation>
+    </message>
+    <message>
+        <source>the linear part explains %1 % of the variance: a gain of %2</source>
+        <translation>der lineare Teil erklärt %1 % der Varianz: ein Gewinn von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>no trial has a value</source>
+        <translation>kein Versuch hat einen Wert</translation>
+    </message>
+    <message>
+        <source>the measurement model has no sensitivity coefficients near the estimates: second-order terms do not exist</source>
+        <translation>das Messmodell hat nahe den Schätzwerten keine Sensitivitätskoeffizienten: Glieder zweiter Ordnung existieren nicht</translation>
+    </message>
+    <message>
+        <source>there are too many quantities for them</source>
+        <translation>dafür gibt es zu viele Größen</translation>
+    </message>
+    <message>
+        <source>the degrees of freedom of %1 must be greater than zero</source>
+        <translation>die Freiheitsgrade von %1 müssen größer als null sein</translation>
+    </message>
+    <message>
+        <source>the degrees of freedom of %1 are too few: there must be at least 0.2</source>
+        <translation>die Freiheitsgrade von %1 sind zu wenige: es müssen mindestens 0,2 sein</translation>
+    </message>
+    <message>
+        <source>the distribution of %1 has no finite mean or standard uncertainty</source>
+        <translation>die Verteilung von %1 hat keinen endlichen Mittelwert oder keine endliche Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>the estimate of %1 is not a finite number</source>
+        <translation>der Schätzwert von %1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>quantity %1 refers to a component that does not exist, or with a factor that is not finite</source>
+        <translation>Größe %1 verweist auf eine Komponente, die nicht existiert, oder mit einem nicht endlichen Faktor</translation>
+    </message>
+    <message>
+        <source>the measurement model has %1 input quantities, but %2 were given</source>
+        <translation>das Messmodell hat %1 Eingangsgrößen, angegeben sind aber %2</translation>
+    </message>
+    <message>
+        <source>the measurement model has no output quantities</source>
+        <translation>das Messmodell hat keine Ausgangsgrößen</translation>
+    </message>
+    <message>
+        <source>its correlated components are not normally distributed</source>
+        <translation>die korrelierten Komponenten sind nicht normalverteilt</translation>
+    </message>
+    <message>
+        <source>its sensitivity coefficients are zero</source>
+        <translation>die Sensitivitätskoeffizienten sind null</translation>
+    </message>
+    <message>
+        <source>no spread</source>
+        <translation>keine Streuung</translation>
+    </message>
+    <message>
+        <source>normal as far as so few trials can tell</source>
+        <translation>normal, soweit so wenige Versuche es sagen können</translation>
+    </message>
+    <message>
+        <source>normal within 1 %</source>
+        <translation>normal auf 1 %</translation>
+    </message>
+    <message>
+        <source>normal within 5 %</source>
+        <translation>normal auf 5 %</translation>
+    </message>
+    <message>
+        <source>too skewed for k u</source>
+        <translation>zu schief für k u</translation>
+    </message>
+    <message>
+        <source>too heavy-tailed for k u</source>
+        <translation>zu schwer an den Rändern für k u</translation>
+    </message>
+    <message>
+        <source>too flat for k u</source>
+        <translation>zu flach für k u</translation>
+    </message>
+    <message>
+        <source>Second-order terms are left out: the formula of JCGM 100 5.1.2 assumes independent components, and some of these are correlated.</source>
+        <translation>Glieder zweiter Ordnung werden weggelassen: die Formel von JCGM 100 5.1.2 setzt unabhängige Komponenten voraus, und einige davon sind korreliert.</translation>
+    </message>
+    <message>
+        <source>Second-order terms are left out: %1.</source>
+        <translation>Glieder zweiter Ordnung werden weggelassen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 trials (%3 %) have no value (the measurement model cannot be evaluated there) and are not part of the statistics.</source>
+        <translation>%1 von %2 Versuchen (%3 %) haben keinen Wert (das Messmodell kann dort nicht ausgewertet werden) und gehören nicht zur Statistik.</translation>
+    </message>
+    <message>
+        <source>The result does not represent the measurand: more than 1 % of the trials are lost, and they are not a random choice.</source>
+        <translation>Das Ergebnis stellt die Messgröße nicht dar: mehr als 1 % der Versuche sind verloren, und sie sind keine zufällige Auswahl.</translation>
+    </message>
+    <message>
+        <source>The adaptive procedure stopped at %1 trials before its results were stable: allow more trials, or ask for fewer significant digits.</source>
+        <translation>Das adaptive Verfahren hielt bei %1 Versuchen an, bevor seine Ergebnisse stabil waren: mehr Versuche zulassen oder weniger signifikante Stellen verlangen.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals are interpolated in fine cells: there are too many trials to keep the values of the tails in memory.</source>
+        <translation>Überdeckungsintervalle werden in feinen Zellen interpoliert: es sind zu viele Versuche, um die Werte der Ausläufer im Speicher zu halten.</translation>
+    </message>
+    <message>
+        <source>The correlations stated cannot all hold with these distributions: the nearest that can are drawn, with coefficients that differ by up to %1.</source>
+        <translation>Die angegebenen Korrelationen können mit diesen Verteilungen nicht alle gelten: gezogen werden die nächsten, die es können, mit Koeffizienten, die um bis zu %1 abweichen.</translation>
+    </message>
+    <message>
+        <source>The angle %1%2 is hardly determined: its standard uncertainty exceeds 1 rad.</source>
+        <translation>Der Winkel %1%2 ist kaum bestimmt: seine Standardunsicherheit übersteigt 1 rad.</translation>
+    </message>
+    <message>
+        <source>Nothing is gained by variance reduction, and standard errors are not known: there are fewer than %1 batches of %2 trials.</source>
+        <translation>Die Varianzreduktion bringt keinen Gewinn, und Standardfehler sind nicht bekannt: es gibt weniger als %1 Blöcke zu %2 Versuchen.</translation>
+    </message>
+    <message>
+        <source>Control variates are not used: the linear part of the trials that have a value has another distribution than that of all trials.</source>
+        <translation>Kontrollvariaten werden nicht verwendet: der lineare Anteil der Versuche, die einen Wert haben, hat eine andere Verteilung als der aller Versuche.</translation>
+    </message>
+    <message>
+        <source>Without control variate: %1.</source>
+        <translation>Ohne Kontrollvariate: %1.</translation>
+    </message>
+    <message>
+        <source>The standard uncertainty by Monte Carlo of %1 does not exist, because a Student t distribution with two degrees of freedom or fewer has no finite standard deviation: it is shown as infinite, and U is half the width of the coverage interval.</source>
+        <translation>Die Standardunsicherheit von %1 nach Monte Carlo existiert nicht, weil eine Student-t-Verteilung mit zwei oder weniger Freiheitsgraden keine endliche Standardabweichung hat: sie wird als unendlich angezeigt, und U ist die halbe Weite des Überdeckungsintervalls.</translation>
+    </message>
+    <message>
+        <source>The standard uncertainty by Monte Carlo of %1 cannot stabilise, because Student t distributions with four degrees of freedom or fewer have no finite fourth moment: the adaptive procedure judges by the coverage intervals; use these.</source>
+        <translation>Die Standardunsicherheit von %1 nach Monte Carlo kann nicht stabil werden, weil Student-t-Verteilungen mit vier oder weniger Freiheitsgraden kein endliches viertes Moment haben: das adaptive Verfahren urteilt nach den Überdeckungsintervallen; diese verwenden.</translation>
+    </message>
+    <message>
+        <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
+        <translation>das Messmodell hat bei den Schätzwerten seiner Eingangsgrößen keinen Wert%1: die Nenngeometrie und die eingegebenen Werte prüfen</translation>
+    </message>
+    <message>
+        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
+        <translation>das Messmodell hat bei den Schätzwerten seiner Eingangsgrößen keine Sensitivitätskoeffizienten%1: es ist dort nicht differenzierbar (singuläre Geometrie)</translation>
+    </message>
+    <message>
+        <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
+        <translation>Die effektiven Freiheitsgrade sind genähert: die Welch-Satterthwaite-Formel setzt unabhängige Komponenten voraus, und korrelierte Komponenten mit endlichen Freiheitsgraden tragen bei. Das Überdeckungsintervall nach Monte Carlo ist der bessere Anhalt.</translation>
+    </message>
+    <message>
+        <source>1 vector of random direction has coordinates with different distributions after editing: they are drawn independently.</source>
+        <translation>1 Vektor zufälliger Richtung hat nach der Bearbeitung Koordinaten mit verschiedenen Verteilungen: sie werden unabhängig gezogen.</translation>
+    </message>
+    <message>
+        <source>%1 vectors of random direction have coordinates with different distributions after editing: they are drawn independently.</source>
+        <translation>%1 Vektoren zufälliger Richtung haben nach der Bearbeitung Koordinaten mit verschiedenen Verteilungen: sie werden unabhängig gezogen.</translation>
+    </message>
+    <message>
+        <source>The angle %1 is hardly determined: its standard uncertainty by the law of propagation exceeds 1 rad.</source>
+        <translation>Der Winkel %1 ist kaum bestimmt: seine Standardunsicherheit nach dem Fortpflanzungsgesetz übersteigt 1 rad.</translation>
+    </message>
+    <message>
+        <source>a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)</source>
+        <translation>eine Toleranz von %1 %2 für %3 (u = %4 %2) braucht etwa %5 Versuche (%6 Stapel)</translation>
+    </message>
+    <message>
+        <source>to correct the bias of coordinate %1, give the number of observations n in its row: the uncertainty of the correction is u_var/sqrt(n)</source>
+        <translation>um die Abweichung der Koordinate %1 zu korrigieren, in ihrer Zeile die Anzahl n der Beobachtungen angeben: die Unsicherheit der Korrektion ist u_var/sqrt(n)</translation>
+    </message>
+    <message>
+        <source>there are two points called &apos;%1&apos;; rename one</source>
+        <translation>zwei Punkte heißen &apos;%1&apos;; einen umbenennen</translation>
+    </message>
+    <message>
+        <source>there is no calibrated point called &apos;%1&apos;</source>
+        <translation>es gibt keinen kalibrierten Punkt mit dem Namen &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must consist of the letters x, y and z</source>
+        <translation>&apos;%1&apos; muss aus den Buchstaben x, y und z bestehen</translation>
+    </message>
+    <message>
+        <source>coordinate %1 has fewer than two observations that do not define the frame: measure more points or runs</source>
+        <translation>Koordinate %1 hat weniger als zwei Beobachtungen, die das System nicht festlegen: mehr Punkte oder Läufe messen</translation>
+    </message>
+    <message>
+        <source>coordinate %1 has %2 rows; it must have one</source>
+        <translation>Koordinate %1 hat %2 Zeilen; sie muss eine haben</translation>
+    </message>
+    <message>
+        <source>the length standard needs at least two observations</source>
+        <translation>das Längennormal braucht mindestens zwei Beobachtungen</translation>
+    </message>
+    <message>
+        <source>the table must have one row; it has %1</source>
+        <translation>die Tabelle muss eine Zeile haben; vorhanden: %1</translation>
+    </message>
+    <message>
+        <source>the analysis has no point called &apos;%1&apos;</source>
+        <translation>die Analyse hat keinen Punkt mit dem Namen &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>point %1: %2</source>
+        <translation>Punkt %1: %2</translation>
+    </message>
+    <message>
+        <source>it is at the place of the instrument</source>
+        <translation>er liegt am Ort des Messgeräts</translation>
+    </message>
+    <message>
+        <source>it is out of the range or field of view of the instrument</source>
+        <translation>er liegt außerhalb der Reichweite oder des Sichtfelds des Messgeräts</translation>
+    </message>
+    <message>
+        <source>correlated coordinates of a station are combinations of independent deviations, which are normal: leave the distribution normal, or the correlation out</source>
+        <translation>korrelierte Koordinaten eines Standpunktes sind Kombinationen unabhängiger Abweichungen, die normalverteilt sind: die Verteilung bei normal belassen oder die Korrelation weglassen</translation>
+    </message>
+    <message>
+        <source>a coordinate of the station is correlated with itself; name two different ones</source>
+        <translation>eine Koordinate des Standpunktes ist mit sich selbst korreliert; zwei verschiedene nennen</translation>
+    </message>
+    <message>
+        <source>the range ends before it begins: the longest distance must be greater than the shortest</source>
+        <translation>der Bereich endet, bevor er beginnt: die längste Distanz muss größer als die kürzeste sein</translation>
+    </message>
+    <message>
+        <source>the sensor reads nothing: choose a distance or an angle</source>
+        <translation>der Sensor liest nichts: eine Distanz oder einen Winkel wählen</translation>
+    </message>
+    <message>
+        <source>these coefficients are not possible together: their matrix has a negative eigenvalue</source>
+        <translation>diese Koeffizienten sind zusammen nicht möglich: ihre Matrix hat einen negativen Eigenwert</translation>
+    </message>
+    <message>
+        <source>it is at the place of %1</source>
+        <translation>er liegt am Ort von %1</translation>
+    </message>
+    <message>
+        <source>no sensor of the network sees it</source>
+        <translation>kein Sensor des Netzes sieht ihn</translation>
+    </message>
+    <message>
+        <source>it cannot be localised from what %1 read: the readings leave a direction undetermined; add a sensor or a reading</source>
+        <translation>aus dem, was %1 ablesen, kann er nicht bestimmt werden: die Ablesungen lassen eine Richtung offen; einen Sensor oder eine Ablesung hinzufügen</translation>
+    </message>
+    <message>
+        <source>the readings do not lead to a position of every target: the estimation does not converge from the nominal coordinates; look for exchanged or mistyped readings</source>
+        <translation>die Ablesungen führen nicht zu einer Lage jedes Zielpunktes: die Schätzung konvergiert von den Nennkoordinaten aus nicht; nach vertauschten oder vertippten Ablesungen suchen</translation>
+    </message>
+    <message>
+        <source>%1 looks away from target %2: its angles point to the opposite side</source>
+        <translation>%1 blickt von Zielpunkt %2 weg: die Winkel zeigen zur entgegengesetzten Seite</translation>
+    </message>
+    <message>
+        <source>there is no target %1</source>
+        <translation>es gibt keinen Zielpunkt %1</translation>
+    </message>
+    <message>
+        <source>%1 does not see target %2: it is out of its range or field of view</source>
+        <translation>%1 sieht Zielpunkt %2 nicht: er liegt außerhalb der Reichweite oder des Sichtfelds</translation>
+    </message>
+    <message>
+        <source>%1 does not see %2 of the %3 targets: they are out of its range or field of view</source>
+        <translation>%1 sieht %2 der %3 Zielpunkte nicht: sie liegen außerhalb der Reichweite oder des Sichtfelds</translation>
+    </message>
+    <message>
+        <source>the sensor %1 is not listed in the network</source>
+        <translation>der Sensor %1 ist im Netz nicht aufgeführt</translation>
+    </message>
+    <message>
+        <source>%1 reads no %2 according to its description</source>
+        <translation>%1 liest nach seiner Beschreibung keine Größe %2</translation>
+    </message>
+    <message>
+        <source>more than %1 rows for target %2</source>
+        <translation>mehr als %1 Zeilen für Zielpunkt %2</translation>
+    </message>
+    <message>
+        <source>target %1 is at the place of %2</source>
+        <translation>Zielpunkt %1 ist am Ort von %2</translation>
+    </message>
+    <message>
+        <source>target %1 is behind the camera %2</source>
+        <translation>Zielpunkt %1 ist hinter der Kamera %2</translation>
+    </message>
+    <message>
+        <source>a network has at most %1 sensors; divide it into several analyses</source>
+        <translation>ein Netz hat höchstens %1 Sensoren; auf mehrere Analysen aufteilen</translation>
+    </message>
+    <message>
+        <source>two targets are called %1</source>
+        <translation>zwei Zielpunkte heißen %1</translation>
+    </message>
+    <message>
+        <source>a distance needs two targets at different places</source>
+        <translation>eine Distanz braucht zwei Zielpunkte an verschiedenen Orten</translation>
+    </message>
+    <message>
+        <source>a calibrated length needs two targets at different places</source>
+        <translation>eine kalibrierte Länge braucht zwei Zielpunkte an verschiedenen Orten</translation>
+    </message>
+    <message>
+        <source>the calibrated length is missing</source>
+        <translation>die kalibrierte Länge fehlt</translation>
+    </message>
+    <message>
+        <source>the nominal targets of the %1 are at another distance than its calibrated length; the design takes their distance</source>
+        <translation>die Nennlagen der Zielpunkte (%1) haben einen anderen Abstand als die kalibrierte Länge; die Planung nimmt ihren Abstand</translation>
+    </message>
+    <message>
+        <source>a calibrated length can be a constraint only of the non-linear estimator with weights from readings and stations</source>
+        <translation>eine kalibrierte Länge kann nur beim nichtlinearen Schätzer mit Gewichten aus Ablesungen und Standpunkten eine Bedingung sein</translation>
+    </message>
+    <message>
+        <source>the targets of the %1 belong to two set-ups, which are estimated one after the other: it can only be a check</source>
+        <translation>die Zielpunkte (%1) gehören zu zwei Aufstellungen, die nacheinander geschätzt werden: nur als Prüfung möglich</translation>
+    </message>
+    <message>
+        <source>the targets of an angle must be at three places off one line: at 0° and 180° an angle has no sign and no derivative</source>
+        <translation>die Zielpunkte eines Winkels müssen an drei Orten sein, die nicht auf einer Geraden liegen: bei 0° und 180° hat ein Winkel kein Vorzeichen und keine Ableitung</translation>
+    </message>
+    <message>
+        <source>the name %1 is taken by another frame or a target</source>
+        <translation>der Name %1 ist durch ein anderes System oder einen Zielpunkt vergeben</translation>
+    </message>
+    <message>
+        <source>the three targets of frame %1 lie on one line: its axes are undefined</source>
+        <translation>die drei Zielpunkte des Systems %1 liegen auf einer Geraden: seine Achsen sind unbestimmt</translation>
+    </message>
+    <message>
+        <source>the x-axis of frame %1 is vertical: its Z-Y-X angles are undefined (gimbal lock)</source>
+        <translation>die x-Achse des Systems %1 ist senkrecht: seine Z-Y-X-Winkel sind unbestimmt (Gimbal Lock)</translation>
+    </message>
+    <message>
+        <source>scale bar %1 – %2</source>
+        <translation>Maßstab %1 – %2</translation>
+    </message>
+    <message>
+        <source>the sensor %1 is listed twice</source>
+        <translation>der Sensor %1 ist zweimal aufgeführt</translation>
+    </message>
+    <message>
+        <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or figures of the instruments that are too small</source>
+        <translation>%1 Die Residuen sind größer, als die Unsicherheiten zulassen; das größte im Verhältnis zu seiner Unsicherheit ist: %2. Nach vertippten oder vertauschten Ablesungen suchen oder nach zu kleinen Zahlen der Messgeräte</translation>
+    </message>
+    <message>
+        <source>distance of %1 by %2</source>
+        <translation>Abstand von %1 durch %2</translation>
+    </message>
+    <message>
+        <source>azimuth of %1 by %2</source>
+        <translation>Azimut von %1 durch %2</translation>
+    </message>
+    <message>
+        <source>elevation of %1 by %2</source>
+        <translation>Elevation von %1 durch %2</translation>
+    </message>
+    <message>
+        <source>length of the %1</source>
+        <translation>Länge: %1</translation>
+    </message>
+    <message>
+        <source>Chi-square of the residuals: %1 with %2 degrees of freedom, p = %3.</source>
+        <translation>Chi-Quadrat der Residuen: %1 mit %2 Freiheitsgraden, p = %3.</translation>
+    </message>
+    <message>
+        <source>no sensor</source>
+        <translation>kein Sensor</translation>
+    </message>
+    <message>
+        <source>target %1 has no linear equations that localise it (a distance without angles has none): use the non-linear estimator</source>
+        <translation>Zielpunkt %1 hat keine linearen Gleichungen, die ihn lokalisieren (eine Distanz ohne Winkel hat keine): den nichtlinearen Schätzer verwenden</translation>
+    </message>
+    <message>
+        <source>target %1 cannot be localised from what %2 read: the readings leave a direction undetermined; add a sensor or a reading</source>
+        <translation>Zielpunkt %1 kann aus den Ablesungen von %2 nicht lokalisiert werden: sie lassen eine Richtung unbestimmt; einen Sensor oder eine Ablesung hinzufügen</translation>
+    </message>
+    <message>
+        <source>target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m</source>
+        <translation>Zielpunkt %1 ist kaum lokalisiert: in einer Richtung ist u gleich %2 m bei einem Abstand von %3 m</translation>
+    </message>
+    <message>
+        <source>the stations that measure target %1 lie in one plane and read distances only: its mirror image behind that plane fits as well; the one near the nominal coordinates is taken</source>
+        <translation>die Standpunkte, die Zielpunkt %1 messen, liegen in einer Ebene und lesen nur Distanzen: sein Spiegelbild hinter dieser Ebene passt ebenso; genommen wird der Ort nahe den Nennkoordinaten</translation>
+    </message>
+    <message>
+        <source>a calibrated length cannot be a constraint of a set-up with more than %1 readings (this one has %2): make it a check</source>
+        <translation>eine kalibrierte Länge kann keine Bedingung einer Aufstellung mit mehr als %1 Ablesungen sein (diese hat %2): als Prüfung verwenden</translation>
+    </message>
+    <message>
+        <source>the %1 readings of one set-up are too many to be weighed together: each target is estimated from its own readings, weighted with the stations</source>
+        <translation>die %1 Ablesungen einer Aufstellung sind zu viele für eine gemeinsame Gewichtung: jeder Zielpunkt wird aus seinen eigenen Ablesungen geschätzt, mit den Standpunkten gewichtet</translation>
+    </message>
+    <message>
+        <source>the standard uncertainty of a coordinate, %1 mm, is more than a tenth of the distance of point %2 from the x-axis, %3 mm: the law of propagation is not reliable here, look at Monte Carlo</source>
+        <translation>die Standardunsicherheit einer Koordinate, %1 mm, ist mehr als ein Zehntel des Abstands von Punkt %2 zur x-Achse, %3 mm: das Fortpflanzungsgesetz ist hier nicht zuverlässig, Monte Carlo ansehen</translation>
+    </message>
+    <message>
+        <source>the frame made from these points lies %1 mm and %2° away from the axes in which they are given, so results differ from the table of poses; check the side of point 3 and the shift of the origin</source>
+        <translation>das aus diesen Punkten gebildete System liegt %1 mm und %2° neben den Achsen, in denen sie angegeben sind, daher weichen Ergebnisse von der Tabelle der Posen ab; die Seite von Punkt 3 und die Verschiebung des Ursprungs prüfen</translation>
+    </message>
+    <message>
+        <source>%1: beta is within 2° of ±90°, where Z-Y-X angles are undefined (gimbal lock); state the orientation as a rotation vector</source>
+        <translation>%1: beta liegt innerhalb von 2° um ±90°, wo Z-Y-X-Winkel unbestimmt sind (Gimbal Lock); die Orientierung als Drehvektor angeben</translation>
+    </message>
+    <message>
+        <source>%1: beta is within 2° of 0° or 180°, where Z-Y-Z angles are undefined (gimbal lock); state the orientation as Z-Y-X angles or a rotation vector</source>
+        <translation>%1: beta liegt innerhalb von 2° um 0° oder 180°, wo Z-Y-Z-Winkel unbestimmt sind (Gimbal Lock); die Orientierung als Z-Y-X-Winkel oder Drehvektor angeben</translation>
+    </message>
+    <message>
+        <source>%1: the rotation is within 4° of half a turn, where the sign of the axis is undefined; state the orientation as angles</source>
+        <translation>%1: die Drehung liegt innerhalb von 4° um eine halbe Umdrehung, wo das Vorzeichen der Achse unbestimmt ist; die Orientierung als Winkel angeben</translation>
+    </message>
+    <message>
+        <source>the analysis %1 has no point called &apos;%2&apos;</source>
+        <translation>die Analyse %1 hat keinen Punkt mit dem Namen &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>point %1 cannot be measured by %2: %3</source>
+        <translation>Punkt %1 kann von %2 nicht gemessen werden: %3</translation>
+    </message>
+    <message>
+        <source>the 3-2-1 method uses the first three points; point %1 and those after it are not used: choose least squares</source>
+        <translation>die 3-2-1-Methode verwendet die ersten drei Punkte; Punkt %1 und die folgenden werden nicht verwendet: kleinste Quadrate wählen</translation>
+    </message>
+    <message>
+        <source>the base frame is undefined</source>
+        <translation>das Basissystem ist nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>the moving frame is undefined</source>
+        <translation>das bewegte System ist nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 coincide: %3</source>
+        <translation>die Punkte %1 und %2 fallen zusammen: %3</translation>
+    </message>
+    <message>
+        <source>point %1 lies on the line through %2 and %3: %4</source>
+        <translation>Punkt %1 liegt auf der Geraden durch %2 und %3: %4</translation>
+    </message>
+    <message>
+        <source>all points lie on one line or coincide: their frame is undefined</source>
+        <translation>alle Punkte liegen auf einer Geraden oder fallen zusammen: ihr System ist unbestimmt</translation>
+    </message>
+    <message>
+        <source>not used: the uncertainties come from an artefact or instrument</source>
+        <translation>nicht verwendet: die Unsicherheiten stammen von einem Prüfkörper oder Messgerät</translation>
+    </message>
+    <message>
+        <source>there are two poses called &apos;%1&apos;; rename one</source>
+        <translation>es gibt zwei Posen namens &apos;%1&apos;; eine umbenennen</translation>
+    </message>
+    <message>
+        <source>no pose may be called &apos;base&apos;: that names the base among the measured points</source>
+        <translation>keine Pose darf &apos;base&apos; heißen: das bezeichnet die Basis unter den gemessenen Punkten</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither &apos;base&apos; nor the name of a pose</source>
+        <translation>&apos;%1&apos; ist weder &apos;base&apos; noch der Name einer Pose</translation>
+    </message>
+    <message>
+        <source>there is no point called &apos;%1&apos; in that frame</source>
+        <translation>in diesem System gibt es keinen Punkt mit dem Namen &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>point %1 of &apos;%2&apos; was not measured</source>
+        <translation>Punkt %1 von &apos;%2&apos; wurde nicht gemessen</translation>
+    </message>
+    <message>
+        <source>the mirrored coordinates leave %1 instead of %2: frame 0 is left-handed, check the signs and the order of its axes</source>
+        <translation>die gespiegelten Koordinaten lassen %1 statt %2: System 0 ist linkshändig, Vorzeichen und Reihenfolge seiner Achsen prüfen</translation>
+    </message>
+    <message>
+        <source>with %1 and %2 exchanged the residuals are %3 instead of %4: check the names</source>
+        <translation>mit %1 und %2 vertauscht sind die Residuen %3 statt %4: die Namen prüfen</translation>
+    </message>
+    <message>
+        <source>the points of &apos;%1&apos; do not fit their nominal coordinates</source>
+        <translation>die Punkte von &apos;%1&apos; passen nicht zu ihren Nennkoordinaten</translation>
+    </message>
+    <message>
+        <source>the points of &apos;%1&apos; do not fit their nominal coordinates within the stated uncertainties: chi-square %2 with %3 degrees of freedom; the largest normalised residual is %4 (%5)</source>
+        <translation>die Punkte von &apos;%1&apos; passen innerhalb der angegebenen Unsicherheiten nicht zu ihren Nennkoordinaten: Chi-Quadrat %2 mit %3 Freiheitsgraden; das größte normierte Residuum ist %4 (%5)</translation>
+    </message>
+    <message>
+        <source>the lengths between the supports make no triangle: the longest of %1, %2 and %3 exceeds the sum of the others</source>
+        <translation>die Längen zwischen den Auflagen bilden kein Dreieck: die längste von %1, %2 und %3 ist größer als die Summe der anderen</translation>
+    </message>
+    <message>
+        <source>the three supports lie on a line (%1, %2 and %3): they leave the place of the ball undetermined; move one of them aside</source>
+        <translation>die drei Auflagen liegen auf einer Geraden (%1, %2 und %3): sie lassen den Ort der Kugel unbestimmt; eine davon zur Seite rücken</translation>
+    </message>
+    <message>
+        <source>the lengths of support %1 do not meet at its height: they miss by %2</source>
+        <translation>die Längen von Auflager %1 treffen sich nicht auf seiner Höhe: sie verfehlen sich um %2</translation>
+    </message>
+    <message>
+        <source>a set has at most %1 supports</source>
+        <translation>ein Satz hat höchstens %1 Auflager</translation>
+    </message>
+    <message>
+        <source>the rotation about %1</source>
+        <translation>die Drehung um %1</translation>
+    </message>
+    <message>
+        <source>%1 has %2 points; a plane needs three, and some more to be checked</source>
+        <translation>%1 hat %2 Punkte; eine Ebene braucht drei und einige mehr zur Prüfung</translation>
+    </message>
+    <message>
+        <source>%1 has a span of zero: all its points coincide</source>
+        <translation>%1 hat keine Spannweite: alle Punkte fallen zusammen</translation>
+    </message>
+    <message>
+        <source>the tool centre point lies on the axis of %1 (or the tool has no length): it traces no circle; turn about another axis</source>
+        <translation>der Werkzeugmittelpunkt liegt auf der Achse von %1 (oder das Werkzeug hat keine Länge): er zeichnet keinen Kreis; um eine andere Achse drehen</translation>
+    </message>
+    <message>
+        <source>the arc of %1 spans only %2°: uncertainties grow as the inverse square of the span and may be %3 times those of half a turn</source>
+        <translation>der Bogen von %1 umfasst nur %2°: Unsicherheiten wachsen mit dem inversen Quadrat des Bogens und können das %3-fache derer einer halben Umdrehung sein</translation>
+    </message>
+    <message>
+        <source>point %1 is %2 mm on the other side of the supports&apos; plane, where the ballbars look for no solution; change their placement or their side</source>
+        <translation>Punkt %1 liegt %2 mm auf der anderen Seite der Ebene der Auflager, wo die Kugelstäbe keine Lösung suchen; ihre Aufstellung oder ihre Seite ändern</translation>
+    </message>
+    <message>
+        <source>point %1 is only %2 mm from the supports&apos; plane, with a standard uncertainty of %3 mm in that direction: in some trials the lengths will not meet (negative root), and u is not to be trusted</source>
+        <translation>Punkt %1 liegt nur %2 mm von der Ebene der Auflager entfernt, bei einer Standardunsicherheit von %3 mm in dieser Richtung: in einigen Versuchen treffen sich die Längen nicht (negative Wurzel), und u ist nicht zu trauen</translation>
+    </message>
+    <message>
+        <source>the measured points determine no sphere and no axes: they lie on one circle, or coincide; check their axes and angles</source>
+        <translation>die gemessenen Punkte bestimmen weder Kugel noch Achsen: sie liegen auf einem Kreis oder fallen zusammen; ihre Achsen und Winkel prüfen</translation>
+    </message>
+    <message>
+        <source>a procedure has at most %1 points</source>
+        <translation>ein Verfahren hat höchstens %1 Punkte</translation>
+    </message>
+    <message>
+        <source>two points are called %1</source>
+        <translation>zwei Punkte heißen %1</translation>
+    </message>
+    <message>
+        <source>the flange turns about %1 in two rotations; put their points into one</source>
+        <translation>der Flansch dreht in zwei Drehungen um %1; ihre Punkte in eine zusammenfassen</translation>
+    </message>
+    <message>
+        <source>one rotation traces one circle, which leaves the centre of the flange and its axes undetermined: add a rotation about another axis</source>
+        <translation>eine Drehung zeichnet einen Kreis, der den Mittelpunkt des Flansches und seine Achsen unbestimmt lässt: eine Drehung um eine andere Achse hinzufügen</translation>
+    </message>
+    <message>
+        <source>no rotation measures axis %1: choose another way to make the axes, or add the rotation</source>
+        <translation>keine Drehung misst Achse %1: eine andere Art wählen, die Achsen zu bilden, oder die Drehung hinzufügen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not offer &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; bietet kein &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>column %1: %2</source>
+        <translation>Spalte %1: %2</translation>
+    </message>
+    <message>
+        <source>it is called like a joint of a gripper</source>
+        <translation>es heißt wie ein Gelenk eines Greifers</translation>
+    </message>
+    <message>
+        <source>others follow it at the end of the arm, as in a gripper</source>
+        <translation>andere folgen ihm am Ende des Arms, wie in einem Greifer</translation>
+    </message>
+    <message>
+        <source>it slides by less than 100 mm at the end of the arm, as in a gripper</source>
+        <translation>es schiebt am Ende des Arms um weniger als 100 mm, wie in einem Greifer</translation>
+    </message>
+    <message>
+        <source>it is one of several at the end of the arm, as in a hand</source>
+        <translation>es ist eines von mehreren am Ende des Arms, wie in einer Hand</translation>
+    </message>
+    <message>
+        <source>no joint leads to a link called %1</source>
+        <translation>kein Gelenk führt zu einem Glied mit dem Namen %1</translation>
+    </message>
+    <message>
+        <source>no moving joint leads to %1</source>
+        <translation>kein bewegliches Gelenk führt zu %1</translation>
+    </message>
+    <message>
+        <source>the links form a ring; URDF describes trees</source>
+        <translation>die Glieder bilden einen Ring; URDF beschreibt Bäume</translation>
+    </message>
+    <message>
+        <source>joint %1 on the way to %2 is of the type %3: freeze it, --freeze %1=0</source>
+        <translation>Gelenk %1 auf dem Weg zu %2 ist von der Art %3: einfrieren, --freeze %1=0</translation>
+    </message>
+    <message>
+        <source>joint %1 on the way to %2 follows joint %3: freeze it, --freeze %1=0</source>
+        <translation>Gelenk %1 auf dem Weg zu %2 folgt Gelenk %3: einfrieren, --freeze %1=0</translation>
+    </message>
+    <message>
+        <source>no arm: joint %1 was left out because %2</source>
+        <translation>kein Arm: Gelenk %1 wurde weggelassen: %2</translation>
+    </message>
+    <message>
+        <source>no arm: joint %1 is of the type %2</source>
+        <translation>kein Arm: Gelenk %1 ist von der Art %2</translation>
+    </message>
+    <message>
+        <source>no arm: joint %1 follows joint %2</source>
+        <translation>kein Arm: Gelenk %1 folgt Gelenk %2</translation>
+    </message>
+    <message>
+        <source>left out: it is of the type %1</source>
+        <translation>weggelassen: es ist von der Art %1</translation>
+    </message>
+    <message>
+        <source>left out: it follows joint %1</source>
+        <translation>weggelassen: es folgt Gelenk %1</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>left out: it is not on the way to %1</source>
+        <translation>weggelassen: es liegt nicht auf dem Weg zu %1</translation>
+    </message>
+    <message>
+        <source>the file has no moving joint</source>
+        <translation>die Datei hat kein bewegliches Gelenk</translation>
+    </message>
+    <message>
+        <source>the file has several arms of equal length, ending at %1 and %2: name the tip link of the one to import</source>
+        <translation>die Datei hat mehrere Arme gleicher Länge, die bei %1 und %2 enden: das Endglied des zu importierenden nennen</translation>
+    </message>
+    <message>
+        <source>frozen: %1</source>
+        <translation>eingefroren: %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not three numbers</source>
+        <translation>&apos;%1&apos; sind nicht drei Zahlen</translation>
+    </message>
+    <message>
+        <source>joint %1 does not say which links it joins</source>
+        <translation>Gelenk %1 sagt nicht, welche Glieder es verbindet</translation>
+    </message>
+    <message>
+        <source>joint %1: %2</source>
+        <translation>Gelenk %1: %2</translation>
+    </message>
+    <message>
+        <source>joint %1: its axis has no direction</source>
+        <translation>Gelenk %1: seine Achse hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>not readable as XML: %1</source>
+        <translation>nicht als XML lesbar: %1</translation>
+    </message>
+    <message>
+        <source>no URDF: its root element &lt;robot&gt; is missing</source>
+        <translation>kein URDF: das Wurzelelement &lt;robot&gt; fehlt</translation>
+    </message>
+    <message>
+        <source>the file has xacro macros: expand them first (xacro FILE &gt; arm.urdf)</source>
+        <translation>die Datei hat xacro-Makros: zuerst auflösen (xacro FILE &gt; arm.urdf)</translation>
+    </message>
+    <message>
+        <source>link %1 hangs on two joints; URDF describes trees</source>
+        <translation>Glied %1 hängt an zwei Gelenken; URDF beschreibt Bäume</translation>
+    </message>
+    <message>
+        <source>there is no joint %1 to freeze%2</source>
+        <translation>es gibt kein Gelenk %1 zum Einfrieren%2</translation>
+    </message>
+    <message>
+        <source>joint %1 does not move, or is frozen twice</source>
+        <translation>Gelenk %1 bewegt sich nicht oder ist zweimal eingefroren</translation>
+    </message>
+    <message>
+        <source>joint %1 is of the type %2: it can be frozen at 0 only</source>
+        <translation>Gelenk %1 ist vom Typ %2: es kann nur bei 0 eingefroren werden</translation>
+    </message>
+    <message>
+        <source>frozen at %1, beyond its limits</source>
+        <translation>eingefroren bei %1, jenseits seiner Grenzen</translation>
+    </message>
+    <message>
+        <source>frozen at %1</source>
+        <translation>eingefroren bei %1</translation>
+    </message>
+    <message>
+        <source>an arm has at most %1 joints here</source>
+        <translation>ein Arm hat hier höchstens %1 Gelenke</translation>
+    </message>
+    <message>
+        <source>joint %1 slides: state its readings as lengths, in the columns of s</source>
+        <translation>Gelenk %1 schiebt: seine Ablesungen als Längen angeben, in den Spalten von s</translation>
+    </message>
+    <message>
+        <source>joint %1 turns: state its readings as angles, or give it the type sliding</source>
+        <translation>Gelenk %1 dreht: seine Ablesungen als Winkel angeben oder die Art schiebend wählen</translation>
+    </message>
+    <message>
+        <source>joint %1</source>
+        <translation>Gelenk %1</translation>
+    </message>
+    <message>
+        <source>only the convention with Ry(beta) has a beta; leave it empty for %1, or choose that convention</source>
+        <translation>nur die Konvention mit Ry(beta) hat ein beta; für %1 leer lassen oder diese Konvention wählen</translation>
+    </message>
+    <message>
+        <source>d and beta of %1 describe the same place of a parallel axis: where beta is given, d is 0 by definition</source>
+        <translation>d und beta von %1 beschreiben denselben Ort einer parallelen Achse: wo beta gegeben ist, ist d nach Definition 0</translation>
+    </message>
+    <message>
+        <source>the lowest reading of %1 is not below its highest</source>
+        <translation>die kleinste Ablesung von %1 liegt nicht unter der größten</translation>
+    </message>
+    <message>
+        <source>the robot has no joint %1</source>
+        <translation>der Roboter hat kein Gelenk %1</translation>
+    </message>
+    <message>
+        <source>%1 is 0 by definition, because the axis is parallel to the next</source>
+        <translation>%1 ist nach Definition 0, weil die Achse zur nächsten parallel ist</translation>
+    </message>
+    <message>
+        <source>%1 is no parameter of this robot: give beta in the table of joints where axes are parallel</source>
+        <translation>%1 ist kein Parameter dieses Roboters: beta in der Tabelle der Gelenke angeben, wo Achsen parallel sind</translation>
+    </message>
+    <message>
+        <source>a parameter is correlated with itself; name two different ones</source>
+        <translation>ein Parameter ist mit sich selbst korreliert; zwei verschiedene nennen</translation>
+    </message>
+    <message>
+        <source>there is no parameter &apos;%1&apos; with an uncertainty; write its symbol, such as d_3</source>
+        <translation>es gibt keinen Parameter &apos;%1&apos; mit einer Unsicherheit; sein Symbol schreiben, etwa d_3</translation>
+    </message>
+    <message>
+        <source>%1 has several components of uncertainty: give it one, the combined, so that it can be correlated</source>
+        <translation>%1 hat mehrere Komponenten der Unsicherheit: eine angeben, die zusammengefasste, damit er korreliert werden kann</translation>
+    </message>
+    <message>
+        <source>there is no pose: give joint readings or a place of the tool</source>
+        <translation>es gibt keine Pose: Gelenkablesungen oder einen Ort des Werkzeugs angeben</translation>
+    </message>
+    <message>
+        <source>two poses are called %1</source>
+        <translation>zwei Posen heißen %1</translation>
+    </message>
+    <message>
+        <source>pose %1: reading %2 of joint %3 is beyond its limits, %4 to %5</source>
+        <translation>Pose %1: Ablesung %2 von Gelenk %3 liegt außerhalb seiner Grenzen, %4 bis %5</translation>
+    </message>
+    <message>
+        <source>pose %1: the orientation is within 2° of one that %2 cannot state (gimbal lock, half turn); state it otherwise</source>
+        <translation>Pose %1: die Orientierung liegt innerhalb von 2° um eine, die %2 nicht angeben kann (Gimbal Lock, halbe Umdrehung); anders angeben</translation>
+    </message>
+    <message>
+        <source>%1 has only %2 joints; leave %3 empty</source>
+        <translation>%1 hat nur %2 Gelenke; %3 leer lassen</translation>
+    </message>
+    <message>
+        <source>joint %1 of %2 slides: its reading is %3</source>
+        <translation>Gelenk %1 von %2 schiebt: seine Ablesung ist %3</translation>
+    </message>
+    <message>
+        <source>joint %1 of %2 turns: its reading is %3</source>
+        <translation>Gelenk %1 von %2 dreht: seine Ablesung ist %3</translation>
+    </message>
+    <message>
+        <source>pose %1: give all three angles or none</source>
+        <translation>Pose %1: alle drei Winkel oder keinen angeben</translation>
+    </message>
+    <message>
+        <source>pose %1: no readings within the limits of the joints bring the tool there; the nearest attempt misses the place by %2 but not the orientation</source>
+        <translation>Pose %1: keine Ablesungen innerhalb der Grenzen der Gelenke bringen das Werkzeug dorthin; der nächste Versuch verfehlt den Ort um %2, aber nicht die Orientierung</translation>
+    </message>
+    <message>
+        <source>pose %1: no readings within the limits of the joints bring the tool there; the nearest attempt misses the place by %2</source>
+        <translation>Pose %1: keine Ablesungen innerhalb der Grenzen der Gelenke bringen das Werkzeug dorthin; der nächste Versuch verfehlt den Ort um %2</translation>
+    </message>
+    <message>
+        <source>without limits</source>
+        <translation>ohne Grenzen</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 mm, turned by %2 deg</source>
+        <translation>%1 mm, gedreht um %2 deg</translation>
+    </message>
+    <message>
+        <source>joint %1: %2, slides, %3</source>
+        <translation>Gelenk %1: %2, schiebt, %3</translation>
+    </message>
+    <message>
+        <source>joint %1: %2, turns, %3</source>
+        <translation>Gelenk %1: %2, dreht, %3</translation>
+    </message>
+    <message>
+        <source>%1 joint from link %2 to link %3</source>
+        <translation>%1 Gelenk von Glied %2 zu Glied %3</translation>
+    </message>
+    <message>
+        <source>%1 joints from link %2 to link %3</source>
+        <translation>%1 Gelenke von Glied %2 zu Glied %3</translation>
+    </message>
+    <message>
+        <source>tool: link %1 at %2 from the frame of the last joint</source>
+        <translation>Werkzeug: Glied %1 bei %2 vom System des letzten Gelenks</translation>
+    </message>
+    <message>
+        <source>with all readings at 0 the tool stands at %1 in link %2</source>
+        <translation>mit allen Ablesungen auf 0 steht das Werkzeug bei %1 in Glied %2</translation>
+    </message>
+    <message>
+        <source>the chain to %1 has %2 moving joints; an arm has at most %3 here: freeze those before the arm, --freeze %4=0</source>
+        <translation>die Kette bis %1 hat %2 bewegliche Gelenke; ein Arm hat hier höchstens %3: die vor dem Arm einfrieren, --freeze %4=0</translation>
+    </message>
+    <message>
+        <source>pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). Look at this pose first; hold it back by use = check</source>
+        <translation>Pose %1: das Residuum von %2 ist das %3-fache seiner Standardunsicherheit (Grenze %4). Diese Pose zuerst ansehen; mit use = check zurückhalten</translation>
+    </message>
+    <message>
+        <source>the residuals are %1 times as large as the uncertainties of points and readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
+        <translation>die Residuen sind %1-mal so groß, wie die Unsicherheiten von Punkten und Ablesungen erklären: es gibt mehr als diese (Elastizität eines Gelenks, Temperatur, einen Ausreißer), und die Unsicherheit der Parameter ist zu klein angegeben</translation>
+    </message>
+    <message>
+        <source>these poses hardly tell %1 apart (condition %2): turn more joints further, or hold one of them</source>
+        <translation>diese Posen trennen %1 kaum (Kondition %2): mehr Gelenke weiter drehen oder einen davon festhalten</translation>
+    </message>
+    <message>
+        <source>no parameter of the arm can be told from these poses: every one of them is coupled with others or held</source>
+        <translation>kein Parameter des Arms ist aus diesen Posen bestimmbar: jeder ist mit anderen gekoppelt oder festgehalten</translation>
+    </message>
+    <message>
+        <source>the poses of the fit give %1 coordinates, no more than there are unknowns to find: measure more poses, or hold parameters</source>
+        <translation>die Posen der Ausgleichung geben %1 Koordinaten, nicht mehr als Unbekannte zu finden sind: mehr Posen messen oder Parameter festhalten</translation>
+    </message>
+    <message>
+        <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, and for a nominal robot that is another arm</source>
+        <translation>die Ausgleichung konvergiert nicht: nach vertauschten Posen, Ablesungen mit falschem Vorzeichen oder in anderer Einheit suchen und nach einem Nennroboter, der ein anderer Arm ist</translation>
+    </message>
+    <message>
+        <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
+        <translation>an der Lösung sind die Unbekannten nicht zu trennen; einen der Parameter festhalten, die die Tabelle der Beobachtbarkeit nennt</translation>
+    </message>
+    <message>
+        <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
+        <translation>Gelenk %1 schiebt: identifiziert werden nur Arme, deren Gelenke drehen; einen Arm ohne dieses Gelenk nehmen, so wie es während der Messung steht</translation>
+    </message>
+    <message>
+        <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
+        <translation>die Ausgleichung hat %1 Posen; sie braucht drei oder mehr und etwa zwanzig, um alle Parameter zu bestimmen</translation>
+    </message>
+    <message>
+        <source>the robot has only %1 joints; leave %2 empty</source>
+        <translation>der Roboter hat nur %1 Gelenke; %2 leer lassen</translation>
+    </message>
+    <message>
+        <source>pose %1: its orientation is missing; give alpha, beta and gamma of every pose, or fit positions alone</source>
+        <translation>Pose %1: die Orientierung fehlt; alpha, beta und gamma jeder Pose angeben oder nur Positionen ausgleichen</translation>
+    </message>
+    <message>
+        <source>the robot has no parameter &apos;%1&apos; to hold; write its symbol, such as d_3</source>
+        <translation>der Roboter hat keinen Parameter &apos;%1&apos; zum Festhalten; sein Symbol schreiben, etwa d_3</translation>
+    </message>
+    <message>
+        <source>rotation about %1</source>
+        <translation>Drehung um %1</translation>
+    </message>
+    <message>
+        <source>base %1</source>
+        <translation>Fußpunkt %1</translation>
+    </message>
+    <message>
+        <source>tool %1</source>
+        <translation>Werkzeug %1</translation>
+    </message>
+    <message>
+        <source>the points do not lead to parameters of the arm</source>
+        <translation>die Punkte führen nicht zu Parametern des Arms</translation>
+    </message>
+    <message>
+        <source>the points of %1 run against the positive direction of the joint: reverse their order, or give its readings</source>
+        <translation>die Punkte von %1 laufen gegen die positive Richtung des Gelenks: ihre Reihenfolge umkehren oder seine Ablesungen angeben</translation>
+    </message>
+    <message>
+        <source>the axes of joints %1 and %2</source>
+        <translation>die Achsen der Gelenke %1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 are nearly parallel (%2): they are described by beta with d = 0, because the place of their common perpendicular is hardly determined</source>
+        <translation>%1 sind nahezu parallel (%2): sie werden durch beta mit d = 0 beschrieben, weil der Ort ihrer gemeinsamen Normale kaum bestimmt ist</translation>
+    </message>
+    <message>
+        <source>%1 are %2 apart: they are described by d without beta, although the nominal robot has beta</source>
+        <translation>%1 liegen %2 auseinander: sie werden durch d ohne beta beschrieben, obwohl der Nennroboter beta hat</translation>
+    </message>
+    <message>
+        <source>the axes of joints %1 and %2 are the same line: nothing tells their frames apart</source>
+        <translation>die Achsen der Gelenke %1 und %2 sind dieselbe Gerade: nichts trennt ihre Systeme</translation>
+    </message>
+    <message>
+        <source>parameters are identified by Eq 5: describe the nominal robot in that convention, not in Craig&apos;s</source>
+        <translation>Parameter werden nach Gl. 5 identifiziert: den Nennroboter in dieser Konvention beschreiben, nicht in der von Craig</translation>
+    </message>
+    <message>
+        <source>joint %1 slides and draws no circle: take an arm without it, as it stands during the measurement</source>
+        <translation>Gelenk %1 schiebt und zeichnet keinen Kreis: einen Arm ohne dieses Gelenk nehmen, so wie es während der Messung steht</translation>
+    </message>
+    <message>
+        <source>an arm of one joint has no parameters between two axes</source>
+        <translation>ein Arm mit einem Gelenk hat keine Parameter zwischen zwei Achsen</translation>
+    </message>
+    <message>
+        <source>the robot has no %1</source>
+        <translation>der Roboter hat kein %1</translation>
+    </message>
+    <message>
+        <source>%1 has %2 points; a circle needs three or more</source>
+        <translation>%1 hat %2 Punkte; ein Kreis braucht drei oder mehr</translation>
+    </message>
+    <message>
+        <source>the ball hardly moves while %1 turns: it lies on the axis of that joint and draws no circle. Fix the ball off the axis</source>
+        <translation>die Kugel bewegt sich kaum, während %1 dreht: sie liegt auf der Achse dieses Gelenks und zeichnet keinen Kreis. Die Kugel abseits der Achse befestigen</translation>
+    </message>
+    <message>
+        <source>the points of %1 lie on a straight line, as far as their uncertainty lets it be seen: no circle goes through them. Turn the joint further</source>
+        <translation>die Punkte von %1 liegen auf einer Geraden, soweit ihre Unsicherheit es erkennen lässt: kein Kreis geht hindurch. Das Gelenk weiter drehen</translation>
+    </message>
+    <message>
+        <source>the arc of %1 over %2 is short for the uncertainty of its points: its axis will be known poorly</source>
+        <translation>der Bogen von %1 über %2 ist kurz für die Unsicherheit seiner Punkte: seine Achse wird schlecht bekannt sein</translation>
+    </message>
+    <message>
+        <source>the plane of %1 passes the origin at %2: Eq 1 excludes planes through the origin and fails near it. Use total least squares</source>
+        <translation>die Ebene von %1 geht im Abstand %2 am Ursprung vorbei: Gl. 1 schließt Ebenen durch den Ursprung aus und versagt in seiner Nähe. Totale kleinste Quadrate verwenden</translation>
+    </message>
+    <message>
+        <source>no circle fits the points of %1; look for exchanged points</source>
+        <translation>kein Kreis passt zu den Punkten von %1; nach vertauschten Punkten suchen</translation>
+    </message>
+    <message>
+        <source>the calibration matrix is singular: the channels answer to loads on %1 alike, so these cannot be told apart</source>
+        <translation>die Kalibriermatrix ist singulär: die Kanäle antworten auf Lasten an %1 gleich, daher sind diese nicht zu trennen</translation>
+    </message>
+    <message>
+        <source>the calibration matrix has the condition number %1: loads on %2 are hardly told apart</source>
+        <translation>die Kalibriermatrix hat die Konditionszahl %1: Lasten an %2 sind kaum zu trennen</translation>
+    </message>
+    <message>
+        <source>add a row of loads to be evaluated</source>
+        <translation>eine Zeile mit auszuwertenden Lasten hinzufügen</translation>
+    </message>
+    <message>
+        <source>add a row of readings to be decoupled</source>
+        <translation>eine Zeile mit zu entkoppelnden Ablesungen hinzufügen</translation>
+    </message>
+    <message>
+        <source>two cases are called &apos;%1&apos;</source>
+        <translation>zwei Fälle heißen &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>channel %1 has no reading: all channels are needed</source>
+        <translation>Kanal %1 hat keine Ablesung: alle Kanäle sind nötig</translation>
+    </message>
+    <message>
+        <source>the sensor has no channel %1</source>
+        <translation>der Sensor hat keinen Kanal %1</translation>
+    </message>
+    <message>
+        <source>no load gives these readings by the calibration matrix</source>
+        <translation>keine Last ergibt mit der Kalibriermatrix diese Ablesungen</translation>
+    </message>
+    <message>
+        <source>the load on %1 is %2 % of its rated load: the calibration says nothing about it</source>
+        <translation>die Last an %1 ist %2 % ihrer Nennlast: die Kalibrierung sagt darüber nichts</translation>
+    </message>
+    <message>
+        <source>loads on %1 are too few for this calibration matrix</source>
+        <translation>die Lasten an %1 sind zu wenige für diese Kalibriermatrix</translation>
+    </message>
+    <message>
+        <source>the interference of %1 is known without signs: it cannot be compensated. Give raw readings, or a table with signs</source>
+        <translation>das Übersprechen von %1 ist ohne Vorzeichen bekannt: es kann nicht kompensiert werden. Rohablesungen oder eine Tabelle mit Vorzeichen angeben</translation>
+    </message>
+    <message>
+        <source>quadratic terms need raw readings; %1 has a summary only</source>
+        <translation>quadratische Glieder brauchen Rohablesungen; %1 hat nur eine Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>channel %1 is listed twice</source>
+        <translation>Kanal %1 ist zweimal aufgeführt</translation>
+    </message>
+    <message>
+        <source>moment</source>
+        <translation>Moment</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>channel %1 needs its rated load, a %2</source>
+        <translation>Kanal %1 braucht seine Nennlast (%2)</translation>
+    </message>
+    <message>
+        <source>%1 states no uncertainty of its load on %2: add it to its certificate</source>
+        <translation>%1 gibt keine Unsicherheit der Last an %2 an: in seinem Kalibrierschein ergänzen</translation>
+    </message>
+    <message>
+        <source>increasing loads</source>
+        <translation>steigende Belastungen</translation>
+    </message>
+    <message>
+        <source>unloaded reading before</source>
+        <translation>unbelastete Ablesung davor</translation>
+    </message>
+    <message>
+        <source>run %1 of %2 has no %3: it is left out</source>
+        <translation>Lauf %1 von %2 ohne %3: er bleibt unberücksichtigt</translation>
+    </message>
+    <message>
+        <source>%1 was not calibrated: there are no runs with its axis loaded</source>
+        <translation>%1 wurde nicht kalibriert: es gibt keine Läufe mit belasteter Achse</translation>
+    </message>
+    <message>
+        <source>%1 has one run only: its repeatability needs two or more</source>
+        <translation>%1 hat nur einen Lauf: die Wiederholpräzision braucht zwei oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 has %2 runs, %3 are planned: its means have %4 degrees of freedom</source>
+        <translation>%1 hat %2 Läufe, geplant sind %3: die Mittelwerte haben %4 Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>%1 has %2 preloads, %3 are planned</source>
+        <translation>%1 hat %2 Vorbelastungen, geplant sind %3</translation>
+    </message>
+    <message>
+        <source>, and it says nothing about repeatability</source>
+        <translation>, und er sagt nichts über die Wiederholpräzision</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 is missing in %3 of %4 runs: its mean is that of %5%6</source>
+        <translation>Stufe %1 von %2 fehlt in %3 von %4 Läufen: ihr Mittelwert ist der von %5%6</translation>
+    </message>
+    <message>
+        <source>%1 was loaded in %2 steps, %3 are planned</source>
+        <translation>%1 wurde in %2 Stufen belastet, geplant sind %3</translation>
+    </message>
+    <message>
+        <source>the largest load on %1 is %2; the rated output needs the rated load, %3</source>
+        <translation>die größte Last an %1 ist %2; der Nennkennwert braucht die Nennlast, %3</translation>
+    </message>
+    <message>
+        <source>%1 has the same reading in all runs: its repeatability is evaluated as zero</source>
+        <translation>%1 hat in allen Läufen dieselbe Ablesung: die Wiederholpräzision wird zu null ausgewertet</translation>
+    </message>
+    <message>
+        <source>%1 has no unloaded readings after a run: its non-zero error is taken as zero</source>
+        <translation>%1 hat nach keinem Lauf unbelastete Ablesungen: die Nullpunktabweichung wird als null angenommen</translation>
+    </message>
+    <message>
+        <source>%1 has no decreasing loads: its hysteresis is not known and is taken as zero</source>
+        <translation>%1 hat keine fallenden Belastungen: die Hysterese ist nicht bekannt und wird als null angenommen</translation>
+    </message>
+    <message>
+        <source>run %1 of %2 reads the same at steps %3 and %4 although the load rises: the indicator is saturated or the channel is stuck</source>
+        <translation>Lauf %1 von %2 liest auf den Stufen %3 und %4 dasselbe, obwohl die Last steigt: das Anzeigegerät ist übersteuert oder der Kanal hängt</translation>
+    </message>
+    <message>
+        <source>run %1 of %2: only %3 s between steps %4 and %5, %6 s are planned</source>
+        <translation>Lauf %1 von %2: nur %3 s zwischen den Stufen %4 und %5, geplant sind %6 s</translation>
+    </message>
+    <message>
+        <source>run %1 of %2 begins %3 s after the one before was unloaded, %4 s are planned</source>
+        <translation>Lauf %1 von %2 beginnt %3 s nach der Entlastung des vorigen, geplant sind %4 s</translation>
+    </message>
+    <message>
+        <source>channel %1 does not respond to its load: %2 at the rated load; look at its cable and its column</source>
+        <translation>Kanal %1 antwortet nicht auf seine Last: %2 bei der Nennlast; sein Kabel und seine Spalte prüfen</translation>
+    </message>
+    <message>
+        <source>channel %1 responds to %2 more than to its own load: are columns exchanged?</source>
+        <translation>Kanal %1 antwortet stärker auf %2 als auf seine eigene Last: sind Spalten vertauscht?</translation>
+    </message>
+    <message>
+        <source>there are no readings: import them from a CSV file, or choose summary tables</source>
+        <translation>es gibt keine Ablesungen: aus einer CSV-Datei importieren oder zusammenfassende Tabellen wählen</translation>
+    </message>
+    <message>
+        <source>the sensor has no channel %1: list it among its channels</source>
+        <translation>der Sensor hat keinen Kanal %1: unter seinen Kanälen aufführen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no unit of a load: %2</source>
+        <translation>&apos;%1&apos; ist keine Einheit einer Last: %2</translation>
+    </message>
+    <message>
+        <source>%1 is a moment, but its load is in %2: are forces and moments, or their units, exchanged?</source>
+        <translation>%1 ist ein Moment, aber die Last steht in %2: sind Kräfte und Momente oder ihre Einheiten vertauscht?</translation>
+    </message>
+    <message>
+        <source>%1 is a force, but its load is in %2: are forces and moments, or their units, exchanged?</source>
+        <translation>%1 ist eine Kraft, aber die Last steht in %2: sind Kräfte und Momente oder ihre Einheiten vertauscht?</translation>
+    </message>
+    <message>
+        <source>a load of %1 is more than 1.2 times the rated load of %2, %3: is its unit right?</source>
+        <translation>eine Last von %1 ist mehr als das 1,2-fache der Nennlast von %2, %3: stimmt die Einheit?</translation>
+    </message>
+    <message>
+        <source>channel %1 has no reading in this row</source>
+        <translation>Kanal %1 hat in dieser Zeile keine Ablesung</translation>
+    </message>
+    <message>
+        <source>channel %1 indicates %2 mV/V, which is the end of the indicator&apos;s range: the reading is saturated</source>
+        <translation>Kanal %1 zeigt %2 mV/V, das Ende des Bereichs des Anzeigegeräts: die Ablesung ist übersteuert</translation>
+    </message>
+    <message>
+        <source>this run has its unloaded reading already</source>
+        <translation>dieser Lauf hat seine unbelastete Ablesung schon</translation>
+    </message>
+    <message>
+        <source>step %1 of this run is given twice</source>
+        <translation>Stufe %1 dieses Laufs ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>channel %1 has no row in the summary</source>
+        <translation>Kanal %1 hat keine Zeile in der Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>%1 has no row in the table of interference: taken as zero</source>
+        <translation>%1 hat keine Zeile in der Tabelle des Übersprechens: als null angenommen</translation>
+    </message>
+    <message>
+        <source>axis %1 is listed twice</source>
+        <translation>Achse %1 ist zweimal aufgeführt</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s calibration is a summary: there are no steps to pool over, so the largest standard deviation is taken</source>
+        <translation>die Kalibrierung des Sensors ist eine Zusammenfassung: es gibt keine Stufen zum Zusammenfassen, daher wird die größte Standardabweichung genommen</translation>
+    </message>
+    <message>
+        <source>the name is one of a function or a word of the equations; choose another</source>
+        <translation>der Name ist der einer Funktion oder eines Wortes der Gleichungen; einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>a symbol is made of letters, Greek ones too, digits and &apos;_&apos;, a letter first</source>
+        <translation>ein Symbol besteht aus Buchstaben, auch griechischen, Ziffern und &apos;_&apos;, ein Buchstabe zuerst</translation>
+    </message>
+    <message>
+        <source>only the first row of a symbol has a value; further rows add components</source>
+        <translation>nur die erste Zeile eines Symbols hat einen Wert; weitere Zeilen fügen Komponenten hinzu</translation>
+    </message>
+    <message>
+        <source>the component is in %1, the quantity in %2</source>
+        <translation>die Komponente ist in %1, die Größe in %2</translation>
+    </message>
+    <message>
+        <source>a further row states a component of uncertainty</source>
+        <translation>eine weitere Zeile gibt eine Komponente der Unsicherheit an</translation>
+    </message>
+    <message>
+        <source>the instrument of the project is missing</source>
+        <translation>das Messgerät des Projekts fehlt</translation>
+    </message>
+    <message>
+        <source>the reading of an instrument needs a value</source>
+        <translation>die Ablesung eines Messgeräts braucht einen Wert</translation>
+    </message>
+    <message>
+        <source>an instrument reads distances here; the unit must be one of length</source>
+        <translation>ein Messgerät liest hier Distanzen; die Einheit muss eine der Länge sein</translation>
+    </message>
+    <message>
+        <source>%1 reads no distances</source>
+        <translation>%1 liest keine Distanzen</translation>
+    </message>
+    <message>
+        <source>the value is missing, and no statement gives it</source>
+        <translation>der Wert fehlt, und keine Angabe liefert ihn</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has observations and no row in the table of quantities</source>
+        <translation>&apos;%1&apos; hat Beobachtungen, aber keine Zeile in der Tabelle der Größen</translation>
+    </message>
+    <message>
+        <source>Newton&apos;s method finds no solution of this equation from the starting value, at the estimates of the quantities</source>
+        <translation>das Newton-Verfahren findet bei den Schätzwerten der Größen vom Startwert aus keine Lösung dieser Gleichung</translation>
+    </message>
+    <message>
+        <source>this operation has no value at the estimates of the quantities (division by zero, root or logarithm of a negative number, or a number too large)</source>
+        <translation>diese Rechnung hat bei den Schätzwerten der Größen keinen Wert (Division durch null, Wurzel oder Logarithmus einer negativen Zahl oder eine zu große Zahl)</translation>
+    </message>
+    <message>
+        <source>it has several series: leave out the name of the one that is measured now</source>
+        <translation>es gibt mehrere Reihen: den Namen der jetzt gemessenen weglassen</translation>
+    </message>
+    <message>
+        <source>the table of observations has no rows for it</source>
+        <translation>die Tabelle der Beobachtungen hat dafür keine Zeilen</translation>
+    </message>
+    <message>
+        <source>&apos;a&apos; is missing: number of observations of which the value is the mean</source>
+        <translation>&apos;a&apos; fehlt: Anzahl der Beobachtungen, deren Mittelwert der Wert ist</translation>
+    </message>
+    <message>
+        <source>there is no equation: write one, y = x_1 + x_2</source>
+        <translation>es gibt keine Gleichung: eine schreiben, y = x_1 + x_2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is defined by an equation: it cannot be a quantity too</source>
+        <translation>&apos;%1&apos; ist durch eine Gleichung definiert: es kann nicht auch eine Größe sein</translation>
+    </message>
+    <message>
+        <source>no equation uses &apos;%1&apos;</source>
+        <translation>keine Gleichung verwendet &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>no equation defines &apos;%1&apos;%2</source>
+        <translation>keine Gleichung definiert &apos;%1&apos;%2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is listed twice</source>
+        <translation>&apos;%1&apos; ist zweimal aufgeführt</translation>
+    </message>
+    <message>
+        <source>group &apos;%1&apos;: %2</source>
+        <translation>Gruppe &apos;%1&apos;: %2</translation>
+    </message>
+    <message>
+        <source>an analysis of variance needs at least two groups</source>
+        <translation>eine Varianzanalyse braucht mindestens zwei Gruppen</translation>
+    </message>
+    <message>
+        <source>no group has more than one observation: nothing tells the scatter within the groups from that between them</source>
+        <translation>keine Gruppe hat mehr als eine Beobachtung: nichts trennt die Streuung in den Gruppen von der zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>the curve does not reach %1</source>
+        <translation>die Kurve erreicht %1 nicht</translation>
+    </message>
+    <message>
+        <source>, outside of its points</source>
+        <translation>, außerhalb ihrer Punkte</translation>
+    </message>
+    <message>
+        <source>the curve reaches %1 at x = %2%3: say in &apos;near&apos; which of them is meant</source>
+        <translation>die Kurve erreicht %1 bei x = %2%3: in &apos;near&apos; angeben, welches davon gemeint ist</translation>
+    </message>
+    <message>
+        <source>no curve of this degree was found: the iteration for the uncertainties of x does not settle on these points</source>
+        <translation>keine Kurve dieses Grades gefunden: die Iteration für die Unsicherheiten von x kommt bei diesen Punkten nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>the points do not determine a curve of this degree</source>
+        <translation>die Punkte bestimmen keine Kurve dieses Grades</translation>
+    </message>
+    <message>
+        <source>the x of y = %1 lies outside of the points of the calibration</source>
+        <translation>das x von y = %1 liegt außerhalb der Punkte der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>the standard uncertainty of y is missing in row %1</source>
+        <translation>die Standardunsicherheit von y fehlt in Zeile %1</translation>
+    </message>
+    <message>
+        <source>the standard uncertainty of y must be greater than zero in row %1</source>
+        <translation>die Standardunsicherheit von y muss in Zeile %1 größer als null sein</translation>
+    </message>
+    <message>
+        <source>readings have the scatter of the residuals, which stated uncertainties do not use: give u_y in row %1</source>
+        <translation>Ablesungen haben die Streuung der Residuen, die angegebene Unsicherheiten nicht verwenden: u_y in Zeile %1 angeben</translation>
+    </message>
+    <message>
+        <source>a curve through the origin needs differences: give y in K</source>
+        <translation>eine Kurve durch den Ursprung braucht Differenzen: y in K angeben</translation>
+    </message>
+    <message>
+        <source>a polynomial of this degree needs points at %1 different places or more beside the origin</source>
+        <translation>ein Polynom dieses Grades braucht Punkte an %1 verschiedenen Stellen oder mehr neben dem Ursprung</translation>
+    </message>
+    <message>
+        <source>a polynomial of this degree needs points at %1 different places or more</source>
+        <translation>ein Polynom dieses Grades braucht Punkte an %1 verschiedenen Stellen oder mehr</translation>
+    </message>
+    <message>
+        <source>residuals say nothing about the uncertainty unless there are more points than coefficients: add points, or state u_y</source>
+        <translation>Residuen sagen nichts über die Unsicherheit, wenn es nicht mehr Punkte als Koeffizienten gibt: Punkte hinzufügen oder u_y angeben</translation>
+    </message>
+    <message>
+        <source>line %1, %2</source>
+        <translation>Zeile %1, %2</translation>
+    </message>
+    <message>
+        <source>The mesh is not drawn: %1: %2</source>
+        <translation>Das Netz wird nicht gezeichnet: %1: %2</translation>
+    </message>
+    <message>
+        <source>The mesh is not drawn: %1</source>
+        <translation>Das Netz wird nicht gezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>it has more than %1 triangles: thin it out</source>
+        <translation>sie hat mehr als %1 Dreiecke: ausdünnen</translation>
+    </message>
+    <message>
+        <source>triangle %1 has a coordinate that is not a finite number</source>
+        <translation>Dreieck %1 hat eine Koordinate, die keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>triangle %1: %2 is no number</source>
+        <translation>Dreieck %1: %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it ends in triangle %1: it has been cut off</source>
+        <translation>sie endet in Dreieck %1: sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>triangle %1: %2 stands where %3 should</source>
+        <translation>Dreieck %1: %2 steht, wo %3 stehen sollte</translation>
+    </message>
+    <message>
+        <source>it is no STL file: it neither begins with &quot;solid&quot; nor has a header of 84 bytes</source>
+        <translation>sie ist keine STL-Datei: sie beginnt weder mit &quot;solid&quot; noch hat sie einen Kopf von 84 Byte</translation>
+    </message>
+    <message>
+        <source>it is no STL file: its header states %1 triangles, and there is more behind them</source>
+        <translation>sie ist keine STL-Datei: ihr Kopf nennt %1 Dreiecke, und danach folgt noch mehr</translation>
+    </message>
+    <message>
+        <source>its header states %1 triangles; it ends in triangle %2</source>
+        <translation>ihr Kopf nennt %1 Dreiecke; sie endet in Dreieck %2</translation>
+    </message>
+    <message>
+        <source>it has no triangles</source>
+        <translation>sie hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>target uncertainty</source>
+        <translation>Zielunsicherheit</translation>
+    </message>
+    <message>
+        <source>mean of the prior</source>
+        <translation>Mittelwert der A-priori-Verteilung</translation>
+    </message>
+    <message>
+        <source>standard deviation of the prior</source>
+        <translation>Standardabweichung der A-priori-Verteilung</translation>
+    </message>
+    <message>
+        <source>the %1 must be greater than zero</source>
+        <translation>%1 muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>the %1 must be above the lower limit</source>
+        <translation>%1 muss über der unteren Grenze liegen</translation>
+    </message>
+    <message>
+        <source>the guard factor of %1 must lie between -10 and 10; 1 is a guard band of U, 0 simple acceptance</source>
+        <translation>der Schutzfaktor von %1 muss zwischen -10 und 10 liegen; 1 ist ein Schutzabstand von U, 0 einfache Annahme</translation>
+    </message>
+    <message>
+        <source>the prior of %1 needs both a mean and a standard deviation</source>
+        <translation>die A-priori-Verteilung von %1 braucht Mittelwert und Standardabweichung</translation>
+    </message>
+    <message>
+        <source>the prior of %1 is of use only with a tolerance: give a limit</source>
+        <translation>die A-priori-Verteilung von %1 ist nur mit einer Toleranz von Nutzen: eine Grenze angeben</translation>
+    </message>
+    <message>
+        <source> in %1</source>
+        <translation> in %1</translation>
+    </message>
+    <message>
+        <source>the model has no output quantity %1%2%3</source>
+        <translation>das Modell hat keine Ausgangsgröße %1%2%3</translation>
+    </message>
+    <message>
+        <source>the id %1 is used twice</source>
+        <translation>die Kennung %1 wird zweimal verwendet</translation>
+    </message>
+    <message>
+        <source>an axis needs at least two values</source>
+        <translation>eine Achse braucht mindestens zwei Werte</translation>
+    </message>
+    <message>
+        <source>&apos;from&apos; and &apos;to&apos; must be two different numbers</source>
+        <translation>&apos;from&apos; und &apos;to&apos; müssen zwei verschiedene Zahlen sein</translation>
+    </message>
+    <message>
+        <source>with logarithmic spacing both ends must be greater than zero</source>
+        <translation>bei logarithmischer Teilung müssen beide Enden größer als null sein</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; takes whole numbers: there are fewer than %2 between the ends</source>
+        <translation>&apos;%1&apos; nimmt ganze Zahlen: zwischen den Enden liegen weniger als %2</translation>
+    </message>
+    <message>
+        <source>the id %1 must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
+        <translation>die Kennung %1 muss aus Buchstaben, Ziffern, &apos;-&apos; und &apos;_&apos; bestehen</translation>
+    </message>
+    <message>
+        <source>a study has one to three axes; this one has %1</source>
+        <translation>eine Studie hat eine bis drei Achsen; diese hat %1</translation>
+    </message>
+    <message>
+        <source>%1 is varied by two axes</source>
+        <translation>%1 wird von zwei Achsen variiert</translation>
+    </message>
+    <message>
+        <source>Monte Carlo needs at least two trials</source>
+        <translation>Monte Carlo braucht mindestens zwei Versuche</translation>
+    </message>
+    <message>
+        <source>the grid has %1 points; a study may have %2</source>
+        <translation>das Gitter hat %1 Punkte; eine Studie darf %2 haben</translation>
+    </message>
+    <message>
+        <source>the uncertainty of an input quantity can be varied by a factor only</source>
+        <translation>die Unsicherheit einer Eingangsgröße kann nur um einen Faktor variiert werden</translation>
+    </message>
+    <message>
+        <source>a factor has no unit</source>
+        <translation>ein Faktor hat keine Einheit</translation>
+    </message>
+    <message>
+        <source>a factor of an uncertainty must not be negative</source>
+        <translation>ein Faktor einer Unsicherheit darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>a temperature in %1 cannot be multiplied; add to it, or give its values</source>
+        <translation>eine Temperatur in %1 kann nicht multipliziert werden; etwas addieren oder ihre Werte angeben</translation>
+    </message>
+    <message>
+        <source>a difference of temperatures is given in K</source>
+        <translation>eine Temperaturdifferenz wird in K angegeben</translation>
+    </message>
+    <message>
+        <source>a number that varies</source>
+        <translation>eine Zahl, die variiert</translation>
+    </message>
+    <message>
+        <source>an axis of a study</source>
+        <translation>eine Achse einer Studie</translation>
+    </message>
+    <message>
+        <source>an output of a study</source>
+        <translation>eine Ausgangsgröße einer Studie</translation>
+    </message>
+    <message>
+        <source>a study</source>
+        <translation>eine Studie</translation>
+    </message>
+    <message>
+        <source>only numbers of the set-up of an asset can be varied</source>
+        <translation>nur Zahlen des Aufbaus eines Betriebsmittels können variiert werden</translation>
+    </message>
+    <message>
+        <source>a target is written as &quot;/setup/KEY&quot;, &quot;/setup/KEY/rows/0/COLUMN&quot;, &quot;/inputs/SYMBOL/estimate&quot; or &quot;/inputs/SYMBOL/components&quot;</source>
+        <translation>ein Ziel wird als &quot;/setup/KEY&quot;, &quot;/setup/KEY/rows/0/COLUMN&quot;, &quot;/inputs/SYMBOL/estimate&quot; oder &quot;/inputs/SYMBOL/components&quot; geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 cannot be varied: %2</source>
+        <translation>%1 kann nicht variiert werden: %2</translation>
+    </message>
+    <message>
+        <source>there is no asset %1</source>
+        <translation>es gibt kein Betriebsmittel %1</translation>
+    </message>
+    <message>
+        <source>the set-up has no schema</source>
+        <translation>der Aufbau hat kein Schema</translation>
+    </message>
+    <message>
+        <source>the set-up has no field %1%2</source>
+        <translation>der Aufbau hat kein Feld %1%2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not used with the present choices of the set-up</source>
+        <translation>&apos;%1&apos; wird bei der derzeitigen Auswahl im Aufbau nicht verwendet</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>&apos;%1&apos; ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not given, so there is nothing to change</source>
+        <translation>&apos;%1&apos; ist nicht angegeben, es gibt also nichts zu ändern</translation>
+    </message>
+    <message>
+        <source>a coordinate of the pose &apos;%1&apos; is written as &quot;/setup/%2/position/0&quot; or &quot;/setup/%3/angles/2&quot;</source>
+        <translation>eine Koordinate der Pose &apos;%1&apos; wird als &quot;/setup/%2/position/0&quot; oder &quot;/setup/%3/angles/2&quot; geschrieben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not given</source>
+        <translation>&apos;%1&apos; ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>a number of the table &apos;%1&apos; is written as &quot;/setup/%2/rows/0/COLUMN&quot; or &quot;/setup/%3/columns/COLUMN&quot;</source>
+        <translation>eine Zahl der Tabelle &apos;%1&apos; wird als &quot;/setup/%2/rows/0/COLUMN&quot; oder &quot;/setup/%3/columns/COLUMN&quot; geschrieben</translation>
+    </message>
+    <message>
+        <source>the table &apos;%1&apos; has no column %2</source>
+        <translation>die Tabelle &apos;%1&apos; hat keine Spalte %2</translation>
+    </message>
+    <message>
+        <source>the column %1 does not hold numbers</source>
+        <translation>die Spalte %1 enthält keine Zahlen</translation>
+    </message>
+    <message>
+        <source>the table &apos;%1&apos; is empty</source>
+        <translation>die Tabelle &apos;%1&apos; ist leer</translation>
+    </message>
+    <message>
+        <source>the table &apos;%1&apos; has %2 rows, counted from 0</source>
+        <translation>die Tabelle &apos;%1&apos; hat %2 Zeilen, ab 0 gezählt</translation>
+    </message>
+    <message>
+        <source>the cell is empty, so there is nothing to change</source>
+        <translation>die Zelle ist leer, es gibt also nichts zu ändern</translation>
+    </message>
+    <message>
+        <source>the column is empty, so there is nothing to change</source>
+        <translation>die Spalte ist leer, es gibt also nichts zu ändern</translation>
+    </message>
+    <message>
+        <source>of an input quantity, &quot;estimate&quot; or &quot;components&quot; can be varied</source>
+        <translation>bei einer Eingangsgröße kann &quot;estimate&quot; oder &quot;components&quot; variiert werden</translation>
+    </message>
+    <message>
+        <source>the model has no input quantity %1%2</source>
+        <translation>das Modell hat keine Eingangsgröße %1%2</translation>
+    </message>
+    <message>
+        <source>there is no component %1%2</source>
+        <translation>es gibt keine Komponente %1%2</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; has no unit; it is not a measured number</source>
+        <translation>Spalte &apos;%1&apos; von &apos;%2&apos; hat keine Einheit; sie ist keine gemessene Zahl</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is missing</source>
+        <translation>Spalte &apos;%1&apos; von &apos;%2&apos; fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no column &apos;%2&apos;%3; its columns are %4</source>
+        <translation>&apos;%1&apos; hat keine Spalte &apos;%2&apos;%3; ihre Spalten sind %4</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is given twice</source>
+        <translation>Spalte &apos;%1&apos; von &apos;%2&apos; ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be one of %2; it is &apos;%3&apos;%4</source>
+        <translation>&apos;%1&apos; muss eines von %2 sein; es ist &apos;%3&apos;%4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a whole number that is not negative; it is %2</source>
+        <translation>&apos;%1&apos; muss eine ganze Zahl sein, die nicht negativ ist; es ist %2</translation>
+    </message>
+    <message>
+        <source>a unit is needed here, such as &quot;mm&quot;, not %1</source>
+        <translation>hier ist eine Einheit nötig, etwa &quot;mm&quot;, nicht %1</translation>
+    </message>
+    <message>
+        <source>a unit with a dimension is needed here, not &apos;%1&apos;</source>
+        <translation>hier ist eine Einheit mit Dimension nötig, nicht &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of the same dimension as a unit before it; give one of each</source>
+        <translation>&apos;%1&apos; hat dieselbe Dimension wie eine Einheit davor; von jeder eine angeben</translation>
+    </message>
+    <message>
+        <source>what the project states for results</source>
+        <translation>was das Projekt für Ergebnisse angibt</translation>
+    </message>
+    <message>
+        <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
+        <translation>&apos;digits&apos; muss 1 oder 2 sein (JCGM 100 7.2.6)</translation>
+    </message>
+    <message>
+        <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
+        <translation>der Erweiterungsfaktor muss größer als null sein; ohne ihn folgt k aus den Freiheitsgraden oder dem Überdeckungsintervall</translation>
+    </message>
+    <message>
+        <source>a report has no chapter %1%2</source>
+        <translation>ein Bericht hat kein Kapitel %1%2</translation>
+    </message>
+    <message>
+        <source>there is no analysis %1%2</source>
+        <translation>es gibt keine Analyse %1%2</translation>
+    </message>
+    <message>
+        <source>the contents of the report</source>
+        <translation>der Inhalt des Berichts</translation>
+    </message>
+    <message>
+        <source>a requirement</source>
+        <translation>eine Anforderung</translation>
+    </message>
+    <message>
+        <source>a unit of length is needed here, not %1</source>
+        <translation>hier ist eine Längeneinheit nötig, nicht %1</translation>
+    </message>
+    <message>
+        <source>the size of a view must be greater than zero</source>
+        <translation>die Größe einer Ansicht muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>&apos;direction&apos; and &apos;up&apos; must be two different directions, not of length zero</source>
+        <translation>&apos;direction&apos; und &apos;up&apos; müssen zwei verschiedene Richtungen sein, nicht der Länge null</translation>
+    </message>
+    <message>
+        <source>a view</source>
+        <translation>eine Ansicht</translation>
+    </message>
+    <message>
+        <source>%1 is the name of a standard view</source>
+        <translation>%1 ist der Name einer Standardansicht</translation>
+    </message>
+    <message>
+        <source>the name %1 is used twice</source>
+        <translation>der Name %1 wird zweimal verwendet</translation>
+    </message>
+    <message>
+        <source>there is no single value here, but a list or a group</source>
+        <translation>hier steht kein einzelner Wert, sondern eine Liste oder Gruppe</translation>
+    </message>
+    <message>
+        <source>there is nothing called &apos;%1&apos; to set</source>
+        <translation>&apos;%1&apos; gibt es hier nicht zu setzen</translation>
+    </message>
+    <message>
+        <source>there is nothing called &apos;%1&apos; to set%2</source>
+        <translation>&apos;%1&apos; gibt es hier nicht zu setzen%2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not of the form /PLACE/IN/THE/PROJECT=VALUE</source>
+        <translation>&apos;%1&apos; hat nicht die Form /PLACE/IN/THE/PROJECT=VALUE</translation>
+    </message>
+    <message>
+        <source>%1 is a table: it needs &quot;columns&quot; and &quot;rows&quot;, or the name of a &quot;csv&quot; file</source>
+        <translation>%1 ist eine Tabelle: sie braucht &quot;columns&quot; und &quot;rows&quot; oder den Namen einer &quot;csv&quot;-Datei</translation>
+    </message>
+    <message>
+        <source>the columns of %1 must be texts in quotes</source>
+        <translation>die Spalten von %1 müssen Texte in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>row %1 of %2 must be a list in brackets, not %3</source>
+        <translation>Zeile %1 von %2 muss eine Liste in Klammern sein, nicht %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5</source>
+        <translation>&apos;%1&apos; in Zeile %2 von %3 muss %4 sein, nicht %5</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>the columns of the CSV file of %1 must be an object in braces: a header of the file and the column it stands for</source>
+        <translation>die Spalten der CSV-Datei von %1 müssen ein Objekt in geschweiften Klammern sein: eine Überschrift der Datei und die Spalte, für die sie steht</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must stand for a column of %2 (a text), or for none (an empty text)</source>
+        <translation>&apos;%1&apos; muss für eine Spalte von %2 stehen (ein Text) oder für keine (ein leerer Text)</translation>
+    </message>
+    <message>
+        <source>the CSV file &apos;%1&apos; of %2 must be named relative to the project&apos;s folder and lie in it</source>
+        <translation>die CSV-Datei &apos;%1&apos; von %2 muss relativ zum Ordner des Projekts angegeben sein und darin liegen</translation>
+    </message>
+    <message>
+        <source>the CSV file of %1 does not exist: looked for &apos;%2&apos;</source>
+        <translation>die CSV-Datei von %1 gibt es nicht: gesucht wurde &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>CSV file of %1: %2</source>
+        <translation>CSV-Datei von %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number, not %2</source>
+        <translation>%1 muss eine ganze Zahl sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2; its unit is missing: write {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;}</source>
+        <translation>%1 ist %2; die Einheit fehlt: {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;} schreiben</translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2</source>
+        <translation>%1 muss eine Zahl sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 must be a text in quotes, not %2</source>
+        <translation>%1 muss ein Text in Anführungszeichen sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>the lines of %1 must be texts in quotes, each one line</source>
+        <translation>die Zeilen von %1 müssen Texte in Anführungszeichen sein, jeder einzeilig</translation>
+    </message>
+    <message>
+        <source>%1 must be true or false, not %2</source>
+        <translation>%1 muss true oder false sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of %2 must be a list of three numbers</source>
+        <translation>&apos;%1&apos; von %2 muss eine Liste aus drei Zahlen sein</translation>
+    </message>
+    <message>
+        <source>this set-up</source>
+        <translation>dieser Aufbau</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be three numbers: x, y, z</source>
+        <translation>&apos;%1&apos; muss aus drei Zahlen bestehen: x, y, z</translation>
+    </message>
+    <message>
+        <source>a text is needed here, not %1</source>
+        <translation>hier ist ein Text nötig, nicht %1</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the project ends before this: nothing may follow its closing &apos;}&apos;</source>
+        <translation>das Projekt endet vorher: auf das schließende &apos;}&apos; darf nichts folgen</translation>
+    </message>
+    <message>
+        <source>%1 (column %2)</source>
+        <translation>%1 (Spalte %2)</translation>
+    </message>
+    <message>
+        <source>the file is truncated: it ends %1; its rest is missing</source>
+        <translation>die Datei ist abgeschnitten: sie endet %1; der Rest fehlt</translation>
+    </message>
+    <message>
+        <source>lists and objects are nested too deeply</source>
+        <translation>Listen und Objekte sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>where a value is expected</source>
+        <translation>wo ein Wert erwartet wird</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is too large a number</source>
+        <translation>&apos;%1&apos; ist eine zu große Zahl</translation>
+    </message>
+    <message>
+        <source>in the middle of a value</source>
+        <translation>mitten in einem Wert</translation>
+    </message>
+    <message>
+        <source>a value is expected here (a number, a text in quotes, a list or an object), not &apos;%1&apos;</source>
+        <translation>hier wird ein Wert erwartet (eine Zahl, ein Text in Anführungszeichen, eine Liste oder ein Objekt), nicht &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number that a project file can hold: give a finite number, or null where infinity is meant</source>
+        <translation>&apos;%1&apos; ist keine Zahl, die eine Projektdatei enthalten kann: eine endliche Zahl angeben oder null, wo unendlich gemeint ist</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a value: texts stand in double quotes, numbers are written like -12.5e-3</source>
+        <translation>&apos;%1&apos; ist kein Wert: Texte stehen in doppelten Anführungszeichen, Zahlen schreibt man wie -12.5e-3</translation>
+    </message>
+    <message>
+        <source>the text that begins here is not closed by a double quote on its line</source>
+        <translation>der hier beginnende Text ist in seiner Zeile nicht durch ein doppeltes Anführungszeichen geschlossen</translation>
+    </message>
+    <message>
+        <source>in the middle of a text</source>
+        <translation>mitten in einem Text</translation>
+    </message>
+    <message>
+        <source>inside %1</source>
+        <translation>innerhalb von %1</translation>
+    </message>
+    <message>
+        <source>&apos;,&apos; or &apos;%1&apos; is expected here, inside %2, not &apos;%3&apos;</source>
+        <translation>&apos;,&apos; oder &apos;%1&apos; wird hier erwartet (%2), nicht &apos;%3&apos;</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a key in double quotes is expected here</source>
+        <translation>hier wird ein Schlüssel in doppelten Anführungszeichen erwartet</translation>
+    </message>
+    <message>
+        <source>the key before this is not a valid text</source>
+        <translation>der Schlüssel davor ist kein gültiger Text</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is given twice in the same object</source>
+        <translation>&apos;%1&apos; ist im selben Objekt zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>after the key &apos;%1&apos;</source>
+        <translation>nach dem Schlüssel &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;:&apos; is expected after the key &apos;%1&apos;</source>
+        <translation>&apos;:&apos; wird nach dem Schlüssel &apos;%1&apos; erwartet</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>there is no kind of asset &apos;%1&apos;%2; known are %3</source>
+        <translation>es gibt keine Art von Betriebsmittel &apos;%1&apos;%2; bekannt sind %3</translation>
+    </message>
+    <message>
+        <source>there is no measurement model &apos;%1&apos;%2; known are %3</source>
+        <translation>es gibt kein Messmodell &apos;%1&apos;%2; bekannt sind %3</translation>
+    </message>
+    <message>
+        <source>%1 is taken from another analysis, with all its uncertainty: remove either this or the link</source>
+        <translation>%1 wird mit seiner ganzen Unsicherheit aus einer anderen Analyse übernommen: entweder dies oder die Verknüpfung entfernen</translation>
+    </message>
+    <message>
+        <source>the analysis %1 has errors of its own: %2</source>
+        <translation>die Analyse %1 hat eigene Fehler: %2</translation>
+    </message>
+    <message>
+        <source>the analysis %1 has no value at its estimates</source>
+        <translation>die Analyse %1 hat bei ihren Schätzwerten keinen Wert</translation>
+    </message>
+    <message>
+        <source>the component %1 is not stated alike (held, or edited) by all analyses of the chain: they are taken as independent</source>
+        <translation>die Komponente %1 ist nicht in allen Analysen der Kette gleich angegeben (festgehalten oder bearbeitet): sie gelten als unabhängig</translation>
+    </message>
+    <message>
+        <source>%1 is linked twice</source>
+        <translation>%1 ist zweimal verknüpft</translation>
+    </message>
+    <message>
+        <source>%1 is %2; %3 of %4 is %5</source>
+        <translation>%1 ist %2; %3 von %4 ist %5</translation>
+    </message>
+    <message>
+        <source>the analysis %1 would be made of itself: %2%3</source>
+        <translation>die Analyse %1 würde aus sich selbst gebildet: %2%3</translation>
+    </message>
+    <message>
+        <source>more than %1 analyses feed each other in a row</source>
+        <translation>mehr als %1 Analysen speisen einander in einer Kette</translation>
+    </message>
+    <message>
+        <source>the analysis %1 has no output %2%3</source>
+        <translation>die Analyse %1 hat keine Ausgangsgröße %2%3</translation>
+    </message>
+    <message>
+        <source>&apos;schemaVersion&apos; is missing</source>
+        <translation>&apos;schemaVersion&apos; fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;schemaVersion&apos; must be a whole number</source>
+        <translation>&apos;schemaVersion&apos; muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>written by a newer version of Covaria (schema %1, this program reads up to %2); nothing was changed</source>
+        <translation>von einer neueren Version von Covaria geschrieben (Schema %1, dieses Programm liest bis %2); nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>the text &apos;%1&apos;</source>
+        <translation>der Text &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the number %1</source>
+        <translation>die Zahl %1</translation>
+    </message>
+    <message>
+        <source>%1 must be an object in braces, not %2</source>
+        <translation>%1 muss ein Objekt in geschweiften Klammern sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing in %2</source>
+        <translation>%2: &apos;%1&apos; fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be %2, not %3</source>
+        <translation>&apos;%1&apos; muss %2 sein, nicht %3</translation>
+    </message>
+    <message>
+        <source>a list in brackets</source>
+        <translation>eine Liste in Klammern</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos; in %2%3</source>
+        <translation>%2: es gibt kein &apos;%1&apos;%3</translation>
+    </message>
+    <message>
+        <source>a number with its unit</source>
+        <translation>eine Zahl mit ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 18446744073709551615, in quotes</source>
+        <translation>eine ganze Zahl von 0 bis 18446744073709551615, in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be %2; it is %3</source>
+        <translation>&apos;%1&apos; muss %2 sein; angegeben ist %3</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>a whole number that is not negative</source>
+        <translation>eine ganze, nicht negative Zahl</translation>
+    </message>
+    <message>
+        <source>a text here is not valid UTF-8 or has a wrong \ sequence</source>
+        <translation>ein Text ist hier kein gültiges UTF-8 oder hat eine falsche \-Folge</translation>
+    </message>
+    <message>
+        <source>the project</source>
+        <translation>das Projekt</translation>
+    </message>
+    <message>
+        <source>an asset</source>
+        <translation>ein Betriebsmittel</translation>
+    </message>
+    <message>
+        <source>an analysis</source>
+        <translation>eine Analyse</translation>
+    </message>
+    <message>
+        <source>this is not a project of Covaria: it does not begin with &quot;format&quot;: &quot;covaria&quot;</source>
+        <translation>dies ist kein Projekt von Covaria: es beginnt nicht mit &quot;format&quot;: &quot;covaria&quot;</translation>
+    </message>
+    <message>
+        <source>it has %1 MB, and projects of up to %2 MB are read: put its long tables into CSV files beside it</source>
+        <translation>es hat %1 MB, gelesen werden Projekte bis %2 MB: lange Tabellen in CSV-Dateien daneben auslagern</translation>
+    </message>
+    <message>
+        <source>the project was not saved: it holds a number that is not finite, or fields that belong to no known kind of asset or model</source>
+        <translation>das Projekt wurde nicht gespeichert: es enthält eine nicht endliche Zahl oder Felder, die zu keiner bekannten Art von Betriebsmittel oder Modell gehören</translation>
+    </message>
+    <message>
+        <source>the project was not saved: %1</source>
+        <translation>das Projekt wurde nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be two capital letters, such as DE; it is &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; muss aus zwei Großbuchstaben bestehen, etwa DE; es ist &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be one of %2; it is &apos;%3&apos;</source>
+        <translation>&apos;%1&apos; muss eines von %2 sein; es ist &apos;%3&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a date of the form 2026-04-17 or an interval 2026-04-17/2026-04-18; it is &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; muss ein Datum der Form 2026-04-17 oder ein Zeitraum 2026-04-17/2026-04-18 sein; es ist &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a date of the form 2026-04-17; it is &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; muss ein Datum der Form 2026-04-17 sein; es ist &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the item cannot have been calibrated before it was received</source>
+        <translation>der Gegenstand kann nicht kalibriert worden sein, bevor er eingegangen ist</translation>
+    </message>
+    <message>
+        <source>the certificate cannot have been issued before the calibration</source>
+        <translation>das Zertifikat kann nicht vor der Kalibrierung ausgestellt worden sein</translation>
+    </message>
+    <message>
+        <source> (or %1)</source>
+        <translation> (oder %1)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;%2 must be stated (ISO/IEC 17025 %3)</source>
+        <translation>&apos;%1&apos;%2 muss angegeben werden (ISO/IEC 17025 %3)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be stated (Digital Calibration Certificate)</source>
+        <translation>&apos;%1&apos; muss angegeben werden (Digitaler Kalibrierschein)</translation>
+    </message>
+    <message>
+        <source>the certificate</source>
+        <translation>der Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>%1 has more than 2 MB, too much for a logo</source>
+        <translation>%1 hat mehr als 2 MB, zu viel für ein Logo</translation>
+    </message>
+    <message>
+        <source>%1 is neither a PNG nor a JPEG picture</source>
+        <translation>%1 ist weder ein PNG- noch ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>The certificate has no logo: %1</source>
+        <translation>Der Kalibrierschein hat kein Logo: %1</translation>
+    </message>
+    <message>
+        <source>more than %1 columns are not read</source>
+        <translation>mehr als %1 Spalten werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the quote that begins here is not closed</source>
+        <translation>das hier beginnende Anführungszeichen ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>text follows the closing quote of a cell; write a quote inside a quoted cell twice</source>
+        <translation>auf das schließende Anführungszeichen einer Zelle folgt Text; ein Anführungszeichen in einer solchen Zelle doppelt schreiben</translation>
+    </message>
+    <message>
+        <source>the text is encoded as UTF-16; save it as UTF-8</source>
+        <translation>der Text ist als UTF-16 codiert; als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>the text is not encoded as UTF-8; save it as UTF-8</source>
+        <translation>der Text ist nicht als UTF-8 codiert; als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>this row has %1 cells; there are %2 columns</source>
+        <translation>diese Zeile hat %1 Zellen; es gibt %2 Spalten</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos;: &apos;%2&apos; is not a number</source>
+        <translation>Spalte &apos;%1&apos;: &apos;%2&apos; ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos;: &apos;%2&apos; is neither true nor false</source>
+        <translation>Spalte &apos;%1&apos;: &apos;%2&apos; ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>the file has no column &apos;%1&apos;%2; its columns are %3</source>
+        <translation>die Datei hat keine Spalte &apos;%1&apos;%2; ihre Spalten sind %3</translation>
+    </message>
+    <message>
+        <source>there is no row with the names of the columns</source>
+        <translation>es gibt keine Zeile mit den Namen der Spalten</translation>
+    </message>
+    <message>
+        <source>it has %1 lines, and there is memory for about %2 of these rows: leave rows out, or take means of several</source>
+        <translation>sie hat %1 Zeilen, und der Speicher reicht für etwa %2 davon: Zeilen weglassen oder Mittelwerte mehrerer nehmen</translation>
+    </message>
+    <message>
+        <source>a table to choose from is written as &quot;/setup/KEY/rows&quot;; it is %1</source>
+        <translation>eine Tabelle zur Auswahl wird als &quot;/setup/KEY/rows&quot; geschrieben; angegeben ist %1</translation>
+    </message>
+    <message>
+        <source>a design needs &apos;variables&apos;, a table to &apos;choose&apos; from, or &apos;reductions&apos;</source>
+        <translation>ein Entwurf braucht &apos;variables&apos;, eine Tabelle für &apos;choose&apos; oder &apos;reductions&apos;</translation>
+    </message>
+    <message>
+        <source>the cheapest reductions are a design of their own, without variables and rows</source>
+        <translation>die günstigsten Verringerungen sind ein eigener Entwurf, ohne Variablen und Zeilen</translation>
+    </message>
+    <message>
+        <source>a design has at most %1 reductions</source>
+        <translation>ein Entwurf hat höchstens %1 Verringerungen</translation>
+    </message>
+    <message>
+        <source>a design has at most %1 variables</source>
+        <translation>ein Entwurf hat höchstens %1 Variablen</translation>
+    </message>
+    <message>
+        <source>the cost is that of rows with &apos;prices&apos;: it needs a table to choose from, and no variables</source>
+        <translation>die Kosten sind die der Zeilen mit &apos;prices&apos;: nötig ist eine Tabelle zur Auswahl, ohne Variablen</translation>
+    </message>
+    <message>
+        <source>a tolerance must not be negative</source>
+        <translation>eine Toleranz darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; takes whole numbers: a study shows what each of them gives</source>
+        <translation>&apos;%1&apos; nimmt ganze Zahlen: eine Studie zeigt, was jede davon ergibt</translation>
+    </message>
+    <message>
+        <source>%1 is chosen by two variables</source>
+        <translation>%1 wird von zwei Variablen gewählt</translation>
+    </message>
+    <message>
+        <source>the smallest factor is between 0 and 1</source>
+        <translation>der kleinste Faktor liegt zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>a price must not be negative</source>
+        <translation>ein Preis darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>%1 is reduced twice</source>
+        <translation>%1 wird zweimal verringert</translation>
+    </message>
+    <message>
+        <source>of %1 rows, %2 to %3 can be kept; it is %4</source>
+        <translation>von %1 Zeilen können %2 bis %3 behalten werden; angegeben ist %4</translation>
+    </message>
+    <message>
+        <source>there are %1 rows, counted from 0</source>
+        <translation>es gibt %1 Zeilen, ab 0 gezählt</translation>
+    </message>
+    <message>
+        <source>row %1 is fixed twice</source>
+        <translation>Zeile %1 ist zweimal festgelegt</translation>
+    </message>
+    <message>
+        <source>more rows are fixed than kept</source>
+        <translation>es sind mehr Zeilen festgelegt als behalten</translation>
+    </message>
+    <message>
+        <source>there is one price for all rows, or one for each of the %1; there are %2</source>
+        <translation>es gibt einen Preis für alle Zeilen oder einen für jede der %1; angegeben sind %2</translation>
+    </message>
+    <message>
+        <source>a box</source>
+        <translation>ein Kasten</translation>
+    </message>
+    <message>
+        <source>every coordinate of &apos;to&apos; must be greater than that of &apos;from&apos;</source>
+        <translation>jede Koordinate von &apos;to&apos; muss größer sein als die von &apos;from&apos;</translation>
+    </message>
+    <message>
+        <source>the least distance</source>
+        <translation>der kleinste Abstand</translation>
+    </message>
+    <message>
+        <source>the least distance must be greater than zero</source>
+        <translation>der kleinste Abstand muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>there are 1 to %1 starts</source>
+        <translation>es gibt 1 bis %1 Starts</translation>
+    </message>
+    <message>
+        <source>at least one evaluation is needed</source>
+        <translation>mindestens eine Auswertung ist nötig</translation>
+    </message>
+    <message>
+        <source>the set-up has no table %1%2</source>
+        <translation>der Aufbau hat keine Tabelle %1%2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be %2; it is &apos;%3&apos;</source>
+        <translation>&apos;%1&apos; muss %2 sein; angegeben ist &apos;%3&apos;</translation>
+    </message>
+    <message>
+        <source>a variable of a design</source>
+        <translation>eine Variable eines Entwurfs</translation>
+    </message>
+    <message>
+        <source>a number that is reduced</source>
+        <translation>eine Zahl, die verringert wird</translation>
+    </message>
+    <message>
+        <source>a reduction of a design</source>
+        <translation>eine Verringerung eines Entwurfs</translation>
+    </message>
+    <message>
+        <source>the choice of a design</source>
+        <translation>die Auswahl eines Entwurfs</translation>
+    </message>
+    <message>
+        <source>a box of a design</source>
+        <translation>ein Kasten eines Entwurfs</translation>
+    </message>
+    <message>
+        <source>a design</source>
+        <translation>ein Entwurf</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a list of numbers</source>
+        <translation>&apos;%1&apos; muss eine Liste von Zahlen sein</translation>
+    </message>
+    <message>
+        <source>the parameters of &apos;%1&apos;</source>
+        <translation>die Parameter von &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a distribution</source>
+        <translation>eine Verteilung</translation>
+    </message>
+    <message>
+        <source>there is no distribution &apos;%1&apos;%2; known are %3</source>
+        <translation>es gibt keine Verteilung &apos;%1&apos;%2; bekannt sind %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing in a component</source>
+        <translation>&apos;%1&apos; fehlt in einer Komponente</translation>
+    </message>
+    <message>
+        <source>a component</source>
+        <translation>eine Komponente</translation>
+    </message>
+    <message>
+        <source>the edit of an input quantity</source>
+        <translation>die Bearbeitung einer Eingangsgröße</translation>
+    </message>
+    <message>
+        <source>the notes of a quantity</source>
+        <translation>die Anmerkungen einer Größe</translation>
+    </message>
+    <message>
+        <source>an output of an analysis</source>
+        <translation>eine Ausgangsgröße einer Analyse</translation>
+    </message>
+    <message>
+        <source>a link</source>
+        <translation>eine Verknüpfung</translation>
+    </message>
+    <message>
+        <source>a correlation</source>
+        <translation>eine Korrelation</translation>
+    </message>
+    <message>
+        <source>component %1</source>
+        <translation>Komponente %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2; the unit %3 of %4 is the unit of %5</source>
+        <translation>%1 ist %2; zur Einheit %3 von %4 gehört %5</translation>
+    </message>
+    <message>
+        <source>%1: the degrees of freedom must be greater than zero</source>
+        <translation>%1: die Freiheitsgrade müssen größer als null sein</translation>
+    </message>
+    <message>
+        <source>%1 is a component, not an input quantity: it can be held, but not be edited otherwise</source>
+        <translation>%1 ist eine Komponente, keine Eingangsgröße: sie kann festgehalten, aber nicht anders bearbeitet werden</translation>
+    </message>
+    <message>
+        <source>%1 has no uncertainty to be correlated</source>
+        <translation>%1 hat keine Unsicherheit, die korreliert sein könnte</translation>
+    </message>
+    <message>
+        <source>there is no component or quantity %1%2</source>
+        <translation>es gibt keine Komponente oder Größe %1%2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be correlated with itself</source>
+        <translation>%1 kann nicht mit sich selbst korreliert sein</translation>
+    </message>
+    <message>
+        <source>a correlation coefficient must lie between -1 and 1; it is %1</source>
+        <translation>ein Korrelationskoeffizient muss zwischen -1 und 1 liegen; angegeben ist %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
+        <translation>%1 und %2 haben die Komponente %3 gemeinsam, was sie korreliert; stattdessen die Korrelation anderer Komponenten angeben</translation>
+    </message>
+    <message>
+        <source>%1 is edited twice</source>
+        <translation>%1 wird zweimal bearbeitet</translation>
+    </message>
+    <message>
+        <source>the correlation of %1 and %2 is given twice</source>
+        <translation>die Korrelation von %1 und %2 ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>a number is needed here; it is %1</source>
+        <translation>hier wird eine Zahl gebraucht; es ist %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 must lie within %3</source>
+        <translation>%1: %2 muss in %3 liegen</translation>
+    </message>
+    <message>
+        <source>the frame of %1 is missing</source>
+        <translation>das System von %1 fehlt</translation>
+    </message>
+    <message>
+        <source>no calibration of a robot: &apos;kinematics&apos; is missing</source>
+        <translation>keine Kalibrierung eines Roboters: &apos;kinematics&apos; fehlt</translation>
+    </message>
+    <message>
+        <source>calibration %1</source>
+        <translation>Kalibrierung %1</translation>
+    </message>
+    <message>
+        <source>lengths in m, angles in rad, about fixed axes as in URDF</source>
+        <translation>Längen in m, Winkel in rad, um feste Achsen wie in URDF</translation>
+    </message>
+    <message>
+        <source>%1 is called %2 here</source>
+        <translation>%1 heißt hier %2</translation>
+    </message>
+    <message>
+        <source>an input without a name</source>
+        <translation>eine Eingangsgröße ohne Namen</translation>
+    </message>
+    <message>
+        <source>its %1 must be a number</source>
+        <translation>%1 muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>there are two inputs of that name</source>
+        <translation>es gibt zwei Eingangsgrößen dieses Namens</translation>
+    </message>
+    <message>
+        <source>%1 %2 is %3 %4</source>
+        <translation>%1 %2 ist %3 %4</translation>
+    </message>
+    <message>
+        <source>typea_uncert must be a number from 0</source>
+        <translation>typea_uncert muss eine Zahl ab 0 sein</translation>
+    </message>
+    <message>
+        <source>typea must be a list of at least two observations</source>
+        <translation>typea muss eine Liste von mindestens zwei Beobachtungen sein</translation>
+    </message>
+    <message>
+        <source>an observation must be a number; those in groups are not read</source>
+        <translation>eine Beobachtung muss eine Zahl sein; solche in Gruppen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>more than %1 observations are not read</source>
+        <translation>mehr als %1 Beobachtungen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>numnewmeas must be a number from 1</source>
+        <translation>numnewmeas muss eine Zahl ab 1 sein</translation>
+    </message>
+    <message>
+        <source>its observations are taken as independent: Suncal enlarges the uncertainty of more than 50 that are autocorrelated</source>
+        <translation>ihre Beobachtungen gelten als unabhängig: Suncal vergrößert die Unsicherheit von mehr als 50, die autokorreliert sind</translation>
+    </message>
+    <message>
+        <source>%1 %2 is no number</source>
+        <translation>%1 %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 %2 is %3</source>
+        <translation>%1 %2 ist %3</translation>
+    </message>
+    <message>
+        <source>degf must be a number greater than 0, or .inf</source>
+        <translation>degf muss eine Zahl größer als 0 oder .inf sein</translation>
+    </message>
+    <message>
+        <source>; it has %1</source>
+        <translation>; vorhanden: %1</translation>
+    </message>
+    <message>
+        <source>the file has no calculation of mode &apos;uncertainty&apos; or &apos;system&apos;%1</source>
+        <translation>die Datei hat keine Berechnung der Art &apos;uncertainty&apos; oder &apos;system&apos;%1</translation>
+    </message>
+    <message>
+        <source>%1: %2 quantities, %3 results</source>
+        <translation>%1: %2 Größen, %3 Ergebnisse</translation>
+    </message>
+    <message>
+        <source>the calculation has no inputs</source>
+        <translation>die Berechnung hat keine Eingangsgrößen</translation>
+    </message>
+    <message>
+        <source>the calculation has no functions</source>
+        <translation>die Berechnung hat keine Funktionen</translation>
+    </message>
+    <message>
+        <source>the system has no quantities</source>
+        <translation>das System hat keine Größen</translation>
+    </message>
+    <message>
+        <source>quantities of type %1 are not read; those that are: direct, indirect</source>
+        <translation>Größen vom Typ %1 werden nicht gelesen; gelesen werden: direct, indirect</translation>
+    </message>
+    <message>
+        <source>the system has no direct quantity</source>
+        <translation>das System hat keine direkte Größe</translation>
+    </message>
+    <message>
+        <source>more than %1 inputs are not read</source>
+        <translation>mehr als %1 Eingangsgrößen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>more than %1 functions are not read</source>
+        <translation>mehr als %1 Funktionen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a function has the name of an input or of another function</source>
+        <translation>eine Funktion hat den Namen einer Eingangsgröße oder einer anderen Funktion</translation>
+    </message>
+    <message>
+        <source>%1: in %2 instead of %3</source>
+        <translation>%1: in %2 statt %3</translation>
+    </message>
+    <message>
+        <source>%1: no starting value</source>
+        <translation>%1: kein Startwert</translation>
+    </message>
+    <message>
+        <source>%1: state the unit of what is solved for under &apos;units&apos;</source>
+        <translation>%1: die Einheit dessen, wonach aufgelöst wird, unter &apos;units&apos; angeben</translation>
+    </message>
+    <message>
+        <source>a correlation needs var1 and var2, two inputs, and cor, a number between -1 and 1</source>
+        <translation>eine Korrelation braucht var1 und var2, zwei Eingangsgrößen, und cor, eine Zahl zwischen -1 und 1</translation>
+    </message>
+    <message>
+        <source>no unit can be stated for %1%2</source>
+        <translation>für %1 kann keine Einheit angegeben werden%2</translation>
+    </message>
+    <message>
+        <source>the file has no Excel workbook in it</source>
+        <translation>die Datei enthält keine Excel-Arbeitsmappe</translation>
+    </message>
+    <message>
+        <source>the file has no sheet with cells</source>
+        <translation>die Datei hat kein Blatt mit Zellen</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no place of a cell</source>
+        <translation>%1: %2 ist kein Ort einer Zelle</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 cells are not read</source>
+        <translation>%1: mehr als %2 Zellen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>its text is missing from the file</source>
+        <translation>der Text fehlt in der Datei</translation>
+    </message>
+    <message>
+        <source>the file has a password or the old format .xls: save it as .xlsx without a password</source>
+        <translation>die Datei hat ein Kennwort oder das alte Format .xls: als .xlsx ohne Kennwort speichern</translation>
+    </message>
+    <message>
+        <source>XML of more than %1 MB is not read</source>
+        <translation>XML von mehr als %1 MB wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a document type declaration: files that declare entities are not read</source>
+        <translation>eine Dokumenttypdeklaration: Dateien, die Entitäten deklarieren, werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>an alias (*name): write out what it stands for, aliases are not expanded</source>
+        <translation>ein Alias (*name): ausschreiben, wofür er steht, Aliasse werden nicht aufgelöst</translation>
+    </message>
+    <message>
+        <source>more than %1 entries are not read</source>
+        <translation>mehr als %1 Einträge werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>more than %1 levels are not read</source>
+        <translation>mehr als %1 Ebenen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a key must be a word</source>
+        <translation>ein Schlüssel muss ein Wort sein</translation>
+    </message>
+    <message>
+        <source>the key %1 stands twice</source>
+        <translation>der Schlüssel %1 steht zweimal da</translation>
+    </message>
+    <message>
+        <source>more than 1000 keys are not read</source>
+        <translation>mehr als 1000 Schlüssel werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>YAML of more than %1 kB is not read</source>
+        <translation>YAML von mehr als %1 kB wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the file has no YAML document</source>
+        <translation>die Datei hat kein YAML-Dokument</translation>
+    </message>
+    <message>
+        <source>not readable as YAML: %1</source>
+        <translation>nicht als YAML lesbar: %1</translation>
+    </message>
+    <message>
+        <source>the file has %1</source>
+        <translation>die Datei hat %1</translation>
+    </message>
+    <message>
+        <source>no readable zip archive in it (%1)</source>
+        <translation>kein lesbares Zip-Archiv (%1)</translation>
+    </message>
+    <message>
+        <source>more than %1 parts, which are not read</source>
+        <translation>mehr als %1 Teile, die nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>no part %1</source>
+        <translation>keinen Teil %1</translation>
+    </message>
+    <message>
+        <source>a part %1 that cannot be read</source>
+        <translation>einen Teil %1, der nicht gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>an encrypted part %1: save it without a password</source>
+        <translation>einen verschlüsselten Teil %1: ohne Kennwort speichern</translation>
+    </message>
+    <message>
+        <source>a part %1 that cannot be unpacked</source>
+        <translation>einen Teil %1, der nicht entpackt werden kann</translation>
+    </message>
+    <message>
+        <source>a damaged part %1</source>
+        <translation>einen beschädigten Teil %1</translation>
+    </message>
+    <message>
+        <source>parts that unpack to more than %1 MB (at %2), which are not read</source>
+        <translation>Teile, die entpackt mehr als %1 MB ergeben (bei %2) und nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>no network of GNU Gama: &lt;gama-local&gt; with a &lt;network&gt; is expected</source>
+        <translation>kein Netz von GNU Gama: &lt;gama-local&gt; mit einem &lt;network&gt; wird erwartet</translation>
+    </message>
+    <message>
+        <source>the stated unit of lengths: coordinates of Gama are in metres</source>
+        <translation>die angegebene Längeneinheit: Koordinaten von Gama sind in Metern</translation>
+    </message>
+    <message>
+        <source>&lt;parameters&gt;</source>
+        <translation>&lt;parameters&gt;</translation>
+    </message>
+    <message>
+        <source>%1 &lt;%2&gt; with observations</source>
+        <translation>%1 &lt;%2&gt; mit Beobachtungen</translation>
+    </message>
+    <message>
+        <source>%1 points without x and y</source>
+        <translation>%1 Punkte ohne x und y</translation>
+    </message>
+    <message>
+        <source>%1 points have no z: it is taken as 0</source>
+        <translation>%1 Punkte haben kein z: es wird als 0 angenommen</translation>
+    </message>
+    <message>
+        <source>the network has no points with coordinates x and y</source>
+        <translation>das Netz hat keine Punkte mit Koordinaten x und y</translation>
+    </message>
+    <message>
+        <source>%1 points are to be adjusted: their coordinates are approximate ones</source>
+        <translation>%1 Punkte sind auszugleichen: ihre Koordinaten sind Näherungen</translation>
+    </message>
+    <message>
+        <source>: a left-handed frame; x and y are taken as they stand</source>
+        <translation>: ein linkshändiges System; x und y werden unverändert übernommen</translation>
+    </message>
+    <message>
+        <source>coordinates in metres, axes-xy = %1%2</source>
+        <translation>Koordinaten in Metern, axes-xy = %1%2</translation>
+    </message>
+    <message>
+        <source>%1 = %2 is no number</source>
+        <translation>%1 = %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>too many points: divide the file</source>
+        <translation>zu viele Punkte: die Datei aufteilen</translation>
+    </message>
+    <message>
+        <source>&lt;coordinates&gt;: point %1 has no x and y</source>
+        <translation>&lt;coordinates&gt;: Punkt %1 hat kein x und y</translation>
+    </message>
+    <message>
+        <source>a covariance matrix of more than %1 coordinates</source>
+        <translation>eine Kovarianzmatrix mit mehr als %1 Koordinaten</translation>
+    </message>
+    <message>
+        <source>the file has no adjusted coordinates</source>
+        <translation>die Datei hat keine ausgeglichenen Koordinaten</translation>
+    </message>
+    <message>
+        <source>point %1 has no x and y</source>
+        <translation>Punkt %1 hat kein x und y</translation>
+    </message>
+    <message>
+        <source>adjusted coordinates in metres</source>
+        <translation>ausgeglichene Koordinaten in Metern</translation>
+    </message>
+    <message>
+        <source>uncertainties: the file has no &lt;cov-mat&gt;</source>
+        <translation>Unsicherheiten: die Datei hat keine &lt;cov-mat&gt;</translation>
+    </message>
+    <message>
+        <source>residuals and orientations</source>
+        <translation>Residuen und Orientierungen</translation>
+    </message>
+    <message>
+        <source>its dim must be at least the %1 adjusted coordinates, its band less than it</source>
+        <translation>ihr dim muss mindestens die Anzahl %1 der ausgeglichenen Koordinaten sein, ihr band kleiner als dim</translation>
+    </message>
+    <message>
+        <source>element %1, %2 is no number</source>
+        <translation>Element %1, %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its dim must be the %1 %2, its band less than that</source>
+        <translation>ihr dim muss der Anzahl entsprechen (%1 %2), ihr band muss kleiner sein</translation>
+    </message>
+    <message>
+        <source>element %1, %2: %3 is no number</source>
+        <translation>Element %1, %2: %3 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a covariance matrix of observations that are left out</source>
+        <translation>eine Kovarianzmatrix ausgelassener Beobachtungen</translation>
+    </message>
+    <message>
+        <source>the standard deviation %1 is no number</source>
+        <translation>die Standardabweichung %1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the standard deviation %1 must not be negative</source>
+        <translation>die Standardabweichung %1 darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>, %1 of them without a standard deviation</source>
+        <translation>, %1 davon ohne Standardabweichung</translation>
+    </message>
+    <message>
+        <source>, %1 correlations</source>
+        <translation>, %1 Korrelationen</translation>
+    </message>
+    <message>
+        <source>%1 observations%2%3; each is its own result: write the equations of what you measure with them</source>
+        <translation>%1 Beobachtungen%2%3; jede ist ihr eigenes Ergebnis: die Gleichungen dessen, was damit gemessen wird, selbst schreiben</translation>
+    </message>
+    <message>
+        <source>%1 observations: more than %2</source>
+        <translation>%1 Beobachtungen: mehr als %2</translation>
+    </message>
+    <message>
+        <source>the stated unit of lengths: words of GSI state theirs</source>
+        <translation>die angegebene Längeneinheit: GSI-Wörter geben ihre eigene an</translation>
+    </message>
+    <message>
+        <source>words %1 (%2)</source>
+        <translation>Wörter %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 readings of reflectors above their points: the targets are the reflectors</source>
+        <translation>%1 Ablesungen zu Reflektoren über ihren Punkten: die Zielpunkte sind die Reflektoren</translation>
+    </message>
+    <message>
+        <source>the file has neither coordinates nor readings with a distance</source>
+        <translation>die Datei hat weder Koordinaten noch Ablesungen mit einer Distanz</translation>
+    </message>
+    <message>
+        <source>the reading of %1: angles and a distance are needed</source>
+        <translation>die Ablesung von %1: Winkel und eine Distanz sind nötig</translation>
+    </message>
+    <message>
+        <source>coordinates E, N, H become x, y, z</source>
+        <translation>die Koordinaten E, N, H werden zu x, y, z</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 set-ups; divide the file</source>
+        <translation>%1: mehr als %2 Aufstellungen; die Datei aufteilen</translation>
+    </message>
+    <message>
+        <source>%1: its coordinates are not in the file: 0, 0, 0</source>
+        <translation>%1: seine Koordinaten stehen nicht in der Datei: 0, 0, 0</translation>
+    </message>
+    <message>
+        <source>%1: readings of points that have coordinates</source>
+        <translation>%1: Ablesungen von Punkten, die Koordinaten haben</translation>
+    </message>
+    <message>
+        <source>%1: readings do not repeat, or are too far apart for it, and say nothing of their uncertainty: points</source>
+        <translation>%1: Ablesungen wiederholen sich nicht oder liegen dafür zu weit auseinander und sagen nichts über ihre Unsicherheit: Punkte</translation>
+    </message>
+    <message>
+        <source>no word of GSI: index, information, sign and data are expected</source>
+        <translation>kein GSI-Wort: Index, Information, Vorzeichen und Daten werden erwartet</translation>
+    </message>
+    <message>
+        <source>more than %1 blocks</source>
+        <translation>mehr als %1 Blöcke</translation>
+    </message>
+    <message>
+        <source>a block begins with the word 11 or 41</source>
+        <translation>ein Block beginnt mit dem Wort 11 oder 41</translation>
+    </message>
+    <message>
+        <source>the data of a word must be digits</source>
+        <translation>die Daten eines Wortes müssen Ziffern sein</translation>
+    </message>
+    <message>
+        <source>the unit &apos;%1&apos; is none of %2</source>
+        <translation>die Einheit &apos;%1&apos; passt nicht; nötig ist %2</translation>
+    </message>
+    <message>
+        <source>the file has no blocks of GSI</source>
+        <translation>die Datei hat keine GSI-Blöcke</translation>
+    </message>
+    <message>
+        <source>more than %1 lines are not read</source>
+        <translation>mehr als %1 Zeilen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the name of a section is not closed by &apos;]&apos;</source>
+        <translation>der Name eines Abschnitts ist nicht durch &apos;]&apos; geschlossen</translation>
+    </message>
+    <message>
+        <source>the section %1 stands twice</source>
+        <translation>der Abschnitt %1 steht zweimal da</translation>
+    </message>
+    <message>
+        <source>neither a section [...] nor a line name=value of one</source>
+        <translation>weder ein Abschnitt [...] noch eine Zeile name=value darin</translation>
+    </message>
+    <message>
+        <source>no quantity with a value and an uncertainty</source>
+        <translation>keine Größe mit Wert und Unsicherheit</translation>
+    </message>
+    <message>
+        <source>the file has no equation (Model[1]=)</source>
+        <translation>die Datei hat keine Gleichung (Model[1]=)</translation>
+    </message>
+    <message>
+        <source>log may be the natural or the decimal logarithm: write ln or log10</source>
+        <translation>log kann der natürliche oder der dekadische Logarithmus sein: ln oder log10 schreiben</translation>
+    </message>
+    <message>
+        <source>no file of GUM Workbench: the section [Components] is missing</source>
+        <translation>keine Datei der GUM Workbench: der Abschnitt [Components] fehlt</translation>
+    </message>
+    <message>
+        <source>the section [COMP %1] is missing</source>
+        <translation>der Abschnitt [COMP %1] fehlt</translation>
+    </message>
+    <message>
+        <source>more than %1 quantities are not read</source>
+        <translation>mehr als %1 Größen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>%1= is missing</source>
+        <translation>%1= fehlt</translation>
+    </message>
+    <message>
+        <source>quantities of type %1 are not known; those that are: Result, TypBNormal, TypBRectang, TypAPooled</source>
+        <translation>Größen vom Typ %1 sind nicht bekannt; bekannt sind: Result, TypBNormal, TypBRectang, TypAPooled</translation>
+    </message>
+    <message>
+        <source>result %1 as the file states it: %2</source>
+        <translation>Ergebnis %1 nach Angabe der Datei: %2</translation>
+    </message>
+    <message>
+        <source>section [%1]</source>
+        <translation>Abschnitt [%1]</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>1 name occur again and have got a number: first %1</source>
+        <translation>1 Name kommt mehrfach vor und hat eine Nummer erhalten: zuerst %1</translation>
+    </message>
+    <message>
+        <source>%1 names occur again and have got a number: first %2</source>
+        <translation>%1 Namen kommen mehrfach vor und haben eine Nummer erhalten: zuerst %2</translation>
+    </message>
+    <message>
+        <source>%1 groups in one artefact: their names stand before those of the points</source>
+        <translation>%1 Gruppen in einem Prüfkörper: ihre Namen stehen vor denen der Punkte</translation>
+    </message>
+    <message>
+        <source>no uncertainties are stated: u_cal is 0 until you state it</source>
+        <translation>keine Unsicherheiten angegeben: u_cal ist 0, bis es angegeben wird</translation>
+    </message>
+    <message>
+        <source>u_cal is the largest of the stated standard uncertainties: %1</source>
+        <translation>u_cal ist die größte der angegebenen Standardunsicherheiten: %1</translation>
+    </message>
+    <message>
+        <source>u_cal as stated: %1</source>
+        <translation>u_cal wie angegeben: %1</translation>
+    </message>
+    <message>
+        <source>%1 without a stated one</source>
+        <translation>%1 ohne eine angegebene</translation>
+    </message>
+    <message>
+        <source>the uncertainty of each point by itself, and correlations: only up to %1 have an analysis of their own</source>
+        <translation>die Unsicherheit jedes Punktes für sich und Korrelationen: nur bis zu %1 haben eine eigene Analyse</translation>
+    </message>
+    <message>
+        <source> and 1 correlation coefficient</source>
+        <translation> und 1 Korrelationskoeffizient</translation>
+    </message>
+    <message>
+        <source> and %1 correlation coefficients</source>
+        <translation> und %1 Korrelationskoeffizienten</translation>
+    </message>
+    <message>
+        <source>analysis &apos;Points as stated&apos;: every coordinate with its own uncertainty%1</source>
+        <translation>Analyse &apos;Points as stated&apos;: jede Koordinate mit eigener Unsicherheit%1</translation>
+    </message>
+    <message>
+        <source>the file has no points</source>
+        <translation>die Datei hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>the file has no line &apos;Frame,Time (Seconds),...&apos; with data below</source>
+        <translation>die Datei hat keine Zeile &apos;Frame,Time (Seconds),...&apos; mit Daten darunter</translation>
+    </message>
+    <message>
+        <source>the file must begin with &apos;Format Version,&apos;</source>
+        <translation>die Datei muss mit &apos;Format Version,&apos; beginnen</translation>
+    </message>
+    <message>
+        <source>rotations of type %1 are not read: export the take with quaternions</source>
+        <translation>Drehungen vom Typ %1 werden nicht gelesen: die Aufnahme mit Quaternionen exportieren</translation>
+    </message>
+    <message>
+        <source>the file does not state its unit of lengths; state it</source>
+        <translation>die Datei gibt ihre Längeneinheit nicht an; diese angeben</translation>
+    </message>
+    <message>
+        <source>take %1, lengths in %2, coordinate space %3</source>
+        <translation>Aufnahme %1, Längen in %2, Koordinatenraum %3</translation>
+    </message>
+    <message>
+        <source>%1 columns of markers</source>
+        <translation>%1 Spalten von Markern</translation>
+    </message>
+    <message>
+        <source>more than %1 rigid bodies are not read</source>
+        <translation>mehr als %1 Starrkörper werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>rigid body %1: columns of its rotation (X, Y, Z, W) or position (X, Y, Z) are missing</source>
+        <translation>Starrkörper %1: Spalten der Drehung (X, Y, Z, W) oder der Position (X, Y, Z) fehlen</translation>
+    </message>
+    <message>
+        <source>the take has no rigid body</source>
+        <translation>die Aufnahme hat keinen Starrkörper</translation>
+    </message>
+    <message>
+        <source>%1 is not a number of a pose</source>
+        <translation>%1 ist keine Zahl einer Pose</translation>
+    </message>
+    <message>
+        <source>the quaternion of %1 has not the length 1</source>
+        <translation>das Quaternion von %1 hat nicht die Länge 1</translation>
+    </message>
+    <message>
+        <source>the angles about z and x of %1 are not determined: turned by 90 degrees about y. Turn the axes of the body in Motive by 90 degrees</source>
+        <translation>die Winkel um z und x von %1 sind nicht bestimmt: um 90 Grad um y gedreht. In Motive die Achsen des Körpers um 90 Grad drehen</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames in which it was not seen</source>
+        <translation>%1: %2 Einzelbilder, in denen er nicht zu sehen war</translation>
+    </message>
+    <message>
+        <source>rigid body %1: at least two frames in which it is seen are needed</source>
+        <translation>Starrkörper %1: mindestens zwei Einzelbilder nötig, in denen er zu sehen ist</translation>
+    </message>
+    <message>
+        <source>rigid body %1: mean pose of %2 frames, Type A with covariance; the body must not have moved, and the frames are taken as independent</source>
+        <translation>Starrkörper %1: mittlere Pose aus %2 Einzelbildern, Typ A mit Kovarianz; der Körper darf sich nicht bewegt haben, und die Einzelbilder gelten als unabhängig</translation>
+    </message>
+    <message>
+        <source>unit &quot;%1&quot;: write it without parentheses</source>
+        <translation>Einheit &quot;%1&quot;: ohne Klammern schreiben</translation>
+    </message>
+    <message>
+        <source>the exponents are too large</source>
+        <translation>die Exponenten sind zu groß</translation>
+    </message>
+    <message>
+        <source>%1; state the columns: %2</source>
+        <translation>%1; die Spalten angeben: %2</translation>
+    </message>
+    <message>
+        <source>there is no column %1%2</source>
+        <translation>es gibt keine Spalte %1%2</translation>
+    </message>
+    <message>
+        <source>more than %1 points: divide the file</source>
+        <translation>mehr als %1 Punkte: die Datei aufteilen</translation>
+    </message>
+    <message>
+        <source> is empty</source>
+        <translation> ist leer</translation>
+    </message>
+    <message>
+        <source> is not a number</source>
+        <translation> ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>: an uncertainty must not be negative</source>
+        <translation>: eine Unsicherheit darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source> is too large</source>
+        <translation> ist zu groß</translation>
+    </message>
+    <message>
+        <source>the line has %1 columns instead of %2; put names that contain blanks into quotes</source>
+        <translation>die Zeile hat %1 Spalten statt %2; Namen mit Leerzeichen in Anführungszeichen setzen</translation>
+    </message>
+    <message>
+        <source>what stands behind column %1</source>
+        <translation>was hinter Spalte %1 steht</translation>
+    </message>
+    <message>
+        <source>lengths are taken as mm: the file does not say its unit</source>
+        <translation>Längen gelten als mm: die Datei nennt ihre Einheit nicht</translation>
+    </message>
+    <message>
+        <source>column %1%2</source>
+        <translation>Spalte %1%2</translation>
+    </message>
+    <message>
+        <source>%1 lines above the headers</source>
+        <translation>%1 Zeilen über den Überschriften</translation>
+    </message>
+    <message>
+        <source>%1 lines of comment</source>
+        <translation>%1 Kommentarzeilen</translation>
+    </message>
+    <message>
+        <source>the table has no line of headers; state the columns: %1</source>
+        <translation>die Tabelle hat keine Zeile mit Überschriften; die Spalten angeben: %1</translation>
+    </message>
+    <message>
+        <source>its columns may mean several things (names that are numbers, offsets, weights, tolerances, notes); state the columns: %1</source>
+        <translation>ihre Spalten können mehreres bedeuten (Namen aus Zahlen, Offsets, Gewichte, Toleranzen, Anmerkungen); die Spalten angeben: %1</translation>
+    </message>
+    <message>
+        <source>six numbers may be X Y Z Ux Uy Uz, but also X Y Z with weights, a vector or the angles of a frame: name the reader if they are uncertainties, or state the columns: %1</source>
+        <translation>sechs Zahlen können X Y Z Ux Uy Uz sein, aber auch X Y Z mit Gewichten, einem Vektor oder den Winkeln eines Koordinatensystems: den Leser nennen, wenn es Unsicherheiten sind, oder die Spalten angeben: %1</translation>
+    </message>
+    <message>
+        <source>read as %1 (%2)</source>
+        <translation>gelesen als %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: the file states no unit, %2 is taken</source>
+        <translation>%1: die Datei nennt keine Einheit, %2 wird angenommen</translation>
+    </message>
+    <message>
+        <source>Analysis &quot;%1&quot; (%2)</source>
+        <translation>Analyse &quot;%1&quot; (%2)</translation>
+    </message>
+    <message>
+        <source>not taken over</source>
+        <translation>nicht übernommen</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>and %1 more rows</source>
+        <translation>und %1 weitere Zeilen</translation>
+    </message>
+    <message>
+        <source>no reader recognises the file; name the one to read it with</source>
+        <translation>kein Leser erkennt die Datei; den angeben, mit dem sie gelesen werden soll</translation>
+    </message>
+    <message>
+        <source>several readers recognise the file: %1; name one of them</source>
+        <translation>mehrere Leser erkennen die Datei: %1; einen davon angeben</translation>
+    </message>
+    <message>
+        <source>a column cannot be %1; there are %2</source>
+        <translation>eine Spalte kann nicht %1 sein; es gibt %2</translation>
+    </message>
+    <message>
+        <source>the columns %1 and %2 mean the same; state the columns</source>
+        <translation>die Spalten %1 und %2 bedeuten dasselbe; die Spalten angeben</translation>
+    </message>
+    <message>
+        <source>a budget needs columns for the quantity or its name, for an uncertainty (u, U or limits) and one more; state the columns</source>
+        <translation>ein Budget braucht Spalten für die Größe oder ihren Namen, für eine Unsicherheit (u, U oder Grenzen) und eine weitere; die Spalten angeben</translation>
+    </message>
+    <message>
+        <source>the distribution %1 is not known; there are normal, rectangular, triangular, U-shaped</source>
+        <translation>die Verteilung %1 ist nicht bekannt; es gibt normal, rectangular, triangular, U-shaped</translation>
+    </message>
+    <message>
+        <source>the divisor must be greater than 0</source>
+        <translation>der Divisor muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>an uncertainty must not be negative</source>
+        <translation>eine Unsicherheit darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>no uncertainty is stated</source>
+        <translation>keine Unsicherheit ist angegeben</translation>
+    </message>
+    <message>
+        <source>neither divisor, k nor distribution says what the uncertainty %1 is</source>
+        <translation>weder Divisor, k noch Verteilung sagt, was die Unsicherheit %1 ist</translation>
+    </message>
+    <message>
+        <source>a normal distribution needs a divisor or k for the uncertainty %1</source>
+        <translation>eine Normalverteilung braucht einen Divisor oder k für die Unsicherheit %1</translation>
+    </message>
+    <message>
+        <source>no row has a number in the stated columns</source>
+        <translation>keine Zeile hat eine Zahl in den angegebenen Spalten</translation>
+    </message>
+    <message>
+        <source>there is no sheet %1 with cells; there are %2</source>
+        <translation>es gibt kein Blatt %1 mit Zellen; vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>the workbook has several sheets, %1: name the sheet whose columns are stated</source>
+        <translation>die Arbeitsmappe hat mehrere Blätter, %1: das Blatt nennen, dessen Spalten angegeben sind</translation>
+    </message>
+    <message>
+        <source>no row of headers of a budget was found; state the columns (quantity, value, unit, U, divisor ...)</source>
+        <translation>keine Kopfzeile eines Budgets gefunden; die Spalten angeben (Größe, Wert, Einheit, U, Teiler ...)</translation>
+    </message>
+    <message>
+        <source>several sheets have a budget: %1; name one of them</source>
+        <translation>mehrere Blätter haben ein Budget: %1; eines davon nennen</translation>
+    </message>
+    <message>
+        <source>a file that it includes: %1</source>
+        <translation>eine Datei, die sie einbindet: %1</translation>
+    </message>
+    <message>
+        <source>the code of a point is expected, a digit</source>
+        <translation>der Code eines Punktes wird erwartet, eine Ziffer</translation>
+    </message>
+    <message>
+        <source>a point that is not to be used: %1</source>
+        <translation>ein Punkt, der nicht zu verwenden ist: %1</translation>
+    </message>
+    <message>
+        <source>code, name, x, y, z, three standard deviations and two deflections of the vertical are expected, there are %1 columns</source>
+        <translation>Code, Name, x, y, z, drei Standardabweichungen und zwei Lotabweichungen werden erwartet, es sind %1 Spalten</translation>
+    </message>
+    <message>
+        <source>none of their coordinates</source>
+        <translation>keine ihrer Koordinaten</translation>
+    </message>
+    <message>
+        <source>%1 only</source>
+        <translation>nur %1</translation>
+    </message>
+    <message>
+        <source>standard deviations of %1 points of code %2: it constrains %3</source>
+        <translation>Standardabweichungen von %1 Punkten mit Code %2: er legt %3 fest</translation>
+    </message>
+    <message>
+        <source>deflections of the vertical of %1 points</source>
+        <translation>Lotabweichungen von %1 Punkten</translation>
+    </message>
+    <message>
+        <source>%1 points are not constrained: their coordinates are approximate ones for the adjustment</source>
+        <translation>%1 Punkte sind nicht festgelegt: ihre Koordinaten sind Näherungswerte für die Ausgleichung</translation>
+    </message>
+    <message>
+        <source>%1 comments</source>
+        <translation>%1 Kommentare</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1: the constraint of %2, which is switched off</source>
+        <translation>%1: die Bedingung von %2, die abgeschaltet ist</translation>
+    </message>
+    <message>
+        <source>coordinates in metres</source>
+        <translation>Koordinaten in Metern</translation>
+    </message>
+    <message>
+        <source>the stated unit of lengths: coordinates of Comp3D are in metres</source>
+        <translation>die angegebene Längeneinheit: Koordinaten von Comp3D sind in Metern</translation>
+    </message>
+    <message>
+        <source>the code of an observation is expected, a whole number</source>
+        <translation>der Code einer Beobachtung wird erwartet, eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>an observation of code %1</source>
+        <translation>eine Beobachtung mit Code %1</translation>
+    </message>
+    <message>
+        <source>code, two points, value, one or two standard deviations and two heights are expected, there are %1 columns</source>
+        <translation>Code, zwei Punkte, Wert, eine oder zwei Standardabweichungen und zwei Höhen werden erwartet, es sind %1 Spalten</translation>
+    </message>
+    <message>
+        <source>%1 %2: it is switched off</source>
+        <translation>%1 %2: abgeschaltet</translation>
+    </message>
+    <message>
+        <source>the file has no observation that is taken</source>
+        <translation>die Datei hat keine Beobachtung, die übernommen wird</translation>
+    </message>
+    <message>
+        <source>%1 observations, lengths in metres; each is its own result: write the equations of what you measure with them</source>
+        <translation>%1 Beobachtungen, Längen in Metern; jede ist ihr eigenes Ergebnis: die Gleichungen für das damit Gemessene schreiben</translation>
+    </message>
+    <message>
+        <source>the unit of angles must be one of an angle: gon, deg, rad</source>
+        <translation>die Winkeleinheit muss die eines Winkels sein: gon, deg, rad</translation>
+    </message>
+    <message>
+        <source>%1 %2: the part of its standard deviation that depends on the distance</source>
+        <translation>%1 %2: der Anteil der Standardabweichung, der vom Abstand abhängt</translation>
+    </message>
+    <message>
+        <source>%1: it is switched off</source>
+        <translation>%1: abgeschaltet</translation>
+    </message>
+    <message>
+        <source>a variance of its covariance matrix is negative</source>
+        <translation>eine Varianz der Kovarianzmatrix ist negativ</translation>
+    </message>
+    <message>
+        <source>its covariance matrix is not symmetric</source>
+        <translation>die Kovarianzmatrix ist nicht symmetrisch</translation>
+    </message>
+    <message>
+        <source>its matrix is no covariance matrix: a variance of some combination is negative</source>
+        <translation>die Matrix ist keine Kovarianzmatrix: eine Varianz einer Kombination ist negativ</translation>
+    </message>
+    <message>
+        <source>no Digital Calibration Certificate: its root is &lt;%1&gt;</source>
+        <translation>kein Digitaler Kalibrierschein: das Wurzelelement ist &lt;%1&gt;</translation>
+    </message>
+    <message>
+        <source>the certificate has no results with numbers</source>
+        <translation>der Kalibrierschein hat keine Ergebnisse mit Zahlen</translation>
+    </message>
+    <message>
+        <source>schema version %1</source>
+        <translation>Schemaversion %1</translation>
+    </message>
+    <message>
+        <source>what this version of the schema has beyond version 3</source>
+        <translation>was diese Version des Schemas über Version 3 hinaus hat</translation>
+    </message>
+    <message>
+        <source>the stated unit of lengths: a certificate states its units</source>
+        <translation>die angegebene Längeneinheit: ein Kalibrierschein nennt seine Einheiten</translation>
+    </message>
+    <message>
+        <source>%1: &lt;measurementMetaData&gt;</source>
+        <translation>%1: &lt;measurementMetaData&gt;</translation>
+    </message>
+    <message>
+        <source>a quantity: more than %1 values</source>
+        <translation>eine Größe: mehr als %1 Werte</translation>
+    </message>
+    <message>
+        <source>%1 as a length standard: more than %2</source>
+        <translation>%1 als Längennormal: mehr als %2</translation>
+    </message>
+    <message>
+        <source>the signature: it is not verified</source>
+        <translation>die Signatur: sie wird nicht geprüft</translation>
+    </message>
+    <message>
+        <source>%1 values, %2 of them with an uncertainty</source>
+        <translation>%1 Werte, %2 davon mit einer Unsicherheit</translation>
+    </message>
+    <message>
+        <source>%1 values, %2 of them with an uncertainty, with covariances</source>
+        <translation>%1 Werte, %2 davon mit einer Unsicherheit, mit Kovarianzen</translation>
+    </message>
+    <message>
+        <source>length standard %1: delete it where the length is no standard</source>
+        <translation>Längennormal %1: löschen, wo die Länge kein Normal ist</translation>
+    </message>
+    <message>
+        <source>a value as &lt;%1&gt;</source>
+        <translation>ein Wert als &lt;%1&gt;</translation>
+    </message>
+    <message>
+        <source>its relative uncertainty</source>
+        <translation>die relative Unsicherheit dazu</translation>
+    </message>
+    <message>
+        <source>the same in other units (%1 is taken)</source>
+        <translation>dasselbe in anderen Einheiten (%1 wird übernommen)</translation>
+    </message>
+    <message>
+        <source>its lists have different lengths than the %1 values</source>
+        <translation>die Listen haben andere Längen als die %1 Werte</translation>
+    </message>
+    <message>
+        <source>its covariance matrix: %1</source>
+        <translation>die Kovarianzmatrix: %1</translation>
+    </message>
+    <message>
+        <source>its covariance matrix has not %1 x %2 elements</source>
+        <translation>die Kovarianzmatrix hat nicht %1 x %2 Elemente</translation>
+    </message>
+    <message>
+        <source>p must be between 0 and 1</source>
+        <translation>p muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>k must be greater than 0</source>
+        <translation>k muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>its uncertainty is negative</source>
+        <translation>die Unsicherheit ist negativ</translation>
+    </message>
+    <message>
+        <source>it does not begin with \</source>
+        <translation>beginnt nicht mit \</translation>
+    </message>
+    <message>
+        <source>a brace is not closed</source>
+        <translation>eine geschweifte Klammer ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>its power &apos;%1&apos; is no small integer</source>
+        <translation>die Potenz &apos;%1&apos; ist keine kleine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;\%1&apos; is not known</source>
+        <translation>&apos;\%1&apos; ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>it ends too early</source>
+        <translation>endet zu früh</translation>
+    </message>
+    <message>
+        <source>the unit %1: %2</source>
+        <translation>die Einheit %1: %2</translation>
+    </message>
+    <message>
+        <source>sheet %1, columns: %2</source>
+        <translation>Blatt %1, Spalten: %2</translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its unit differs from that of the other uncertainty of the row</source>
+        <translation>die Einheit weicht von der der anderen Unsicherheit der Zeile ab</translation>
+    </message>
+    <message>
+        <source>%1 is no divisor</source>
+        <translation>%1 ist kein Teiler</translation>
+    </message>
+    <message>
+        <source>degrees of freedom must be greater than 0</source>
+        <translation>Freiheitsgrade müssen größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>row %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>the contribution %1: c and u give %2</source>
+        <translation>der Beitrag %1: c und u ergeben %2</translation>
+    </message>
+    <message>
+        <source>the contribution does not follow from c and u in any unit; state the unit behind the coefficient (&apos;-575 nm/K&apos;)</source>
+        <translation>der Beitrag folgt in keiner Einheit aus c und u; die Einheit hinter dem Koeffizienten angeben (&apos;-575 nm/K&apos;)</translation>
+    </message>
+    <message>
+        <source>its unit makes no coefficient of the result</source>
+        <translation>die Einheit ergibt keinen Koeffizienten des Ergebnisses</translation>
+    </message>
+    <message>
+        <source>its unit may be %1 or %2: state it behind the coefficient</source>
+        <translation>die Einheit kann %1 oder %2 sein: hinter dem Koeffizienten angeben</translation>
+    </message>
+    <message>
+        <source>what stands below the budget, to row %1</source>
+        <translation>was unter dem Budget steht, bis Zeile %1</translation>
+    </message>
+    <message>
+        <source>there is no quantity with an uncertainty below</source>
+        <translation>darunter steht keine Größe mit einer Unsicherheit</translation>
+    </message>
+    <message>
+        <source>row without a quantity</source>
+        <translation>Zeile ohne Größe</translation>
+    </message>
+    <message>
+        <source>row %1 without figures</source>
+        <translation>Zeile %1 ohne Zahlen</translation>
+    </message>
+    <message>
+        <source>the quantity has no name</source>
+        <translation>die Größe hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>row %1: computed anew</source>
+        <translation>Zeile %1: neu berechnet</translation>
+    </message>
+    <message>
+        <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
+        <translation>die Einheit des Ergebnisses ist nicht angegeben: dem Ergebnis eine eigene Zeile geben, die Einheit hinter die Überschrift der Beiträge setzen oder sie als die von &apos;result&apos; angeben</translation>
+    </message>
+    <message>
+        <source>the result is not the sum of c x: %1 is the difference</source>
+        <translation>das Ergebnis ist nicht die Summe der c x: die Differenz ist %1</translation>
+    </message>
+    <message>
+        <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
+        <translation>Modell: %1; das Blatt hat nur Sensitivitätskoeffizienten, stattdessen die eigene Gleichung schreiben, wo vorhanden</translation>
+    </message>
+    <message>
+        <source>%1 quantities</source>
+        <translation>%1 Größen</translation>
+    </message>
+    <message>
+        <source>sheet %1</source>
+        <translation>Blatt %1</translation>
+    </message>
+    <message>
+        <source>no input quantity has an uncertainty, so that U is 0 everywhere: state the uncertainties of what the analysis uses</source>
+        <translation>keine Eingangsgröße hat eine Unsicherheit, sodass U überall 0 ist: die Unsicherheiten dessen angeben, was die Analyse verwendet</translation>
+    </message>
+    <message>
+        <source>%1; the run is to end at %2 trials and will not be stable then. Choose a larger tolerance or fewer digits</source>
+        <translation>%1; der Lauf soll bei %2 Versuchen enden und wird dann nicht stabil sein. Größere Toleranz oder weniger Stellen wählen</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>es kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>%1 has no analysis &quot;%2&quot;</source>
+        <translation>%1 hat keine Analyse &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>%1 refers to other assets of the project and cannot be kept alone</source>
+        <translation>%1 verweist auf andere Betriebsmittel des Projekts und kann nicht allein aufbewahrt werden</translation>
+    </message>
+    <message>
+        <source>%1 has errors; open it and repair it before adding to it</source>
+        <translation>%1 hat Fehler; vor dem Hinzufügen öffnen und beheben</translation>
+    </message>
+    <message>
+        <source>asset %1: %2</source>
+        <translation>Betriebsmittel %1: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; refers to the analysis &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; verweist auf die Analyse &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; refers to the asset &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; verweist auf das Betriebsmittel &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1, which does not offer %2</source>
+        <translation>%1, die %2 nicht bietet</translation>
+    </message>
+    <message>
+        <source>it cannot be made</source>
+        <translation>es kann nicht erstellt werden</translation>
+    </message>
+    <message>
+        <source>the analysis &apos;%1&apos; has errors of its own: %2</source>
+        <translation>die Analyse &apos;%1&apos; hat eigene Fehler: %2</translation>
+    </message>
+    <message>
+        <source>%1, which has errors of its own</source>
+        <translation>%1, das eigene Fehler hat</translation>
+    </message>
+    <message>
+        <source>%1, which is of the kind &apos;%2&apos; and does not offer %3</source>
+        <translation>%1, das von der Art &apos;%2&apos; ist und %3 nicht bietet</translation>
+    </message>
+    <message>
+        <source>%1, which refers back to this one: %2%3</source>
+        <translation>%1, und von dort führt ein Verweis hierher zurück: %2%3</translation>
+    </message>
+    <message>
+        <source>%1: only analyses take something from analyses</source>
+        <translation>%1: nur Analysen übernehmen etwas aus Analysen</translation>
+    </message>
+    <message>
+        <source>%1, which does not exist%2</source>
+        <translation>%1, was es nicht gibt%2</translation>
+    </message>
+    <message>
+        <source>the values given lead to a %1</source>
+        <translation>die angegebenen Werte führen zu: %1</translation>
+    </message>
+    <message>
+        <source>the memory of this machine does not suffice</source>
+        <translation>der Speicher dieses Rechners reicht nicht aus</translation>
+    </message>
+    <message>
+        <source>a defect of the program was met (%1): please report it with the project</source>
+        <translation>ein Fehler des Programms ist aufgetreten (%1): mit dem Projekt melden</translation>
+    </message>
+    <message>
+        <source>%1: the part is damaged or no part at all: delete it and make it anew</source>
+        <translation>%1: der Teil ist beschädigt oder gar kein Teil: löschen und neu rechnen</translation>
+    </message>
+    <message>
+        <source>%1: the part was made %2 %3, this is %4: the bits of its results would not be those of one run</source>
+        <translation>%1: der Teil entstand mit %2 %3, dies ist %4: die Bits der Ergebnisse wären nicht die eines einzigen Laufs</translation>
+    </message>
+    <message>
+        <source>%1: the part would have %2 MB, more than %3: divide the run into more parts</source>
+        <translation>%1: der Teil hätte %2 MB, mehr als %3: den Lauf in mehr Teile teilen</translation>
+    </message>
+    <message>
+        <source>%1: the part is of &quot;%2&quot;, which is not evaluated here: it is of another project</source>
+        <translation>%1: der Teil ist von &quot;%2&quot;, das hier nicht ausgewertet wird: er gehört zu einem anderen Projekt</translation>
+    </message>
+    <message>
+        <source>%1: the part is of &quot;%2&quot; in another project or another state of it (fingerprint %3, here %4): make it anew</source>
+        <translation>%1: der Teil ist von &quot;%2&quot; in einem anderen Projekt oder einem anderen Stand davon (Fingerabdruck %3, hier %4): neu rechnen</translation>
+    </message>
+    <message>
+        <source>the model cannot be made</source>
+        <translation>das Modell kann nicht gebildet werden</translation>
+    </message>
+    <message>
+        <source>there is no component &apos;%1&apos; here</source>
+        <translation>hier gibt es keine Komponente &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>there is no input quantity &apos;%1&apos; here</source>
+        <translation>hier gibt es keine Eingangsgröße &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the analysis has no study &apos;%1&apos;</source>
+        <translation>die Analyse hat keine Studie &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the study was stopped</source>
+        <translation>die Studie wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the analysis does not use the asset &apos;%1&apos;: varying it changes nothing</source>
+        <translation>die Analyse verwendet das Betriebsmittel &apos;%1&apos; nicht: es zu variieren ändert nichts</translation>
+    </message>
+    <message>
+        <source>the model shows no instruments: a least distance and boxes to keep out of mean nothing to it</source>
+        <translation>das Modell zeigt keine Messgeräte: ein kleinster Abstand und freizuhaltende Kästen sagen ihm nichts</translation>
+    </message>
+    <message>
+        <source>the model shows no lines of sight, so that no box can hide them</source>
+        <translation>das Modell zeigt keine Ziellinien, so dass kein Kasten sie verdecken kann</translation>
+    </message>
+    <message>
+        <source>the analysis has no design &apos;%1&apos;</source>
+        <translation>die Analyse hat keinen Entwurf &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the variances are not a sum over what is reduced: some of it is correlated, or changes more than a component of uncertainty</source>
+        <translation>die Varianzen sind keine Summe über das, was verringert wird: etwas davon ist korreliert oder ändert mehr als eine Unsicherheitskomponente</translation>
+    </message>
+    <message>
+        <source>the analysis has no measurand that a design could look at</source>
+        <translation>die Analyse hat keine Messgröße, die ein Entwurf betrachten könnte</translation>
+    </message>
+    <message>
+        <source>without target uncertainties U is looked at relative to that of the present design, which has no result (%1): state requirements</source>
+        <translation>ohne Zielunsicherheiten wird U gegenüber dem des vorliegenden Entwurfs betrachtet, der kein Ergebnis hat (%1): Anforderungen angeben</translation>
+    </message>
+    <message>
+        <source>U of &apos;%1&apos; is zero now: choose the outputs to look at</source>
+        <translation>U von &apos;%1&apos; ist jetzt null: die zu betrachtenden Ausgangsgrößen wählen</translation>
+    </message>
+    <message>
+        <source>the cheapest reductions need target uncertainties: state requirements</source>
+        <translation>die billigsten Verringerungen brauchen Zielunsicherheiten: Anforderungen angeben</translation>
+    </message>
+    <message>
+        <source>the cheapest rows need target uncertainties: state requirements</source>
+        <translation>die billigsten Zeilen brauchen Zielunsicherheiten: Anforderungen angeben</translation>
+    </message>
+    <message>
+        <source>the design was stopped</source>
+        <translation>der Entwurf wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the set-up</source>
+        <translation>der Aufbau</translation>
+    </message>
+    <message>
+        <source>the component &apos;%1&apos; is not of one input quantity alone: change it where it comes from (%2)</source>
+        <translation>die Komponente &apos;%1&apos; gehört nicht zu einer Eingangsgröße allein: dort ändern, wo sie herkommt (%2)</translation>
+    </message>
+    <message>
+        <source>Distribution of %1.</source>
+        <translation>Verteilung von %1.</translation>
+    </message>
+    <message>
+        <source>Quantiles of %1, the least normal, against those of a normal distribution.</source>
+        <translation>Quantile von %1, der am wenigsten normalen, gegen die einer Normalverteilung.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of %1 against the number of trials.</source>
+        <translation>Standardunsicherheit von %1 gegen die Anzahl der Versuche.</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty ellipsoids at a coverage probability of %2, magnified as the picture states.</source>
+        <translation>%1: Unsicherheitsellipsoide mit einer Überdeckungswahrscheinlichkeit von %2, vergrößert wie im Bild angegeben.</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients of components</source>
+        <translation>Korrelationskoeffizienten der Komponenten</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>Notes on input quantities</source>
+        <translation>Anmerkungen zu Eingangsgrößen</translation>
+    </message>
+    <message>
+        <source>Input quantities and the origin of their uncertainties</source>
+        <translation>Eingangsgrößen und die Herkunft ihrer Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>%1 input quantities; many with equal components share a row. The CSV table of inputs lists every one with its estimate.</source>
+        <translation>%1 Eingangsgrößen; viele mit gleichen Komponenten teilen sich eine Zeile. Die CSV-Tabelle der Eingangsgrößen enthält jede mit ihrem Schätzwert.</translation>
+    </message>
+    <message>
+        <source>These input quantities are results of other analyses. All are evaluated together as one model, in every trial, so that the budget goes down to the components of the analyses that they come from; a component that reaches the result on several ways is one component.</source>
+        <translation>Diese Eingangsgrößen sind Ergebnisse anderer Analysen. Alle werden in jedem Versuch zusammen als ein Modell ausgewertet, so dass das Budget bis zu den Komponenten der Analysen reicht, aus denen sie kommen; eine Komponente, die das Ergebnis auf mehreren Wegen erreicht, ist eine Komponente.</translation>
+    </message>
+    <message>
+        <source>Linearised: the analysis that the value comes from is replaced by its law of propagation about its estimates. That is exact to first order; its non-linearity is left out of Monte Carlo.</source>
+        <translation>Linearisiert: die Analyse, aus der der Wert kommt, ist durch ihr Fortpflanzungsgesetz um ihre Schätzwerte ersetzt. Das ist in erster Ordnung exakt; ihre Nichtlinearität fehlt in Monte Carlo.</translation>
+    </message>
+    <message>
+        <source>Where the inputs come from</source>
+        <translation>Woher die Eingangsgrößen kommen</translation>
+    </message>
+    <message>
+        <source>Input quantities taken from other analyses</source>
+        <translation>Eingangsgrößen aus anderen Analysen</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Analyse</translation>
+    </message>
+    <message>
+        <source>Its result</source>
+        <translation>Ihr Ergebnis</translation>
+    </message>
+    <message>
+        <source>%1, linearised</source>
+        <translation>%1, linearisiert</translation>
+    </message>
+    <message>
+        <source>The trials are Sobol points with a random digital shift in each batch; standard errors are from the scatter of the batches.</source>
+        <translation>Die Versuche sind Sobol-Punkte mit einer zufälligen digitalen Verschiebung in jedem Stapel; Standardfehler folgen aus der Streuung der Stapel.</translation>
+    </message>
+    <message>
+        <source>Mean, standard uncertainty, symmetric interval and covariance were found with the linear part of each output as control variate: its distribution is known exactly, and the trials tell how the output differs from it. Shortest intervals, histograms and probabilities of conformance are those of the trials.</source>
+        <translation>Mittelwert, Standardunsicherheit, symmetrisches Intervall und Kovarianz wurden mit dem linearen Teil jeder Ausgangsgröße als Kontrollvariable gefunden: seine Verteilung ist genau bekannt, und die Versuche sagen, wie die Ausgangsgröße davon abweicht. Kürzeste Intervalle, Histogramme und Konformitätswahrscheinlichkeiten sind die der Versuche.</translation>
+    </message>
+    <message>
+        <source>At the interval ends each trial is worth %1 plain ones or more.</source>
+        <translation>An den Enden des Intervalls ist jeder Versuch %1 einfache Versuche oder mehr wert.</translation>
+    </message>
+    <message>
+        <source>The adaptive procedure reached its largest number of trials: the results have not stabilised to the numerical tolerance.</source>
+        <translation>Das adaptive Verfahren hat die größte Anzahl von Versuchen erreicht: die Ergebnisse haben sich nicht innerhalb der numerischen Toleranz stabilisiert.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals were read from finely divided cells, not from ordered trials: there were more trials than memory allows to order.</source>
+        <translation>Überdeckungsintervalle wurden aus fein geteilten Zellen abgelesen, nicht aus geordneten Versuchen: es waren mehr Versuche, als der Speicher zu ordnen erlaubt.</translation>
+    </message>
+    <message>
+        <source>law of propagation</source>
+        <translation>Fortpflanzungsgesetz</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation>adaptiv</translation>
+    </message>
+    <message>
+        <source>%1, Sobol points</source>
+        <translation>%1, Sobol-Punkte</translation>
+    </message>
+    <message>
+        <source>%1, control variate</source>
+        <translation>%1, Kontrollvariable</translation>
+    </message>
+    <message>
+        <source>Runs that gave these results</source>
+        <translation>Läufe, die diese Ergebnisse ergaben</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Gescheitert</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Fingerabdruck</translation>
+    </message>
+    <message>
+        <source>The same project, seed and version give the same numbers on any number of threads. The fingerprint covers everything that influences the numbers of an analysis.</source>
+        <translation>Dasselbe Projekt, derselbe Startwert und dieselbe Version geben dieselben Zahlen mit jeder Anzahl von Threads. Der Fingerabdruck umfasst alles, was die Zahlen einer Analyse beeinflusst.</translation>
+    </message>
+    <message>
+        <source>Factors by which the standard uncertainties are to be multiplied so that all measurands of a group lie in the region together with a probability of %1 (JCGM 102 6.5 and 7.7).</source>
+        <translation>Faktoren, mit denen die Standardunsicherheiten zu multiplizieren sind, damit alle Messgrößen einer Gruppe zusammen mit der Wahrscheinlichkeit %1 im Bereich liegen (JCGM 102 6.5 und 7.7).</translation>
+    </message>
+    <message>
+        <source>Factors of the coverage regions</source>
+        <translation>Faktoren der Überdeckungsbereiche</translation>
+    </message>
+    <message>
+        <source>No ellipsoid is given where the covariance matrix of the group is singular.</source>
+        <translation>Wo die Kovarianzmatrix der Gruppe singulär ist, wird kein Ellipsoid angegeben.</translation>
+    </message>
+    <message>
+        <source>Target uncertainties</source>
+        <translation>Zielunsicherheiten</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>With the figure put in, U by the law of propagation is the target; k follows the effective degrees of freedom.</source>
+        <translation>Mit der eingesetzten Zahl ist U nach dem Fortpflanzungsgesetz das Ziel; k folgt den effektiven Freiheitsgraden.</translation>
+    </message>
+    <message>
+        <source>With the figure put in, U by Monte Carlo is the target; found with %1 trials of the same draws.</source>
+        <translation>Mit der eingesetzten Zahl ist U nach Monte Carlo das Ziel; gefunden mit %1 Versuchen derselben Ziehungen.</translation>
+    </message>
+    <message>
+        <source>No component suffices alone: all standard uncertainties multiplied by %1 do.</source>
+        <translation>Keine Komponente genügt allein: alle Standardunsicherheiten mal %1 tun es.</translation>
+    </message>
+    <message>
+        <source>What one component alone must be reduced to for U(%1) to meet its target</source>
+        <translation>Worauf eine Komponente allein zu verringern ist, damit U(%1) das Ziel einhält</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>nötig</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>not enough by itself, even if it vanished</source>
+        <translation>für sich nicht genug, selbst wenn sie verschwände</translation>
+    </message>
+    <message>
+        <source>%1: specific consumer&apos;s risk %2 of this decision.</source>
+        <translation>%1: spezifisches Konsumentenrisiko %2 dieser Entscheidung.</translation>
+    </message>
+    <message>
+        <source>%1: specific producer&apos;s risk %2 of this decision.</source>
+        <translation>%1: spezifisches Produzentenrisiko %2 dieser Entscheidung.</translation>
+    </message>
+    <message>
+        <source>%1: specific consumer&apos;s risk %2 of this decision; global risks of the rule for its prior: consumer&apos;s %3, producer&apos;s %4.</source>
+        <translation>%1: spezifisches Konsumentenrisiko %2 dieser Entscheidung; globale Risiken der Regel für ihre A-priori-Verteilung: Konsument %3, Produzent %4.</translation>
+    </message>
+    <message>
+        <source>%1: specific producer&apos;s risk %2 of this decision; global risks of the rule for its prior: consumer&apos;s %3, producer&apos;s %4.</source>
+        <translation>%1: spezifisches Produzentenrisiko %2 dieser Entscheidung; globale Risiken der Regel für ihre A-priori-Verteilung: Konsument %3, Produzent %4.</translation>
+    </message>
+    <message>
+        <source>Conformity with tolerances</source>
+        <translation>Konformität mit Toleranzen</translation>
+    </message>
+    <message>
+        <source>The requirements are not judged: %1.</source>
+        <translation>Die Anforderungen werden nicht beurteilt: %1.</translation>
+    </message>
+    <message>
+        <source>U of</source>
+        <translation>U von</translation>
+    </message>
+    <message>
+        <source>Coverage probability %1.</source>
+        <translation>Überdeckungswahrscheinlichkeit %1.</translation>
+    </message>
+    <message>
+        <source>Values from the law of propagation of uncertainty (JCGM 100).</source>
+        <translation>Werte nach dem Fortpflanzungsgesetz (JCGM 100).</translation>
+    </message>
+    <message>
+        <source>Values from the propagation of distributions (JCGM 101) with %1 trials; the interval is probabilistically symmetric, the shortest one beside it. The effective degrees of freedom are those of the law of propagation.</source>
+        <translation>Werte aus der Fortpflanzung von Verteilungen (JCGM 101) mit %1 Versuchen; das Intervall ist probabilistisch symmetrisch, das kürzeste steht daneben. Die effektiven Freiheitsgrade sind die des Fortpflanzungsgesetzes.</translation>
+    </message>
+    <message>
+        <source>This result does not represent the measurand: %1 trials, more than 1 %, have no value.</source>
+        <translation>Dieses Ergebnis stellt die Messgröße nicht dar: %1 Versuche, mehr als 1 %, haben keinen Wert.</translation>
+    </message>
+    <message>
+        <source>Law of propagation with second-order terms</source>
+        <translation>Fortpflanzungsgesetz mit Gliedern zweiter Ordnung</translation>
+    </message>
+    <message>
+        <source>JCGM 100 5.1.2, NOTE, for independent components with symmetric distributions. The shift, half the sum of the second derivatives times the variances, is what the mean of the measurand differs by from the value at the estimates; neither is part of the results above.</source>
+        <translation>JCGM 100 5.1.2, ANMERKUNG, für unabhängige Komponenten mit symmetrischen Verteilungen. Die Verschiebung, die halbe Summe der zweiten Ableitungen mal den Varianzen, ist das, worin sich der Mittelwert der Messgröße vom Wert bei den Schätzwerten unterscheidet; beides gehört nicht zu den Ergebnissen oben.</translation>
+    </message>
+    <message>
+        <source>Measurands</source>
+        <translation>Messgrößen</translation>
+    </message>
+    <message>
+        <source>Intermediate quantities</source>
+        <translation>Zwischengrößen</translation>
+    </message>
+    <message>
+        <source>position %1, α, β, γ = %2</source>
+        <translation>Position %1, α, β, γ = %2</translation>
+    </message>
+    <message>
+        <source>Read from %1.</source>
+        <translation>Gelesen aus %1.</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 rows; the project file has them all.</source>
+        <translation>Die ersten %1 von %2 Zeilen; die Projektdatei enthält alle.</translation>
+    </message>
+    <message>
+        <source>Sobol indices of %1 in %</source>
+        <translation>Sobol-Indizes von %1 in %</translation>
+    </message>
+    <message>
+        <source>first order of the law of propagation</source>
+        <translation>erste Ordnung des Fortpflanzungsgesetzes</translation>
+    </message>
+    <message>
+        <source>standard error of S</source>
+        <translation>Standardfehler von S</translation>
+    </message>
+    <message>
+        <source>S total</source>
+        <translation>S total</translation>
+    </message>
+    <message>
+        <source>standard error of S total</source>
+        <translation>Standardfehler von S total</translation>
+    </message>
+    <message>
+        <source>%1 components with smaller indices are left out.</source>
+        <translation>%1 Komponenten mit kleineren Indizes sind weggelassen.</translation>
+    </message>
+    <message>
+        <source>Sobol indices</source>
+        <translation>Sobol-Indizes</translation>
+    </message>
+    <message>
+        <source>S is the share of the variance that a component causes by itself, S total the share with all its interactions with others: where both agree and the shares sum to 100 %, the measurement model is additive. Components that are correlated have indices together. By Monte Carlo with %1 pairs of trials.</source>
+        <translation>S ist der Anteil der Varianz, den eine Komponente für sich verursacht, S total der Anteil mit allen ihren Wechselwirkungen mit anderen: wo beide übereinstimmen und die Anteile sich zu 100 % summieren, ist das Messmodell additiv. Korrelierte Komponenten haben gemeinsame Indizes. Mit Monte Carlo, %1 Paare von Versuchen.</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3 (%4 values, logarithmic)</source>
+        <translation>%1 von %2 bis %3 (%4 Werte, logarithmisch)</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3 (%4 values)</source>
+        <translation>%1 von %2 bis %3 (%4 Werte)</translation>
+    </message>
+    <message>
+        <source>Evaluated at %1 grid points, with %2 trials at each.</source>
+        <translation>Ausgewertet an %1 Gitterpunkten mit je %2 Versuchen.</translation>
+    </message>
+    <message>
+        <source>Evaluated at %1 grid points, by the law of propagation of uncertainty.</source>
+        <translation>Ausgewertet an %1 Gitterpunkten nach dem Fortpflanzungsgesetz.</translation>
+    </message>
+    <message>
+        <source>Varied: %1.</source>
+        <translation>Variiert: %1.</translation>
+    </message>
+    <message>
+        <source>The CSV table of the study has all output quantities.</source>
+        <translation>Die CSV-Tabelle der Studie enthält alle Ausgangsgrößen.</translation>
+    </message>
+    <message>
+        <source>%1: best and worst grid points</source>
+        <translation>%1: bester und schlechtester Gitterpunkt</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>kleinster</translation>
+    </message>
+    <message>
+        <source>greatest</source>
+        <translation>größter</translation>
+    </message>
+    <message>
+        <source>What is given for %1 of the grid points does not represent the measurand: more than 1 % of their trials have no value (see the CSV table).</source>
+        <translation>Was für %1 der Gitterpunkte angegeben ist, stellt die Messgröße nicht dar: mehr als 1 % ihrer Versuche haben keinen Wert (siehe die CSV-Tabelle).</translation>
+    </message>
+    <message>
+        <source>%1 grid points have no values:</source>
+        <translation>%1 Gitterpunkte haben keine Werte:</translation>
+    </message>
+    <message>
+        <source>others: see the CSV table of the study</source>
+        <translation>andere: siehe die CSV-Tabelle der Studie</translation>
+    </message>
+    <message>
+        <source>law of propagation of uncertainty</source>
+        <translation>Fortpflanzungsgesetz</translation>
+    </message>
+    <message>
+        <source>adaptive Monte Carlo, %1 trials</source>
+        <translation>adaptives Monte Carlo, %1 Versuche</translation>
+    </message>
+    <message>
+        <source>Monte Carlo, %1 trials</source>
+        <translation>Monte Carlo, %1 Versuche</translation>
+    </message>
+    <message>
+        <source>%1; %2; coverage probability %3</source>
+        <translation>%1; %2; Überdeckungswahrscheinlichkeit %3</translation>
+    </message>
+    <message>
+        <source>k, intervals and the law of propagation are in the results of the analysis.</source>
+        <translation>k, Intervalle und das Fortpflanzungsgesetz stehen bei den Ergebnissen der Analyse.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: %1: %2.</source>
+        <translation>Nicht ausgewertet: %1: %2.</translation>
+    </message>
+    <message>
+        <source>Study &quot;%1&quot; not evaluated: %2: %3.</source>
+        <translation>Studie &quot;%1&quot; nicht ausgewertet: %2: %3.</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty U: %1</source>
+        <translation>Erweiterte Unsicherheit U: %1</translation>
+    </message>
+    <message>
+        <source>Results: %1</source>
+        <translation>Ergebnisse: %1</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Bearbeiter</translation>
+    </message>
+    <message>
+        <source>Evaluated with</source>
+        <translation>Ausgewertet mit</translation>
+    </message>
+    <message>
+        <source>Not in this report</source>
+        <translation>Nicht in diesem Bericht</translation>
+    </message>
+    <message>
+        <source>Project fingerprint</source>
+        <translation>Fingerabdruck des Projekts</translation>
+    </message>
+    <message>
+        <source>Evaluated with an earlier analysis: %1.</source>
+        <translation>Ausgewertet mit einer früheren Analyse: %1.</translation>
+    </message>
+    <message>
+        <source>Budget of %1, %2</source>
+        <translation>Budget von %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 further components</source>
+        <translation>%1 weitere Komponenten</translation>
+    </message>
+    <message>
+        <source>combined (law of propagation)</source>
+        <translation>kombiniert (Fortpflanzungsgesetz)</translation>
+    </message>
+    <message>
+        <source>%1 = %2, u_c = %3, effective degrees of freedom %4, k = %5, p = %6 (law of propagation).</source>
+        <translation>%1 = %2, u_c = %3, effektive Freiheitsgrade %4, k = %5, p = %6 (Fortpflanzungsgesetz).</translation>
+    </message>
+    <message>
+        <source>Shares of the variance in % by %1, %2</source>
+        <translation>Anteile an der Varianz in % nach %1, %2</translation>
+    </message>
+    <message>
+        <source>together</source>
+        <translation>zusammen</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>andere</translation>
+    </message>
+    <message>
+        <source>Components by falling share of the variance; cᵢ in the unit of the measurand per unit of the component.</source>
+        <translation>Komponenten nach fallendem Anteil an der Varianz; cᵢ in der Einheit der Messgröße je Einheit der Komponente.</translation>
+    </message>
+    <message>
+        <source>Shown in full for %1, which has the largest expanded uncertainties of the %2 groups; the CSV table of budgets has every group.</source>
+        <translation>Vollständig gezeigt für %1 mit den größten erweiterten Unsicherheiten der %2 Gruppen; die CSV-Tabelle der Budgets enthält jede Gruppe.</translation>
+    </message>
+    <message>
+        <source>Contributions to the variance of %1.</source>
+        <translation>Beiträge zur Varianz von %1.</translation>
+    </message>
+    <message>
+        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions: so for %1 of %2 quantities.</source>
+        <translation>Das Fortpflanzungsgesetz ist nach JCGM 101 Abschnitt 8 validiert, wo beide Enden seines Überdeckungsintervalls, y ± U, innerhalb der numerischen Toleranz δ bei denen der Fortpflanzung von Verteilungen liegen: so bei %1 von %2 Größen.</translation>
+    </message>
+    <message>
+        <source>Estimates and standard uncertainties by both methods</source>
+        <translation>Schätzwerte und Standardunsicherheiten nach beiden Verfahren</translation>
+    </message>
+    <message>
+        <source>Where a distribution is too skewed, heavy-tailed or flat for k u, state its coverage interval.</source>
+        <translation>Wo eine Verteilung für k u zu schief, zu schwer an den Rändern oder zu flach ist, ihr Überdeckungsintervall angeben.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U beside what remains of it when everything that a contributor brings in is kept at its estimate (an ideal one), and what that contributor gives alone, with the same coverage factor.</source>
+        <translation>Die erweiterte Unsicherheit U neben dem, was von ihr bleibt, wenn alles, was ein Beitragender einbringt, bei seinem Schätzwert gehalten wird (ein idealer), und was dieser Beitragende allein ergibt, mit demselben Erweiterungsfaktor.</translation>
+    </message>
+    <message>
+        <source>By Monte Carlo with %1 trials.</source>
+        <translation>Mit Monte Carlo, %1 Versuche.</translation>
+    </message>
+    <message>
+        <source>By the law of propagation.</source>
+        <translation>Nach dem Fortpflanzungsgesetz.</translation>
+    </message>
+    <message>
+        <source>Without %1, %2 trials had no value.</source>
+        <translation>Ohne %1 hatten %2 Versuche keinen Wert.</translation>
+    </message>
+    <message>
+        <source>U without each contributor, and of it alone</source>
+        <translation>U ohne jeden Beitragenden, und mit ihm allein</translation>
+    </message>
+    <message>
+        <source>without %1</source>
+        <translation>ohne %1</translation>
+    </message>
+    <message>
+        <source>%1 alone</source>
+        <translation>%1 allein</translation>
+    </message>
+    <message>
+        <source>Of two contributors, what remains without one is what the other gives alone.</source>
+        <translation>Von zwei Beitragenden ist das, was ohne den einen bleibt, das, was der andere allein ergibt.</translation>
+    </message>
+    <message>
+        <source>Results by contributor</source>
+        <translation>Ergebnisse nach Beitragenden</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients, %1</source>
+        <translation>Korrelationskoeffizienten, %1</translation>
+    </message>
+    <message>
+        <source>Between groups, which share input quantities, the largest coefficient is %1.</source>
+        <translation>Zwischen Gruppen, die Eingangsgrößen gemeinsam haben, ist der größte Koeffizient %1.</translation>
+    </message>
+    <message>
+        <source>Between groups, which share input quantities, the largest coefficient is %1, of %2 with %3.</source>
+        <translation>Zwischen Gruppen, die Eingangsgrößen gemeinsam haben, ist der größte Koeffizient %1, von %2 mit %3.</translation>
+    </message>
+    <message>
+        <source>The CSV table of correlations has all of them.</source>
+        <translation>Die CSV-Tabelle der Korrelationen enthält alle.</translation>
+    </message>
+    <message>
+        <source>Looked for: the smallest %1.</source>
+        <translation>Gesucht: kleinstmögliche %1.</translation>
+    </message>
+    <message>
+        <source>Looked for: the cheapest reductions of uncertainty with which all targets are met.</source>
+        <translation>Gesucht: die billigsten Verringerungen der Unsicherheit, mit denen alle Zielunsicherheiten eingehalten werden.</translation>
+    </message>
+    <message>
+        <source>Looked for: the cheapest rows with which all targets are met.</source>
+        <translation>Gesucht: die billigsten Zeilen, mit denen alle Zielunsicherheiten eingehalten werden.</translation>
+    </message>
+    <message>
+        <source>Cost: %1.</source>
+        <translation>Kosten: %1.</translation>
+    </message>
+    <message>
+        <source>Found: %1, before %2.</source>
+        <translation>Gefunden: %1, vorher %2.</translation>
+    </message>
+    <message>
+        <source>Found: %1.</source>
+        <translation>Gefunden: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing that was tried has a result.</source>
+        <translation>Nichts des Versuchten hat ein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>%1 candidates were evaluated by the law of propagation of uncertainty, all that there are.</source>
+        <translation>%1 Kandidaten wurden nach dem Fortpflanzungsgesetz ausgewertet, alle, die es gibt.</translation>
+    </message>
+    <message>
+        <source>%1 candidates were evaluated by the law of propagation of uncertainty.</source>
+        <translation>%1 Kandidaten wurden nach dem Fortpflanzungsgesetz ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Verified by Monte Carlo with %1 trials.</source>
+        <translation>Bestätigt mit Monte Carlo, %1 Versuche.</translation>
+    </message>
+    <message>
+        <source>Not every target is met: what is given is the best that was found.</source>
+        <translation>Nicht jede Zielunsicherheit wird eingehalten: angegeben ist das Beste, das gefunden wurde.</translation>
+    </message>
+    <message>
+        <source>%1: the way of the search to the best place, coloured by the objective.</source>
+        <translation>%1: der Weg der Suche zum besten Ort, gefärbt nach der Zielfunktion.</translation>
+    </message>
+    <message>
+        <source>%1: the candidates, coloured by what they gain; the larger ones are chosen.</source>
+        <translation>%1: die Kandidaten, gefärbt nach ihrem Gewinn; die größeren sind gewählt.</translation>
+    </message>
+    <message>
+        <source>combined</source>
+        <translation>kombiniert</translation>
+    </message>
+    <message>
+        <source>%1, constant</source>
+        <translation>%1, Konstante</translation>
+    </message>
+    <message>
+        <source>%1 components, added arithmetically</source>
+        <translation>%1 Komponenten, linear addiert</translation>
+    </message>
+    <message>
+        <source>%1 components, in quadrature</source>
+        <translation>%1 Komponenten, quadratisch addiert</translation>
+    </message>
+    <message>
+        <source>Table %1. %2</source>
+        <translation>Tabelle %1. %2</translation>
+    </message>
+    <message>
+        <source>Figure %1. %2</source>
+        <translation>Bild %1. %2</translation>
+    </message>
+    <message>
+        <source>Uncertainty report</source>
+        <translation>Unsicherheitsbericht</translation>
+    </message>
+    <message>
+        <source>Report of an uncertainty evaluation</source>
+        <translation>Bericht über eine Unsicherheitsauswertung</translation>
+    </message>
+    <message>
+        <source>Annex</source>
+        <translation>Anhang</translation>
+    </message>
+    <message>
+        <source>In the annex: %1.</source>
+        <translation>Im Anhang: %1.</translation>
+    </message>
+    <message>
+        <source>In the annex, on request: %1.</source>
+        <translation>Im Anhang, auf Wunsch: %1.</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the annex has all of them.</source>
+        <translation>Ab &apos;%1&apos;, mit den größten erweiterten Unsicherheiten, %2 von %3 Zeilen; der Anhang enthält alle.</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
+        <translation>Ab &apos;%1&apos;, mit den größten erweiterten Unsicherheiten, %2 von %3 Zeilen; die CSV-Tabellen und auf Wunsch der Anhang enthalten alle.</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 rows; the annex has all of them.</source>
+        <translation>Die ersten %1 von %2 Zeilen; der Anhang enthält alle.</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 rows; the CSV tables, and the annex on request, have all of them.</source>
+        <translation>Die ersten %1 von %2 Zeilen; die CSV-Tabellen und auf Wunsch der Anhang enthalten alle.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables; the annex has the rest.</source>
+        <translation>Gezeigt sind %1 von %2 Tabellen; der Anhang enthält die übrigen.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>Gezeigt sind %1 von %2 Tabellen; die CSV-Tabellen und auf Wunsch der Anhang enthalten die übrigen.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 charts; the annex has the rest.</source>
+        <translation>Gezeigt sind %1 von %2 Diagrammen; der Anhang enthält die übrigen.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 charts; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>Gezeigt sind %1 von %2 Diagrammen; die CSV-Tabellen und auf Wunsch der Anhang enthalten die übrigen.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and %3 of %4 charts; the annex has the rest.</source>
+        <translation>Gezeigt sind %1 von %2 Tabellen und %3 von %4 Diagrammen; der Anhang enthält die übrigen.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and %3 of %4 charts; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>Gezeigt sind %1 von %2 Tabellen und %3 von %4 Diagrammen; die CSV-Tabellen und auf Wunsch der Anhang enthalten die übrigen.</translation>
+    </message>
+    <message>
+        <source>%1 (constant)</source>
+        <translation>%1 (Konstante)</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>U is stated by different rules: before, %1 After, %2</source>
+        <translation>U ist nach verschiedenen Regeln angegeben: vorher, %1 Nachher, %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 measurands are in both results; the budgets of %3 of them differ.</source>
+        <translation>%1 von %2 Messgrößen sind in beiden Ergebnissen; die Budgets von %3 davon unterscheiden sich.</translation>
+    </message>
+    <message>
+        <source>Shown are the %1 whose standard uncertainty changes most, relative to what it was.</source>
+        <translation>Gezeigt sind die %1, deren Standardunsicherheit sich am meisten ändert, bezogen auf das, was sie war.</translation>
+    </message>
+    <message>
+        <source>Distribution of %1 before and after.</source>
+        <translation>Verteilung von %1 vorher und nachher.</translation>
+    </message>
+    <message>
+        <source>Comparison of uncertainty evaluations</source>
+        <translation>Vergleich von Unsicherheitsauswertungen</translation>
+    </message>
+    <message>
+        <source>Only before: %1.</source>
+        <translation>Nur vorher: %1.</translation>
+    </message>
+    <message>
+        <source>Only after: %1.</source>
+        <translation>Nur nachher: %1.</translation>
+    </message>
+    <message>
+        <source>this report</source>
+        <translation>dieser Bericht</translation>
+    </message>
+    <message>
+        <source>there are no results for the certificate to state</source>
+        <translation>es gibt keine Ergebnisse, die der Kalibrierschein angeben könnte</translation>
+    </message>
+    <message>
+        <source>the standard uncertainty of %1 is not finite; a Digital Calibration Certificate has no place for that</source>
+        <translation>die Standardunsicherheit von %1 ist nicht endlich; ein Digitaler Kalibrierschein hat dafür keinen Platz</translation>
+    </message>
+    <message>
+        <source>there is no robot to write: no analysis uses or finds one</source>
+        <translation>es gibt keinen Roboter zu schreiben: keine Analyse verwendet oder findet einen</translation>
+    </message>
+    <message>
+        <source>the file is of one robot, and there are %1: choose an analysis that uses or finds the one to write (--analysis)</source>
+        <translation>die Datei ist für einen Roboter, und es sind %1: eine Analyse wählen, die den zu schreibenden verwendet oder findet (--analysis)</translation>
+    </message>
+    <message>
+        <source>there are no points to write: no analysis has a result with coordinates x, y, z of a point</source>
+        <translation>es gibt keine Punkte zu schreiben: keine Analyse hat ein Ergebnis mit den Koordinaten x, y, z eines Punktes</translation>
+    </message>
+    <message>
+        <source>robot %1: the file is of six joints that turn (shoulder to wrist_3); write it as URDF</source>
+        <translation>Roboter %1: die Datei ist für sechs Drehgelenke (shoulder bis wrist_3); als URDF schreiben</translation>
+    </message>
+    <message>
+        <source>there are no results to write</source>
+        <translation>es gibt keine Ergebnisse zu schreiben</translation>
+    </message>
+    <message>
+        <source>the workbook cannot be made in the folder for temporary files</source>
+        <translation>die Arbeitsmappe kann im Ordner für temporäre Dateien nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>the report carries no results to compare with (results.json)</source>
+        <translation>der Bericht enthält keine Ergebnisse zum Vergleichen (results.json)</translation>
+    </message>
+    <message>
+        <source>what the report carries as results.json is none of Covaria</source>
+        <translation>was der Bericht als results.json enthält, ist nicht von Covaria</translation>
+    </message>
+    <message>
+        <source>no folder could be made in %1: %2</source>
+        <translation>in %1 konnte kein Ordner angelegt werden: %2</translation>
+    </message>
+    <message>
+        <source>the attached file %1 would leave its folder; nothing was taken out</source>
+        <translation>die angehängte Datei %1 würde ihren Ordner verlassen; nichts wurde herausgenommen</translation>
+    </message>
+    <message>
+        <source>the attached file %1 cannot be taken out: another one is in its way</source>
+        <translation>die angehängte Datei %1 kann nicht herausgenommen werden: eine andere steht im Weg</translation>
+    </message>
+    <message>
+        <source>it is no PDF</source>
+        <translation>sie ist kein PDF</translation>
+    </message>
+    <message>
+        <source>it carries no project: it is no report of Covaria, or one of a version before 0.2.0, or another program has written it anew</source>
+        <translation>sie enthält kein Projekt: sie ist kein Bericht von Covaria oder einer vor Version 0.2.0, oder ein anderes Programm hat sie neu geschrieben</translation>
+    </message>
+    <message>
+        <source>best</source>
+        <translation>bester</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>schlechtester</translation>
+    </message>
+    <message>
+        <source>coverage ellipsoids, p = %1</source>
+        <translation>Überdeckungsellipsoide, p = %1</translation>
+    </message>
+    <message>
+        <source>iso-surfaces at %1</source>
+        <translation>Isoflächen bei %1</translation>
+    </message>
+    <message>
+        <source>the study has not been run</source>
+        <translation>die Studie ist noch nicht gelaufen</translation>
+    </message>
+    <message>
+        <source>none of the study&apos;s output quantities has a place in space</source>
+        <translation>keine der Ausgangsgrößen der Studie hat einen Ort im Raum</translation>
+    </message>
+    <message>
+        <source>the point %1 does not move in this study</source>
+        <translation>der Punkt %1 bewegt sich in dieser Studie nicht</translation>
+    </message>
+    <message>
+        <source>outputs</source>
+        <translation>Ausgangsgrößen</translation>
+    </message>
+    <message>
+        <source>inputs</source>
+        <translation>Eingangsgrößen</translation>
+    </message>
+    <message>
+        <source>%1: coverage ellipsoids, p = %2</source>
+        <translation>%1: Überdeckungsellipsoide, p = %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 trials per point</source>
+        <translation>%1: %2 Versuche je Punkt</translation>
+    </message>
+    <message>
+        <source>before: coverage ellipsoids, p = %1</source>
+        <translation>vorher: Überdeckungsellipsoide, p = %1</translation>
+    </message>
+    <message>
+        <source>line of sight</source>
+        <translation>Ziellinie</translation>
+    </message>
+    <message>
+        <source>forces, to a scale of their own</source>
+        <translation>Kräfte, in eigenem Maßstab</translation>
+    </message>
+    <message>
+        <source>moments, to a scale of their own</source>
+        <translation>Momente, in eigenem Maßstab</translation>
+    </message>
+    <message>
+        <source>uncertainty × %1</source>
+        <translation>Unsicherheit × %1</translation>
+    </message>
+    <message>
+        <source>uncertainty × %1, ellipsoids p = %2</source>
+        <translation>Unsicherheit × %1, Ellipsoide p = %2</translation>
+    </message>
+    <message>
+        <source>best: %1</source>
+        <translation>bester: %1</translation>
+    </message>
+    <message>
+        <source>nothing that this design chooses stands in space</source>
+        <translation>nichts, was dieser Entwurf wählt, steht im Raum</translation>
+    </message>
+    <message>
+        <source>nothing that was tried has a result</source>
+        <translation>nichts von dem, was versucht wurde, hat ein Ergebnis</translation>
+    </message>
+    <message>
+        <source>candidates; the larger %1 of %2 are chosen</source>
+        <translation>Kandidaten; die %1 größeren von %2 sind gewählt</translation>
+    </message>
+    <message>
+        <source>gain: by how much the uncertainty is smaller with this candidate than without it, the others as chosen</source>
+        <translation>Gewinn: um wie viel die Unsicherheit mit diesem Kandidaten kleiner ist als ohne ihn, die anderen wie gewählt</translation>
+    </message>
+    <message>
+        <source>best so far, in the order of the search</source>
+        <translation>bester Stand bisher, in der Reihenfolge der Suche</translation>
+    </message>
+    <message>
+        <source>dashed: where it may stand</source>
+        <translation>gestrichelt: wo es stehen darf</translation>
+    </message>
+    <message>
+        <source>analysis</source>
+        <translation>Analyse</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>trajectory</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>mean Monte Carlo</source>
+        <translation>Mittelwert Monte Carlo</translation>
+    </message>
+    <message>
+        <source>u Monte Carlo</source>
+        <translation>u Monte Carlo</translation>
+    </message>
+    <message>
+        <source>interval low</source>
+        <translation>Intervall unten</translation>
+    </message>
+    <message>
+        <source>interval high</source>
+        <translation>Intervall oben</translation>
+    </message>
+    <message>
+        <source>shortest low</source>
+        <translation>kürzestes unten</translation>
+    </message>
+    <message>
+        <source>shortest high</source>
+        <translation>kürzestes oben</translation>
+    </message>
+    <message>
+        <source>skewness</source>
+        <translation>Schiefe</translation>
+    </message>
+    <message>
+        <source>excess kurtosis</source>
+        <translation>Exzess</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>y at the estimates</source>
+        <translation>y bei den Schätzwerten</translation>
+    </message>
+    <message>
+        <source>u law of prop.</source>
+        <translation>u Fortpflanzungsgesetz</translation>
+    </message>
+    <message>
+        <source>Clause 8</source>
+        <translation>Abschnitt 8</translation>
+    </message>
+    <message>
+        <source>validated</source>
+        <translation>validiert</translation>
+    </message>
+    <message>
+        <source>not validated</source>
+        <translation>nicht validiert</translation>
+    </message>
+    <message>
+        <source>u with second-order terms</source>
+        <translation>u mit Gliedern zweiter Ordnung</translation>
+    </message>
+    <message>
+        <source>shift of the estimate</source>
+        <translation>Verschiebung des Schätzwerts</translation>
+    </message>
+    <message>
+        <source>|cᵢ|·u(xᵢ) in %1</source>
+        <translation>|cᵢ|·u(xᵢ) in %1</translation>
+    </message>
+    <message>
+        <source>Share of variance in %</source>
+        <translation>Anteil an der Varianz in %</translation>
+    </message>
+    <message>
+        <source>alone, Monte Carlo, in %1</source>
+        <translation>allein, Monte Carlo, in %1</translation>
+    </message>
+    <message>
+        <source>ellipsoid, law of prop.</source>
+        <translation>Ellipsoid, Fortpflanzungsgesetz</translation>
+    </message>
+    <message>
+        <source>rectangle, law of prop.</source>
+        <translation>Quader, Fortpflanzungsgesetz</translation>
+    </message>
+    <message>
+        <source>ellipsoid, Monte Carlo</source>
+        <translation>Ellipsoid, Monte Carlo</translation>
+    </message>
+    <message>
+        <source>rectangle, Monte Carlo</source>
+        <translation>Quader, Monte Carlo</translation>
+    </message>
+    <message>
+        <source>y before</source>
+        <translation>y vorher</translation>
+    </message>
+    <message>
+        <source>y after</source>
+        <translation>y nachher</translation>
+    </message>
+    <message>
+        <source>Change of y</source>
+        <translation>Änderung von y</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>|c|·u before in %1</source>
+        <translation>|c|·u vorher in %1</translation>
+    </message>
+    <message>
+        <source>|c|·u after in %1</source>
+        <translation>|c|·u nachher in %1</translation>
+    </message>
+    <message>
+        <source>Share before in %</source>
+        <translation>Anteil vorher in %</translation>
+    </message>
+    <message>
+        <source>Share after in %</source>
+        <translation>Anteil nachher in %</translation>
+    </message>
+    <message>
+        <source>Change of variance in %</source>
+        <translation>Änderung der Varianz in %</translation>
     </message>
 </context>
 <context>
@@ -9003,6 +14963,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Keep in My Library</source>
         <translation>In meine Bibliothek aufnehmen</translation>
+    </message>
+    <message>
+        <source>Show in the Scene</source>
+        <translation>In der Szene zeigen</translation>
     </message>
 </context>
 <context>

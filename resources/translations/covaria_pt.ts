@@ -4504,10 +4504,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Idioma</translation>
     </message>
     <message>
-        <source>Of the certificate; what was typed stays as it is.</source>
-        <translation>Do certificado; o que foi digitado fica como está.</translation>
-    </message>
-    <message>
         <source>Logo</source>
         <translation>Logotipo</translation>
     </message>
@@ -6050,6 +6046,5970 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>real number</source>
         <translation>número real</translation>
+    </message>
+    <message>
+        <source>Position and orientation of a moving frame in a base frame, both defined by measured points: the platform of a robot measured with a total station or laser tracker.</source>
+        <translation>Posição e orientação de um sistema móvel em um sistema de base, ambos definidos por pontos medidos: a plataforma de um robô medida com estação total ou laser tracker.</translation>
+    </message>
+    <message>
+        <source>Eq 19 is corrected: o_p − o_b must be expressed in the base frame. As printed, the pose does not depend on the orientation of the base, and U(x) of all poses is the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eq 20 is corrected: R = R_bᵀ R_p. The printed R_p R_bᵀ is the same rotation expressed in frame 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eqs 21-23 are corrected: as printed they are Z-Y-Z angles, undefined without tilt; the text and Table 3 use Z-Y-X angles, R = Rz(γ) Ry(β) Rx(α).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>b₃ lies at negative y of its frame (Eq 10) and p₃ at positive y of its own (Eq 14); other arrangements can be chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Typed uncertainties lie along the axes of the frame that the points define (those of the moving frame along the base&apos;s on request) and are turned into frame 0; those of an instrument lie along and across its line of sight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured points of a least-squares frame are tested against their nominal coordinates: residuals, redundancy, chi-square with the full covariance of the stated uncertainties.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All poses of an analysis share one measurement of the base, so their results are correlated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The uncertainty of the mean of repeated measurements (a posteriori) is taken as that of one measurement, as in the paper: the systematic part does not average out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angles are undefined in gimbal lock; the set-up then warns. Rotation vector and quaternion are free of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates of targets and distances between them, measured by any mix of trackers, total stations, cameras and distance meters placed in space.</source>
+        <translation>Coordenadas de alvos e distâncias entre eles, medidas por qualquer mistura de trackers, estações totais, câmeras e medidores de distância colocados no espaço.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of the stations does not contribute marginally to the position of a target, as the paper says: only distances within one set-up are nearly free of it. Eq 5 is the precision of the readings; it is shown beside the total, never as the uncertainty of a position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights from the readings alone, as in the paper, are inefficient for positions; those with the stations are the default.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eq 2 is corrected: D holds equations by readings; as printed it is transposed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The linearised equations have the measured angles in M: their estimate shrinks towards the sensors, the non-linear one moves outwards by half as much. It matters beyond a milliradian (3.5 mrad, cameras alone: −6.9 mm against +3.3 mm) and not for the paper&apos;s network.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stations are located once for a set-up: all its targets share their deviations. &quot;New set-up&quot; at a target draws them anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A distance without angles has no linear equation; the non-linear estimator uses it, from the nominal coordinates as start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A calibrated length as a check is not used in the estimation: its difference is to be judged by its uncertainty. As a constraint it carries its own uncertainty; a scale that the instruments share is corrected by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With more than 600 readings in one set-up each target is estimated by itself, weighted with the stations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuths may be given with any number of whole turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool centre point of a robot: the flange turns about its own axes, telescopic ballbars measure where the ball at the tool goes, and planes and a sphere give the flange&apos;s axes and centre.</source>
+        <translation>O ponto central da ferramenta de um robô: o flange gira em torno de seus próprios eixos, ballbars telescópicas medem aonde vai a esfera da ferramenta, e planos e uma esfera dão os eixos e o centro do flange.</translation>
+    </message>
+    <message>
+        <source>The paper states neither the tool, nor the flange&apos;s orientation, start angles, how the frame is made, nor how the points are averaged. With a tool of (0, 0, 100) mm, the flange pointing down, arcs from -60° to 140° and from -90° to 90° and u(L) = 1.55 µm, the published values reproduce within 1.5 % (root mean square).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U(TCP): published 8.2, 11.1, 5.1 µm; here 8.16, 10.92, 5.00 µm: reproduces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U(TCP) with an ideal robot: published 2.8, 3.7, 1.6 µm; here 2.77, 3.61, 1.57 µm: reproduces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of the axes&apos; angles XY, XZ, YX, YZ: published 79, 87, 59, 123 µrad; here 78.3, 87.2, 58.5, 120.6 µrad: reproduces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest U of a point measured by the ballbars alone: published 5.7, 5.7, 2.4 µm; here 5.83, 5.72, 2.38 µm: reproduces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the stated U(L) = 4 µm the same geometry gives U(TCP) 8.46, 11.31, 5.16 µm and points up to 7.53, 7.37, 3.07 µm: differs, because the stated 4 µm and the published points cannot both hold. U(z) of a point at most 577 mm above the supports is 2.4 µm only for U(L) near 3.1 µm; all six figures of the instrument alone are 0.78 of what 4 µm gives.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The centre of the sphere is the centre of the flange, not the tool centre point as section 4 says: its U is 5.96, 7.42, 6.94 µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eq 8 needs perpendicular axes, which two measured normals are not: U(x) of the tool is 8.16, 8.37 or 8.66 µm with y first, symmetric or x first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A trial whose lengths do not meet (negative root of Eq 3) has no value: it is counted and reported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position and orientation of the tool of a serial robot from its geometric parameters and joint readings.</source>
+        <translation>Posição e orientação da ferramenta de um robô serial a partir de seus parâmetros geométricos e das leituras das juntas.</translation>
+    </message>
+    <message>
+        <source>The paper calls the model highly non-linear. At the uncertainties of its Table 1 it is not: the law of propagation and Monte Carlo agree to 4e-5 mm in u, and the laws are normal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tolerance 0.0001 of the paper has no unit. In millimetres it would need 5e9 trials; in metres it is 0.1 mm, and 20 000 trials do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper takes the parameters as uncorrelated. Parameters identified together are strongly correlated; an identified robot carries their full covariance into this analysis, which lowers u by up to a factor of 12.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of two readings of section 4.1 (0.01 rad for theta alone, or for all angles) both are reproduced; that theta matters more than alpha holds only where its standard deviation is ten times larger.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings of the joints deviate anew at each pose; parameters and tool are the same for all poses of an analysis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Geometric parameters of a serial robot from points measured while one joint after the other turns (circle point analysis).</source>
+        <translation>Parâmetros geométricos de um robô serial a partir de pontos medidos enquanto uma junta após a outra gira (análise de pontos de círculo).</translation>
+    </message>
+    <message>
+        <source>Eq 4 is corrected: without the square its derivative by R gives R = 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2.1.3 is corrected: x_i = z_i × y_i is left-handed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2.1.4 is corrected: alpha_i and beta_i turn z_{i−1} into z_i.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The auxiliary plane of Figure 2 is not defined in the paper; it must pass through O_{i−1} with the normal z_{i−1}, or d_i = 0 is impossible.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eq 1 has no plane through the origin and fails near it; total least squares is the default.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eq 8 is a standard deviation of the mean of repeats. The paper applies it to different ranges and numbers of points, which are no repeats: the ±10° run dominates, and the noise is counted three times. Here the covariance is that of the chosen experiment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The standard deviation falls with the square of the range (factor 30 from ±10° to ±60°) and with the root of the number of points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters are strongly correlated (d_3 and alpha_3: −0.99): use their full covariance, as an identified robot does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every joint needs a ball off its axis; at the paper&apos;s flange origin joint 6 draws no circle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Geometric parameters of a serial robot by least squares from measured positions or poses of its tool, with observability, residuals and validation.</source>
+        <translation>Parâmetros geométricos de um robô serial por mínimos quadrados a partir de posições ou poses medidas de sua ferramenta, com observabilidade, resíduos e validação.</translation>
+    </message>
+    <message>
+        <source>The paper identifies parameters by joint trajectories; least squares on measured positions or poses is the other usual way, with the same model of the arm (Eq 5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters that the poses cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, then ball or tool, then joint by joint) stays nominal and is named with its partners.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights are the inverse variances of the measured coordinates. Shared deviations of an instrument and the readings of the joints do not change the weights, but are propagated in full.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature, below 1e-9 m here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position alone does not tell the last joint&apos;s parameters from the place of the ball; a known base and a known ball leave more to find.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The uncertainty of each channel of a multi-axis force/moment sensor, used alone or while unknown loads act on its other axes; by the GUM, with the paper&apos;s evaluation beside it.</source>
+        <translation>A incerteza de cada canal de um sensor multieixo de força e momento, usado sozinho ou enquanto cargas desconhecidas atuam em seus outros eixos; pelo GUM, com a avaliação do artigo ao lado.</translation>
+    </message>
+    <message>
+        <source>U of the paper: 0.91, 1.22, 1.67, 1.68, 2.78, 1.20 % of rated output: reproduces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the GUM (k = 2) with unknown loads on the other five axes: 1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %. With all others at rated load interference alone reaches 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %, more than U of the paper for all six: its linear sum is no bound.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monte Carlo intervals are a little shorter than k = 2 because a few rectangular loads dominate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The load on an axis is one quantity in the equations of all channels, which correlates them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With n = 3 a standard deviation has two degrees of freedom. Used alone a channel has effective degrees of freedom between 20 and 140, because its repeatability is a small part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not covered: misalignment of the loads, creep, temperature, remounting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces and moments that act together, from the readings of all channels of a multi-axis sensor: the calibration matrix takes the interference between them away.</source>
+        <translation>Forças e momentos que atuam juntos, a partir das leituras de todos os canais de um sensor multieixo: a matriz de calibração retira a interferência entre eles.</translation>
+    </message>
+    <message>
+        <source>Kim prints no signs of the interference: nothing can be compensated from the paper. The readings of the example have signs of their own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U (k = 2) in % of rated load with all six axes at rated load: 0.184, 0.192, 0.152, 0.226, 0.219, 0.261; without load 0.149, 0.159, 0.144, 0.188, 0.179, 0.180. Compensation lowers the uncertainty under combined loads by a factor of 5 to 13 against U of the paper.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without compensation the same loads are told wrong by -0.73, +2.05, -1.42, -2.72, +2.90, -1.54 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The machine&apos;s deviation is common to all readings under one load: a column of the matrix, and so a scale of the load on that axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeatability is that of one reading, the largest of the steps; hysteresis is rectangular over the loop, in proportion to the load.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not covered: products of loads in the interference, misalignment of loads, creep, temperature, remounting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
+        <translation>Qualquer equação de medição: escreva-a, declare o que se sabe de suas grandezas e obtenha o balanço de incertezas. Vários resultados, definições intermediárias, condições e equações que são resolvidas em cada ensaio.</translation>
+    </message>
+    <message>
+        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A straight line or polynomial through the points of a calibration by least squares, with uncertainties in y and in x: the covariance of its coefficients, its values, and the x that belong to observed y, with their uncertainties.</source>
+        <translation>Uma reta ou um polinômio pelos pontos de uma calibração por mínimos quadrados, com incertezas em y e em x: a covariância de seus coeficientes, seus valores e os x que correspondem aos y observados, com suas incertezas.</translation>
+    </message>
+    <message>
+        <source>Computed with polynomials that are orthonormal over the points, so results do not depend on the origin, up to degree 10. From the residuals their coefficients are drawn from a multivariate t distribution: one estimate of the scatter, n - p degrees of freedom for every result.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JCGM 100 H.3, published y₁ = −0.1712 °C, y₂ = 0.002 18, u(y₁) = 0.0029 °C, u(y₂) = 0.000 67, b(30 °C) = −0.1494 °C with u = 0.0041 °C: reproduces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The uncertainty of b(x) is that of the curve: the scatter of a further observation is not part of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of observations made on several days, with several instruments or by several operators, and an analysis of variance that says whether these have an effect.</source>
+        <translation>A média de observações feitas em vários dias, com vários instrumentos ou por vários operadores, e uma análise de variância que diz se estes têm efeito.</translation>
+    </message>
+    <message>
+        <source>Groups may have different numbers of observations; n_0 = (N − Σ n_j²/N)/(J − 1) is then their size in the components of variance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JCGM 100 H.5, published V̄ = 10.000 097 V, s(V̄_j) = 57 µV, s_b = 85 µV, u(V̄) = 18 µV with nine degrees of freedom, or 13 µV with 49 without an effect of the days: reproduces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A plate or frame with calibrated nests, measured repeatedly where the real points will be. Its errors of indication give the uncertainty of each coordinate of a measured point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u_i² = u_cal² + u_var,i² + u_T,i² + b_i² (Eq 2) with u_T = L_max α ΔT/√3 (Eq 3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper draws all parts independently for each point; calibration, temperature and bias are in truth common to all points, which can be chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The noise of the three points that define the artefact&apos;s frame is part of the errors of the others; the errors of the defining coordinates themselves are never observed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A bar of calibrated length, measured in many positions and orientations. Its errors of indication give one figure for every coordinate of a measured point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u² = u_cal² + u_var² + u_T² + b² (Eq 5) with u_T = L α ΔT/√3 (Eq 6).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A length is a difference of two points: dividing by √2 would be consistent; the paper does not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sensor that stands somewhere and reads a distance, two angles, or some of them. Its uncertainty: each reading for itself, what all its readings share, and where it stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance has the figure a + b L, each angle its own; these are independent from reading to reading. Scale, zero, index, collimation, squareness, beam offset and refraction are shared by all readings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only a sensor that reads a distance and both angles can say by itself where a point is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Instruments of the project that measure the same points together. Points measured by the network keep what they share: the scale and the station of each instrument.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point&apos;s deviations are the least-squares gain times those of the readings and stations, linearised at the point: exact to first order, and in Monte Carlo as long as the angles&apos; deviations stay below about a milliradian.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points that an analysis takes from the network are measured from one set-up: none of its instruments is moved or located anew between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sensor contributes to a point that is in its range and field of view, and no others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One figure of a data sheet for all coordinates: a standard uncertainty or a maximum permissible error.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A specification taken alike in all directions overestimates, by a factor of 2 to 5 in the paper&apos;s example; an instrument that stands somewhere (spherical instrument) is closer to the truth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three or more telescopic ballbars that measure the lengths from their supports to one ball at once, and with it where the ball is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The supports&apos; frame follows from the lengths between them (Eqs 4 to 7), measured once: their deviations are common to all points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eq 2 as printed has Y_VC3; Y_KS3 is meant. Eq 3 has two roots; the side is a choice here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper&apos;s supports are called an equilateral triangle of 520 mm; its Table 1 is isosceles, 520 mm and 519.711 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A fourth support and those after it are located by their lengths to the first three at a height that is an input of its own: lengths say nothing about a height above the plane in which all supports lie.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot as a source of uncertainty: each time it goes to a pose it misses it by a distance in a random direction, and perhaps by small rotations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper takes the distance as rectangular in [0, r], r being the data sheet&apos;s ± 0.02 mm; u along an axis is then r/3. RP of ISO 9283 is the mean distance plus three standard deviations, which is another figure: for that law RP = 1.366 r, in a ball 1.331 r, on a sphere r, and 3.616 u for normal coordinates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper leaves the orientation out. A rotation by e moves the tool by about e times its length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An arm of joints that turn or slide: parameters in a Denavit-Hartenberg convention with one or more components of uncertainty each, their correlation, limits, encoders, base and tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eq. 5: T = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta). Where an axis is parallel to the next, beta is a parameter and d is 0 by definition; elsewhere beta is 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alpha and beta of a row turn the axis of the joint into that of the next (the paper&apos;s text shifts them by one joint).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A serial robot whose parameters follow from points measured while one joint after the other turns, with the full covariance of the identification.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The covariance is that of the law of propagation; the analysis &quot;Robot by joint trajectories&quot; with the same settings gives it by Monte Carlo too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An analysis that uses this robot follows when a point changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A serial robot whose parameters follow by least squares from measured positions or poses of its tool, with the full covariance of the identification.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The covariance is that of the law of propagation; the analysis &quot;Robot from measured poses&quot; with the same settings gives it by Monte Carlo too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot stands where the fit found its base; its tool is that of the nominal robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An analysis that uses this robot follows when a pose changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The uncertainty of a load is common to all readings under loads on that axis: it does not average out in the calibration matrix.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to three forces and three moments measured at once; calibrated with one load at a time, evaluated from its readings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables 1 to 4 reproduce from raw readings that are consistent with them, to the printed digits, with relative uncertainties of the machine of 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4 and 1.7e-3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type B, Table 3: differs for five of six sensors, because the stated uncertainties of the machine (2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4) give 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V and not 0.27, 0.31, 0.28, 0.41, 0.40, 0.62. The list equals the Type A column in five places: most likely copied there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table 4, Mx under Fy: differs, printed 1.55 %, is 0.15 %; the largest for Mx is 1.38 %, and the difference to its U 0.30 %, not 0.13 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section 2.5 calls e_12 the output of Fy under Fx, but Table 4 divides by the rated output of the row: a row is taken as a sensor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eq 12 adds hysteresis and interference, limits that are not standard uncertainties, to an expanded uncertainty: the sum is neither a standard uncertainty nor a coverage interval.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The largest values of Type A and Type B need not occur at the same step. Eq 5 takes the rated output at every step. In 2.1.1 &quot;h=2&quot; of My and Mz is a slip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A surface from an STL file - the robot cell, the part, the fixture, the room - that is drawn in the scenes of all analyses. It is context only: no number depends on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is fitted to what is measured, not to the mesh, which may be a whole hall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file that is missing or damaged is warned of; analyses keep their results.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the certificate and the report; what was typed stays as it is.</source>
+        <translation>Do certificado e do relatório; o que foi digitado fica como está.</translation>
+    </message>
+    <message>
+        <source>distributions of %1</source>
+        <translation>distribuições de %1</translation>
+    </message>
+    <message>
+        <source>and %1 more like these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was not written: %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be opened</source>
+        <translation>não pode ser aberto</translation>
+    </message>
+    <message>
+        <source>writing failed</source>
+        <translation>a gravação falhou</translation>
+    </message>
+    <message>
+        <source>closing failed</source>
+        <translation>o fechamento falhou</translation>
+    </message>
+    <message>
+        <source>a file cannot be created in its folder &apos;%1&apos;</source>
+        <translation>não se pode criar um arquivo em sua pasta &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the permissions of the old file cannot be kept</source>
+        <translation>as permissões do arquivo antigo não podem ser mantidas</translation>
+    </message>
+    <message>
+        <source>flushing to the disk failed</source>
+        <translation>a gravação no disco falhou</translation>
+    </message>
+    <message>
+        <source>the new file cannot take its place</source>
+        <translation>o arquivo novo não pode tomar seu lugar</translation>
+    </message>
+    <message>
+        <source>a folder</source>
+        <translation>uma pasta</translation>
+    </message>
+    <message>
+        <source>a pipe</source>
+        <translation>um pipe</translation>
+    </message>
+    <message>
+        <source>a socket</source>
+        <translation>um socket</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>um dispositivo</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is %1, not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is too large: files of up to %1 MB are read, it has %2 MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>é uma pasta</translation>
+    </message>
+    <message>
+        <source>unit &quot;%1&quot;: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a parenthesis is closed that was not opened.</source>
+        <translation>fecha-se um parêntese que não foi aberto.</translation>
+    </message>
+    <message>
+        <source>write a product with &apos;*&apos; (&quot;N*m&quot;, &quot;W/(m*K)&quot;), not with a blank.</source>
+        <translation>escreva um produto com &apos;*&apos; (&quot;N*m&quot;, &quot;W/(m*K)&quot;), não com um espaço.</translation>
+    </message>
+    <message>
+        <source>a parenthesis is not closed.</source>
+        <translation>um parêntese não é fechado.</translation>
+    </message>
+    <message>
+        <source>the exponent must be a whole number between -9 and 9, not 0 (&quot;mm^2&quot;).</source>
+        <translation>o expoente deve ser um número inteiro entre -9 e 9, diferente de 0 (&quot;mm^2&quot;).</translation>
+    </message>
+    <message>
+        <source>the exponents are too large.</source>
+        <translation>os expoentes são grandes demais.</translation>
+    </message>
+    <message>
+        <source>a unit is missing beside &apos;*&apos;, &apos;/&apos; or a parenthesis.</source>
+        <translation>falta uma unidade ao lado de &apos;*&apos;, &apos;/&apos; ou de um parêntese.</translation>
+    </message>
+    <message>
+        <source>numbers other than 1 do not belong in a unit; put them into the value.</source>
+        <translation>números diferentes de 1 não cabem numa unidade; coloque-os no valor.</translation>
+    </message>
+    <message>
+        <source>the unit &quot;%1&quot; is not known.%2</source>
+        <translation>a unidade &quot;%1&quot; não é conhecida.%2</translation>
+    </message>
+    <message>
+        <source>the text is too long for a unit.</source>
+        <translation>o texto é longo demais para uma unidade.</translation>
+    </message>
+    <message>
+        <source>the unit is empty: write &quot;1&quot; for a pure number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Known units, most of them with the prefixes of the SI: %1.</source>
+        <translation> Unidades conhecidas, a maioria com os prefixos do SI: %1.</translation>
+    </message>
+    <message>
+        <source> Did you mean %1?</source>
+        <translation> Quis dizer %1?</translation>
+    </message>
+    <message>
+        <source> Did you mean %1 or %2?</source>
+        <translation> Quis dizer %1 ou %2?</translation>
+    </message>
+    <message>
+        <source>the attached file &apos;%1&apos; is broken</source>
+        <translation>o arquivo anexo &apos;%1&apos; está danificado</translation>
+    </message>
+    <message>
+        <source>the coverage probability must lie between 0 and 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the effective degrees of freedom must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is defined by itself here, directly or through other definitions; an equation that is to be solved is written &apos;solve %1 = 1: ... = ...&apos;, with a starting value</source>
+        <translation>&apos;%1&apos; é definido aqui por si mesmo, diretamente ou por outras definições; uma equação a ser resolvida escreve-se &apos;solve %1 = 1: ... = ...&apos;, com um valor inicial</translation>
+    </message>
+    <message>
+        <source>the expression in columns %1-%2</source>
+        <translation>a expressão nas colunas %1-%2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither defined nor one of the quantities: give it a row in the table of quantities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures: its unit is K, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2, %3 is %4: they cannot be equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the equations do not depend on the unknown &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this equation does not depend on any unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this constant has no value (division by zero, or root of a negative number)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no equation defines &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is to be given in %2, but is %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is %2, which has no unit of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2, %3 is %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they cannot be added</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they cannot be subtracted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the exponent %1 is %2: an exponent must be a pure number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2: its exponent must be a constant, or the dimension would vary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>atan2 needs two quantities of one kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a function of both needs quantities of one kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sin, cos and tan need an angle or a pure number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an inverse function of an angle needs a pure number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this function needs a pure number: divide by a quantity of the same kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they cannot be compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a condition: write a comparison, as in x &gt; 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a pure number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in degC, %2 a difference of temperatures: give differences in K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in degC, and 0 has no unit: write 0 [degC], or 0 [K] for absolute zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a sum of temperatures in degC, which means nothing: give differences in K, or divide the sum by the number of temperatures for their mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a condition: write a comparison, as in if(x &gt; 0, x, 0)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both values of &apos;if&apos; must be numbers, not conditions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both values of &apos;if&apos; must be of one kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a condition: use it as the first argument of if(...)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the equation</source>
+        <translation>o fim da equação</translation>
+    </message>
+    <message>
+        <source>%1 is not a function; to multiply, write &apos;*&apos;. Functions are: %2</source>
+        <translation>%1 não é uma função; para multiplicar, escreva &apos;*&apos;. As funções são: %2</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 arguments; here it has %3</source>
+        <translation>%1 precisa de %2 argumentos; aqui tem %3</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 to %3 arguments; here it has %4</source>
+        <translation>%1 precisa de %2 a %3 argumentos; aqui tem %4</translation>
+    </message>
+    <message>
+        <source>&apos;+&apos; stands here twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the expression is nested more than %1 levels deep: split it into definitions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit in brackets belongs behind a number: 20 [degC]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number, a name or a parenthesis is expected here, not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this parenthesis is not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a function: its argument follows in parentheses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the word &apos;%1&apos; is not expected here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an operator, a comma or &apos;)&apos; is expected here, not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this parenthesis closes nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an equation defines one name: write &apos;y = ...&apos;; to compare, write &apos;==&apos;; an equation that is to be solved starts with &apos;solve&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an operator is missing before %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not expected here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an equation starts with the name that it defines: y = ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a name with its starting value is expected here: y = 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a function</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a word of the language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is %2: choose another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is defined twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a colon is expected before the equations to be solved: solve y = 1: y^2 = x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 unknowns need as many equations; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most six unknowns can be solved together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an equals sign is expected in an equation to be solved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1, column %2: </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1, columns %2-%3: </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this number is too large or too small to compute with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bracket of a unit is not closed: write &apos;]&apos; behind the unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the character &apos;%1&apos; does not belong in an equation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the equations have %1 characters; more than %2 are not read: put tables of data into assets or observations</source>
+        <translation>as equações têm %1 caracteres; mais de %2 não são lidos: coloque tabelas de dados em recursos ou observações</translation>
+    </message>
+    <message>
+        <source>the coverage factor k must be greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coverage probability must lie between 0 and 100 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the limits give the estimate: leave the value empty, or state a half-width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lower limit is above the upper limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a relative part of the permissible error needs the value of the quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an exponential distribution needs an estimate greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of counts must be whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the counts give the estimate: leave the value empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not used by this statement: leave it empty</source>
+        <translation>&apos;%1&apos; não é usado por esta declaração: deixe vazio</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing: %2</source>
+        <translation>falta &apos;%1&apos;: %2</translation>
+    </message>
+    <message>
+        <source>&apos;a&apos; must not be negative</source>
+        <translation>&apos;a&apos; não deve ser negativo</translation>
+    </message>
+    <message>
+        <source>give the degrees of freedom or the relative uncertainty of u, not both</source>
+        <translation>dê os graus de liberdade ou a incerteza relativa de u, não ambos</translation>
+    </message>
+    <message>
+        <source>the degrees of freedom must be greater than zero</source>
+        <translation>os graus de liberdade devem ser maiores que zero</translation>
+    </message>
+    <message>
+        <source>the relative uncertainty of u must not be negative</source>
+        <translation>a incerteza relativa de u não deve ser negativa</translation>
+    </message>
+    <message>
+        <source>there is no statement &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not understood here</source>
+        <translation>&apos;%1&apos; não é entendido aqui</translation>
+    </message>
+    <message>
+        <source>a number is missing after &apos;%1&apos;</source>
+        <translation>falta um número depois de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</source>
+        <translation>&apos;%1&apos; não é uma forma de declarar uma incerteza. Por exemplo: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</translation>
+    </message>
+    <message>
+        <source>%1 has %2 figure</source>
+        <translation>%1 tem %2 número</translation>
+    </message>
+    <message>
+        <source>%1 has %2 figures</source>
+        <translation>%1 tem %2 números</translation>
+    </message>
+    <message>
+        <source>a figure is missing: an expanded uncertainty needs k = ... or p = ... %</source>
+        <translation>falta um número: uma incerteza expandida precisa de k = ... ou p = ... %</translation>
+    </message>
+    <message>
+        <source>a figure is missing: it is noted as %1</source>
+        <translation>falta um número: é anotado como %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no part of it: it is noted as %2</source>
+        <translation>&apos;%1&apos; não faz parte disso: é anotado como %2</translation>
+    </message>
+    <message>
+        <source>it has no unit</source>
+        <translation>não tem unidade</translation>
+    </message>
+    <message>
+        <source>the second figure has no unit but %</source>
+        <translation>o segundo número não tem unidade além de %</translation>
+    </message>
+    <message>
+        <source>the second figure has no unit</source>
+        <translation>o segundo número não tem unidade</translation>
+    </message>
+    <message>
+        <source>the further part is one in %: write MPE 3 + 0.1 %</source>
+        <translation>a outra parte é em %: escreva MPE 3 + 0.1 %</translation>
+    </message>
+    <message>
+        <source>say which it is: k = ... or p = ... %</source>
+        <translation>diga qual é: k = ... ou p = ... %</translation>
+    </message>
+    <message>
+        <source>a part of the value needs the value</source>
+        <translation>uma parte do valor precisa do valor</translation>
+    </message>
+    <message>
+        <source>%1 is no unit for a quantity in %2</source>
+        <translation>%1 não é unidade para uma grandeza em %2</translation>
+    </message>
+    <message>
+        <source>a Type A evaluation needs at least two observations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of the observations is not a finite number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no series to be pooled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the covariance of two means needs observations made in pairs: the series have different lengths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the covariance of two means needs at least two pairs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the components %1 and %2 are given two different correlations; a quantity that combines its components arithmetically needs +1 or -1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a correlation refers to component number %1 of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a correlation is given between the component %1 and itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the correlation of the components %1 and %2 must lie between -1 and 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the quantity &quot;%1&quot; refers to component number %2 of %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the correlations of the components %1 contradict each other: the smallest eigenvalue of their correlation matrix is %2, it must not be negative.</source>
+        <translation>as correlações das componentes %1 contradizem-se: o menor autovalor de sua matriz de correlação é %2, não deve ser negativo.</translation>
+    </message>
+    <message>
+        <source>the component %1 is a coordinate of a vector of random direction and cannot be correlated with another component; give it a normal distribution first.</source>
+        <translation>a componente %1 é uma coordenada de um vetor de direção aleatória e não pode ser correlacionada com outra componente; dê-lhe antes uma distribuição normal.</translation>
+    </message>
+    <message>
+        <source>the estimate of variance &quot;%1&quot; has component number %2, which does not exist or rests on two estimates.</source>
+        <translation>a estimativa de variância &quot;%1&quot; tem a componente número %2, que não existe ou se apoia em duas estimativas.</translation>
+    </message>
+    <message>
+        <source>the component %1 rests on the estimate of variance &quot;%2&quot; with others: it needs a normal or Student t distribution and their finite degrees of freedom.</source>
+        <translation>a componente %1 apoia-se com outras na estimativa de variância &quot;%2&quot;: precisa de uma distribuição normal ou t de Student e de seus graus de liberdade finitos.</translation>
+    </message>
+    <message>
+        <source>the components %1 and %2 cannot have the correlation %3: with these distributions it lies between %4 and %5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 distribution: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 must be a finite number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 is too large (at most 1e150).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 must not be negative.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 must lie between 0.001 and 1000000.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lower limit must not be greater than the upper limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the degrees of freedom must be at least 0.2 (they may be infinite).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the inexactness of the limits must not exceed half the distance between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ratio beta of top to base must lie between 0 and 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of the limits excludes every value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean value lies outside the limits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the limits lie so far from the mean value that no probability is left between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean value of the logarithm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the parameters of the logarithm are too large: the quantity has no finite variance in numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a discrete distribution needs at least one value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there must be as many probabilities as values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>probabilities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the probabilities must sum to 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>discrete distribution: there must be as many probabilities as values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 distribution: %2 parameters are needed, %3 are given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distribution &quot;%1&quot; is not known. Known distributions: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in row %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>greater than %1 and at most %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>greater than %1</source>
+        <translation>maior que %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>pelo menos %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number; it is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is too large a number: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be %2; it is %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be one of %2; it is %3%4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of its choices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the id of an asset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 needs at least 1 row; it has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 needs at least %2 rows; it has %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 columns, but %3 units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 of %2 has %3 cells; there are %4 columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must not be empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be given (&apos;%2&apos; is missing)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%1 [%4]&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is %3; &apos;%4&apos; is the unit of %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in K, not in %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; here%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an electric current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an expansion coefficient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an electric resistance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an electric charge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a capacitance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an inductance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a magnetic flux density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a magnetic flux</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an amount of substance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a luminous intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an angular velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (did you mean &apos;%1&apos;?)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a finite number; it is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is too large to be computed with (at most 1e100): it is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2; %3 has no unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2; %3 is %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures: give it in K, not in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the result does not represent the measurand: more than 1 % of the trials have no value</source>
+        <translation>o resultado não representa o mensurando: mais de 1 % dos ensaios não têm valor</translation>
+    </message>
+    <message>
+        <source>U = k u with the coverage factor that was fixed.</source>
+        <translation>U = k u com o fator de abrangência que foi fixado.</translation>
+    </message>
+    <message>
+        <source>U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
+        <translation>U é metade da largura do intervalo de abrangência probabilisticamente simétrico, e k = U/u.</translation>
+    </message>
+    <message>
+        <source>U = k u with k of the t distribution for the effective degrees of freedom.</source>
+        <translation>U = k u com k da distribuição t para os graus de liberdade efetivos.</translation>
+    </message>
+    <message>
+        <source>the number of significant digits of the numerical tolerance must be 1, 2, 3 or 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the numerical tolerance must be greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the adaptive procedure needs at least two batches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the adaptive procedure needs at least two batches: allow %1 trials or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Monte Carlo run needs at least two trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coverage probability must lie between 0 and 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coverage probability is too near to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coverage factor must be greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one-at-a-time Monte Carlo needs at least two trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monte Carlo without a contributor needs at least two trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sobol indices need at least 100 trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the evaluation was stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of the trials has a value: the measurement model cannot be evaluated within the uncertainties of its inputs; check the standard uncertainties and the geometry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the linear part explains %1 % of the variance: a gain of %2</source>
+        <translation>a parte linear explica %1 % da variância: um ganho de %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>no trial has a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement model has no sensitivity coefficients near the estimates: second-order terms do not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are too many quantities for them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the degrees of freedom of %1 must be greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the degrees of freedom of %1 are too few: there must be at least 0.2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distribution of %1 has no finite mean or standard uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the estimate of %1 is not a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quantity %1 refers to a component that does not exist, or with a factor that is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement model has %1 input quantities, but %2 were given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement model has no output quantities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its correlated components are not normally distributed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its sensitivity coefficients are zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no spread</source>
+        <translation>sem dispersão</translation>
+    </message>
+    <message>
+        <source>normal as far as so few trials can tell</source>
+        <translation>normal até onde tão poucos ensaios podem dizer</translation>
+    </message>
+    <message>
+        <source>normal within 1 %</source>
+        <translation>normal dentro de 1 %</translation>
+    </message>
+    <message>
+        <source>normal within 5 %</source>
+        <translation>normal dentro de 5 %</translation>
+    </message>
+    <message>
+        <source>too skewed for k u</source>
+        <translation>assimétrica demais para k u</translation>
+    </message>
+    <message>
+        <source>too heavy-tailed for k u</source>
+        <translation>de caudas pesadas demais para k u</translation>
+    </message>
+    <message>
+        <source>too flat for k u</source>
+        <translation>achatada demais para k u</translation>
+    </message>
+    <message>
+        <source>Second-order terms are left out: the formula of JCGM 100 5.1.2 assumes independent components, and some of these are correlated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second-order terms are left out: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 trials (%3 %) have no value (the measurement model cannot be evaluated there) and are not part of the statistics.</source>
+        <translation>%1 de %2 ensaios (%3 %) não têm valor (o modelo de medição não pode ser avaliado ali) e não fazem parte da estatística.</translation>
+    </message>
+    <message>
+        <source>The result does not represent the measurand: more than 1 % of the trials are lost, and they are not a random choice.</source>
+        <translation>O resultado não representa o mensurando: mais de 1 % dos ensaios se perdem, e não são uma escolha ao acaso.</translation>
+    </message>
+    <message>
+        <source>The adaptive procedure stopped at %1 trials before its results were stable: allow more trials, or ask for fewer significant digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage intervals are interpolated in fine cells: there are too many trials to keep the values of the tails in memory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The correlations stated cannot all hold with these distributions: the nearest that can are drawn, with coefficients that differ by up to %1.</source>
+        <translation>As correlações declaradas não podem valer todas com estas distribuições: são sorteadas as mais próximas possíveis, com coeficientes que diferem em até %1.</translation>
+    </message>
+    <message>
+        <source>The angle %1%2 is hardly determined: its standard uncertainty exceeds 1 rad.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is gained by variance reduction, and standard errors are not known: there are fewer than %1 batches of %2 trials.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control variates are not used: the linear part of the trials that have a value has another distribution than that of all trials.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without control variate: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The standard uncertainty by Monte Carlo of %1 does not exist, because a Student t distribution with two degrees of freedom or fewer has no finite standard deviation: it is shown as infinite, and U is half the width of the coverage interval.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The standard uncertainty by Monte Carlo of %1 cannot stabilise, because Student t distributions with four degrees of freedom or fewer have no finite fourth moment: the adaptive procedure judges by the coverage intervals; use these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 vector of random direction has coordinates with different distributions after editing: they are drawn independently.</source>
+        <translation>1 vetor de direção aleatória tem coordenadas com distribuições diferentes após a edição: são sorteadas independentemente.</translation>
+    </message>
+    <message>
+        <source>%1 vectors of random direction have coordinates with different distributions after editing: they are drawn independently.</source>
+        <translation>%1 vetores de direção aleatória têm coordenadas com distribuições diferentes após a edição: são sorteados independentemente.</translation>
+    </message>
+    <message>
+        <source>The angle %1 is hardly determined: its standard uncertainty by the law of propagation exceeds 1 rad.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)</source>
+        <translation>uma tolerância de %1 %2 para %3 (u = %4 %2) precisa de cerca de %5 ensaios (%6 lotes)</translation>
+    </message>
+    <message>
+        <source>to correct the bias of coordinate %1, give the number of observations n in its row: the uncertainty of the correction is u_var/sqrt(n)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are two points called &apos;%1&apos;; rename one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no calibrated point called &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must consist of the letters x, y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinate %1 has fewer than two observations that do not define the frame: measure more points or runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinate %1 has %2 rows; it must have one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the length standard needs at least two observations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table must have one row; it has %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the analysis has no point called &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is at the place of the instrument</source>
+        <translation>está no lugar do instrumento</translation>
+    </message>
+    <message>
+        <source>it is out of the range or field of view of the instrument</source>
+        <translation>está fora do alcance ou do campo de visão do instrumento</translation>
+    </message>
+    <message>
+        <source>correlated coordinates of a station are combinations of independent deviations, which are normal: leave the distribution normal, or the correlation out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate of the station is correlated with itself; name two different ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the range ends before it begins: the longest distance must be greater than the shortest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor reads nothing: choose a distance or an angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these coefficients are not possible together: their matrix has a negative eigenvalue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is at the place of %1</source>
+        <translation>está no lugar de %1</translation>
+    </message>
+    <message>
+        <source>no sensor of the network sees it</source>
+        <translation>nenhum sensor da rede o vê</translation>
+    </message>
+    <message>
+        <source>it cannot be localised from what %1 read: the readings leave a direction undetermined; add a sensor or a reading</source>
+        <translation>não pode ser localizado pelo que %1 leem: as leituras deixam uma direção indeterminada; acrescente um sensor ou uma leitura</translation>
+    </message>
+    <message>
+        <source>the readings do not lead to a position of every target: the estimation does not converge from the nominal coordinates; look for exchanged or mistyped readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 looks away from target %2: its angles point to the opposite side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no target %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not see target %2: it is out of its range or field of view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not see %2 of the %3 targets: they are out of its range or field of view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor %1 is not listed in the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reads no %2 according to its description</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 rows for target %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target %1 is at the place of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target %1 is behind the camera %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a network has at most %1 sensors; divide it into several analyses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two targets are called %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a distance needs two targets at different places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a calibrated length needs two targets at different places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the calibrated length is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nominal targets of the %1 are at another distance than its calibrated length; the design takes their distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a calibrated length can be a constraint only of the non-linear estimator with weights from readings and stations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the targets of the %1 belong to two set-ups, which are estimated one after the other: it can only be a check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the targets of an angle must be at three places off one line: at 0° and 180° an angle has no sign and no derivative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name %1 is taken by another frame or a target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the three targets of frame %1 lie on one line: its axes are undefined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the x-axis of frame %1 is vertical: its Z-Y-X angles are undefined (gimbal lock)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale bar %1 – %2</source>
+        <translation>barra de escala %1 – %2</translation>
+    </message>
+    <message>
+        <source>the sensor %1 is listed twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or figures of the instruments that are too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance of %1 by %2</source>
+        <translation>distância de %1 por %2</translation>
+    </message>
+    <message>
+        <source>azimuth of %1 by %2</source>
+        <translation>azimute de %1 por %2</translation>
+    </message>
+    <message>
+        <source>elevation of %1 by %2</source>
+        <translation>elevação de %1 por %2</translation>
+    </message>
+    <message>
+        <source>length of the %1</source>
+        <translation>comprimento de %1</translation>
+    </message>
+    <message>
+        <source>Chi-square of the residuals: %1 with %2 degrees of freedom, p = %3.</source>
+        <translation>Qui-quadrado dos resíduos: %1 com %2 graus de liberdade, p = %3.</translation>
+    </message>
+    <message>
+        <source>no sensor</source>
+        <translation>nenhum sensor</translation>
+    </message>
+    <message>
+        <source>target %1 has no linear equations that localise it (a distance without angles has none): use the non-linear estimator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target %1 cannot be localised from what %2 read: the readings leave a direction undetermined; add a sensor or a reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stations that measure target %1 lie in one plane and read distances only: its mirror image behind that plane fits as well; the one near the nominal coordinates is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a calibrated length cannot be a constraint of a set-up with more than %1 readings (this one has %2): make it a check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 readings of one set-up are too many to be weighed together: each target is estimated from its own readings, weighted with the stations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the standard uncertainty of a coordinate, %1 mm, is more than a tenth of the distance of point %2 from the x-axis, %3 mm: the law of propagation is not reliable here, look at Monte Carlo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the frame made from these points lies %1 mm and %2° away from the axes in which they are given, so results differ from the table of poses; check the side of point 3 and the shift of the origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: beta is within 2° of ±90°, where Z-Y-X angles are undefined (gimbal lock); state the orientation as a rotation vector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: beta is within 2° of 0° or 180°, where Z-Y-Z angles are undefined (gimbal lock); state the orientation as Z-Y-X angles or a rotation vector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the rotation is within 4° of half a turn, where the sign of the axis is undefined; state the orientation as angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the analysis %1 has no point called &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 cannot be measured by %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the 3-2-1 method uses the first three points; point %1 and those after it are not used: choose least squares</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the base frame is undefined</source>
+        <translation>o sistema da base não está definido</translation>
+    </message>
+    <message>
+        <source>the moving frame is undefined</source>
+        <translation>o sistema móvel não está definido</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 coincide: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 lies on the line through %2 and %3: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all points lie on one line or coincide: their frame is undefined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not used: the uncertainties come from an artefact or instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are two poses called &apos;%1&apos;; rename one</source>
+        <translation>há duas poses chamadas &apos;%1&apos;; renomeie uma</translation>
+    </message>
+    <message>
+        <source>no pose may be called &apos;base&apos;: that names the base among the measured points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither &apos;base&apos; nor the name of a pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no point called &apos;%1&apos; in that frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 of &apos;%2&apos; was not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mirrored coordinates leave %1 instead of %2: frame 0 is left-handed, check the signs and the order of its axes</source>
+        <translation>as coordenadas espelhadas deixam %1 em vez de %2: o sistema 0 é levogiro, confira os sinais e a ordem de seus eixos</translation>
+    </message>
+    <message>
+        <source>with %1 and %2 exchanged the residuals are %3 instead of %4: check the names</source>
+        <translation>com %1 e %2 trocados os resíduos são %3 em vez de %4: confira os nomes</translation>
+    </message>
+    <message>
+        <source>the points of &apos;%1&apos; do not fit their nominal coordinates</source>
+        <translation>os pontos de &apos;%1&apos; não se ajustam a suas coordenadas nominais</translation>
+    </message>
+    <message>
+        <source>the points of &apos;%1&apos; do not fit their nominal coordinates within the stated uncertainties: chi-square %2 with %3 degrees of freedom; the largest normalised residual is %4 (%5)</source>
+        <translation>os pontos de &apos;%1&apos; não se ajustam a suas coordenadas nominais dentro das incertezas declaradas: qui-quadrado %2 com %3 graus de liberdade; o maior resíduo normalizado é %4 (%5)</translation>
+    </message>
+    <message>
+        <source>the lengths between the supports make no triangle: the longest of %1, %2 and %3 exceeds the sum of the others</source>
+        <translation>os comprimentos entre os apoios não formam um triângulo: o maior de %1, %2 e %3 excede a soma dos outros</translation>
+    </message>
+    <message>
+        <source>the three supports lie on a line (%1, %2 and %3): they leave the place of the ball undetermined; move one of them aside</source>
+        <translation>os três apoios estão numa reta (%1, %2 e %3): deixam indeterminado o lugar da esfera; afaste um deles</translation>
+    </message>
+    <message>
+        <source>the lengths of support %1 do not meet at its height: they miss by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a set has at most %1 supports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rotation about %1</source>
+        <translation>a rotação em torno de %1</translation>
+    </message>
+    <message>
+        <source>%1 has %2 points; a plane needs three, and some more to be checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has a span of zero: all its points coincide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool centre point lies on the axis of %1 (or the tool has no length): it traces no circle; turn about another axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arc of %1 spans only %2°: uncertainties grow as the inverse square of the span and may be %3 times those of half a turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 is %2 mm on the other side of the supports&apos; plane, where the ballbars look for no solution; change their placement or their side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 is only %2 mm from the supports&apos; plane, with a standard uncertainty of %3 mm in that direction: in some trials the lengths will not meet (negative root), and u is not to be trusted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measured points determine no sphere and no axes: they lie on one circle, or coincide; check their axes and angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a procedure has at most %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two points are called %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the flange turns about %1 in two rotations; put their points into one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one rotation traces one circle, which leaves the centre of the flange and its axes undetermined: add a rotation about another axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no rotation measures axis %1: choose another way to make the axes, or add the rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not offer &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; não oferece &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>column %1: %2</source>
+        <translation>coluna %1: %2</translation>
+    </message>
+    <message>
+        <source>it is called like a joint of a gripper</source>
+        <translation>tem nome de junta de uma garra</translation>
+    </message>
+    <message>
+        <source>others follow it at the end of the arm, as in a gripper</source>
+        <translation>outras a seguem no fim do braço, como numa garra</translation>
+    </message>
+    <message>
+        <source>it slides by less than 100 mm at the end of the arm, as in a gripper</source>
+        <translation>desliza menos de 100 mm no fim do braço, como numa garra</translation>
+    </message>
+    <message>
+        <source>it is one of several at the end of the arm, as in a hand</source>
+        <translation>é uma de várias no fim do braço, como numa mão</translation>
+    </message>
+    <message>
+        <source>no joint leads to a link called %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no moving joint leads to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the links form a ring; URDF describes trees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 on the way to %2 is of the type %3: freeze it, --freeze %1=0</source>
+        <translation>a junta %1 no caminho até %2 é do tipo %3: congele-a, --freeze %1=0</translation>
+    </message>
+    <message>
+        <source>joint %1 on the way to %2 follows joint %3: freeze it, --freeze %1=0</source>
+        <translation>a junta %1 no caminho até %2 segue a junta %3: congele-a, --freeze %1=0</translation>
+    </message>
+    <message>
+        <source>no arm: joint %1 was left out because %2</source>
+        <translation>não é um braço: a junta %1 foi omitida porque %2</translation>
+    </message>
+    <message>
+        <source>no arm: joint %1 is of the type %2</source>
+        <translation>não é um braço: a junta %1 é do tipo %2</translation>
+    </message>
+    <message>
+        <source>no arm: joint %1 follows joint %2</source>
+        <translation>não é um braço: a junta %1 segue a junta %2</translation>
+    </message>
+    <message>
+        <source>left out: it is of the type %1</source>
+        <translation>omitida: é do tipo %1</translation>
+    </message>
+    <message>
+        <source>left out: it follows joint %1</source>
+        <translation>omitida: segue a junta %1</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>omitida: %1</translation>
+    </message>
+    <message>
+        <source>left out: it is not on the way to %1</source>
+        <translation>omitida: não está no caminho até %1</translation>
+    </message>
+    <message>
+        <source>the file has no moving joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has several arms of equal length, ending at %1 and %2: name the tip link of the one to import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frozen: %1</source>
+        <translation>congelada: %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not three numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 does not say which links it joins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1: its axis has no direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not readable as XML: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no URDF: its root element &lt;robot&gt; is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has xacro macros: expand them first (xacro FILE &gt; arm.urdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link %1 hangs on two joints; URDF describes trees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no joint %1 to freeze%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 does not move, or is frozen twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 is of the type %2: it can be frozen at 0 only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frozen at %1, beyond its limits</source>
+        <translation>congelada em %1, além de seus limites</translation>
+    </message>
+    <message>
+        <source>frozen at %1</source>
+        <translation>congelada em %1</translation>
+    </message>
+    <message>
+        <source>an arm has at most %1 joints here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 slides: state its readings as lengths, in the columns of s</source>
+        <translation>a junta %1 desliza: declare suas leituras como comprimentos, nas colunas de s</translation>
+    </message>
+    <message>
+        <source>joint %1 turns: state its readings as angles, or give it the type sliding</source>
+        <translation>a junta %1 gira: declare suas leituras como ângulos, ou dê-lhe o tipo deslizante</translation>
+    </message>
+    <message>
+        <source>joint %1</source>
+        <translation>junta %1</translation>
+    </message>
+    <message>
+        <source>only the convention with Ry(beta) has a beta; leave it empty for %1, or choose that convention</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>d and beta of %1 describe the same place of a parallel axis: where beta is given, d is 0 by definition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lowest reading of %1 is not below its highest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot has no joint %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is 0 by definition, because the axis is parallel to the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no parameter of this robot: give beta in the table of joints where axes are parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a parameter is correlated with itself; name two different ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no parameter &apos;%1&apos; with an uncertainty; write its symbol, such as d_3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has several components of uncertainty: give it one, the combined, so that it can be correlated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no pose: give joint readings or a place of the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two poses are called %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: reading %2 of joint %3 is beyond its limits, %4 to %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: the orientation is within 2° of one that %2 cannot state (gimbal lock, half turn); state it otherwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has only %2 joints; leave %3 empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 of %2 slides: its reading is %3</source>
+        <translation>a junta %1 de %2 desliza: sua leitura é %3</translation>
+    </message>
+    <message>
+        <source>joint %1 of %2 turns: its reading is %3</source>
+        <translation>a junta %1 de %2 gira: sua leitura é %3</translation>
+    </message>
+    <message>
+        <source>pose %1: give all three angles or none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: no readings within the limits of the joints bring the tool there; the nearest attempt misses the place by %2 but not the orientation</source>
+        <translation>pose %1: nenhuma leitura dentro dos limites das juntas leva a ferramenta até lá; a tentativa mais próxima erra o lugar em %2, mas não a orientação</translation>
+    </message>
+    <message>
+        <source>pose %1: no readings within the limits of the joints bring the tool there; the nearest attempt misses the place by %2</source>
+        <translation>pose %1: nenhuma leitura dentro dos limites das juntas leva a ferramenta até lá; a tentativa mais próxima erra o lugar em %2</translation>
+    </message>
+    <message>
+        <source>without limits</source>
+        <translation>sem limites</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 a %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 mm, turned by %2 deg</source>
+        <translation>%1 mm, girado %2 deg</translation>
+    </message>
+    <message>
+        <source>joint %1: %2, slides, %3</source>
+        <translation>junta %1: %2, desliza, %3</translation>
+    </message>
+    <message>
+        <source>joint %1: %2, turns, %3</source>
+        <translation>junta %1: %2, gira, %3</translation>
+    </message>
+    <message>
+        <source>%1 joint from link %2 to link %3</source>
+        <translation>%1 junta do elo %2 ao elo %3</translation>
+    </message>
+    <message>
+        <source>%1 joints from link %2 to link %3</source>
+        <translation>%1 juntas do elo %2 ao elo %3</translation>
+    </message>
+    <message>
+        <source>tool: link %1 at %2 from the frame of the last joint</source>
+        <translation>ferramenta: elo %1 a %2 do sistema da última junta</translation>
+    </message>
+    <message>
+        <source>with all readings at 0 the tool stands at %1 in link %2</source>
+        <translation>com todas as leituras em 0 a ferramenta está em %1 no elo %2</translation>
+    </message>
+    <message>
+        <source>the chain to %1 has %2 moving joints; an arm has at most %3 here: freeze those before the arm, --freeze %4=0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). Look at this pose first; hold it back by use = check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the residuals are %1 times as large as the uncertainties of points and readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these poses hardly tell %1 apart (condition %2): turn more joints further, or hold one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no parameter of the arm can be told from these poses: every one of them is coupled with others or held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the poses of the fit give %1 coordinates, no more than there are unknowns to find: measure more poses, or hold parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, and for a nominal robot that is another arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot has only %1 joints; leave %2 empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: its orientation is missing; give alpha, beta and gamma of every pose, or fit positions alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot has no parameter &apos;%1&apos; to hold; write its symbol, such as d_3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotation about %1</source>
+        <translation>rotação em torno de %1</translation>
+    </message>
+    <message>
+        <source>base %1</source>
+        <translation>base %1</translation>
+    </message>
+    <message>
+        <source>tool %1</source>
+        <translation>ferramenta %1</translation>
+    </message>
+    <message>
+        <source>the points do not lead to parameters of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of %1 run against the positive direction of the joint: reverse their order, or give its readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axes of joints %1 and %2</source>
+        <translation>os eixos das juntas %1 e %2</translation>
+    </message>
+    <message>
+        <source>%1 are nearly parallel (%2): they are described by beta with d = 0, because the place of their common perpendicular is hardly determined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 are %2 apart: they are described by d without beta, although the nominal robot has beta</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axes of joints %1 and %2 are the same line: nothing tells their frames apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameters are identified by Eq 5: describe the nominal robot in that convention, not in Craig&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 slides and draws no circle: take an arm without it, as it stands during the measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an arm of one joint has no parameters between two axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot has no %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 points; a circle needs three or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ball hardly moves while %1 turns: it lies on the axis of that joint and draws no circle. Fix the ball off the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of %1 lie on a straight line, as far as their uncertainty lets it be seen: no circle goes through them. Turn the joint further</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arc of %1 over %2 is short for the uncertainty of its points: its axis will be known poorly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the plane of %1 passes the origin at %2: Eq 1 excludes planes through the origin and fails near it. Use total least squares</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no circle fits the points of %1; look for exchanged points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the calibration matrix is singular: the channels answer to loads on %1 alike, so these cannot be told apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the calibration matrix has the condition number %1: loads on %2 are hardly told apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add a row of loads to be evaluated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add a row of readings to be decoupled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two cases are called &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1 has no reading: all channels are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor has no channel %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no load gives these readings by the calibration matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the load on %1 is %2 % of its rated load: the calibration says nothing about it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loads on %1 are too few for this calibration matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the interference of %1 is known without signs: it cannot be compensated. Give raw readings, or a table with signs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quadratic terms need raw readings; %1 has a summary only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1 is listed twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1 needs its rated load, a %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 states no uncertainty of its load on %2: add it to its certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>increasing loads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unloaded reading before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 of %2 has no %3: it is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not calibrated: there are no runs with its axis loaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has one run only: its repeatability needs two or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 runs, %3 are planned: its means have %4 degrees of freedom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 preloads, %3 are planned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, and it says nothing about repeatability</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1 of %2 is missing in %3 of %4 runs: its mean is that of %5%6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was loaded in %2 steps, %3 are planned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the largest load on %1 is %2; the rated output needs the rated load, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has the same reading in all runs: its repeatability is evaluated as zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no unloaded readings after a run: its non-zero error is taken as zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no decreasing loads: its hysteresis is not known and is taken as zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 of %2 reads the same at steps %3 and %4 although the load rises: the indicator is saturated or the channel is stuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 of %2: only %3 s between steps %4 and %5, %6 s are planned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 of %2 begins %3 s after the one before was unloaded, %4 s are planned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1 does not respond to its load: %2 at the rated load; look at its cable and its column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1 responds to %2 more than to its own load: are columns exchanged?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no readings: import them from a CSV file, or choose summary tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor has no channel %1: list it among its channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no unit of a load: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a moment, but its load is in %2: are forces and moments, or their units, exchanged?</source>
+        <translation>%1 é um momento, mas sua carga está em %2: forças e momentos, ou suas unidades, estão trocados?</translation>
+    </message>
+    <message>
+        <source>%1 is a force, but its load is in %2: are forces and moments, or their units, exchanged?</source>
+        <translation>%1 é uma força, mas sua carga está em %2: forças e momentos, ou suas unidades, estão trocados?</translation>
+    </message>
+    <message>
+        <source>a load of %1 is more than 1.2 times the rated load of %2, %3: is its unit right?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1 has no reading in this row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1 indicates %2 mV/V, which is the end of the indicator&apos;s range: the reading is saturated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this run has its unloaded reading already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1 of this run is given twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1 has no row in the summary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no row in the table of interference: taken as zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis %1 is listed twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s calibration is a summary: there are no steps to pool over, so the largest standard deviation is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name is one of a function or a word of the equations; choose another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a symbol is made of letters, Greek ones too, digits and &apos;_&apos;, a letter first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only the first row of a symbol has a value; further rows add components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the component is in %1, the quantity in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a further row states a component of uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the instrument of the project is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reading of an instrument needs a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an instrument reads distances here; the unit must be one of length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reads no distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the value is missing, and no statement gives it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has observations and no row in the table of quantities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Newton&apos;s method finds no solution of this equation from the starting value, at the estimates of the quantities</source>
+        <translation>o método de Newton não encontra solução desta equação a partir do valor inicial, nas estimativas das grandezas</translation>
+    </message>
+    <message>
+        <source>this operation has no value at the estimates of the quantities (division by zero, root or logarithm of a negative number, or a number too large)</source>
+        <translation>esta operação não tem valor nas estimativas das grandezas (divisão por zero, raiz ou logaritmo de um número negativo, ou um número grande demais)</translation>
+    </message>
+    <message>
+        <source>it has several series: leave out the name of the one that is measured now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table of observations has no rows for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;a&apos; is missing: number of observations of which the value is the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no equation: write one, y = x_1 + x_2</source>
+        <translation>não há equação: escreva uma, y = x_1 + x_2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is defined by an equation: it cannot be a quantity too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no equation uses &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no equation defines &apos;%1&apos;%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is listed twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>group &apos;%1&apos;: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an analysis of variance needs at least two groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no group has more than one observation: nothing tells the scatter within the groups from that between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curve does not reach %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, outside of its points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curve reaches %1 at x = %2%3: say in &apos;near&apos; which of them is meant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no curve of this degree was found: the iteration for the uncertainties of x does not settle on these points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points do not determine a curve of this degree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the x of y = %1 lies outside of the points of the calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the standard uncertainty of y is missing in row %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the standard uncertainty of y must be greater than zero in row %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings have the scatter of the residuals, which stated uncertainties do not use: give u_y in row %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a curve through the origin needs differences: give y in K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a polynomial of this degree needs points at %1 different places or more beside the origin</source>
+        <translation>um polinômio deste grau precisa de pontos em %1 lugares diferentes ou mais além da origem</translation>
+    </message>
+    <message>
+        <source>a polynomial of this degree needs points at %1 different places or more</source>
+        <translation>um polinômio deste grau precisa de pontos em %1 lugares diferentes ou mais</translation>
+    </message>
+    <message>
+        <source>residuals say nothing about the uncertainty unless there are more points than coefficients: add points, or state u_y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1, %2</source>
+        <translation>linha %1, %2</translation>
+    </message>
+    <message>
+        <source>The mesh is not drawn: %1: %2</source>
+        <translation>A malha não é desenhada: %1: %2</translation>
+    </message>
+    <message>
+        <source>The mesh is not drawn: %1</source>
+        <translation>A malha não é desenhada: %1</translation>
+    </message>
+    <message>
+        <source>it has more than %1 triangles: thin it out</source>
+        <translation>tem mais de %1 triângulos: reduza-o</translation>
+    </message>
+    <message>
+        <source>triangle %1 has a coordinate that is not a finite number</source>
+        <translation>o triângulo %1 tem uma coordenada que não é um número finito</translation>
+    </message>
+    <message>
+        <source>triangle %1: %2 is no number</source>
+        <translation>triângulo %1: %2 não é um número</translation>
+    </message>
+    <message>
+        <source>it ends in triangle %1: it has been cut off</source>
+        <translation>termina no triângulo %1: está cortado</translation>
+    </message>
+    <message>
+        <source>triangle %1: %2 stands where %3 should</source>
+        <translation>triângulo %1: %2 está onde deveria estar %3</translation>
+    </message>
+    <message>
+        <source>it is no STL file: it neither begins with &quot;solid&quot; nor has a header of 84 bytes</source>
+        <translation>não é um arquivo STL: nem começa com &quot;solid&quot; nem tem um cabeçalho de 84 bytes</translation>
+    </message>
+    <message>
+        <source>it is no STL file: its header states %1 triangles, and there is more behind them</source>
+        <translation>não é um arquivo STL: seu cabeçalho declara %1 triângulos, e há mais depois deles</translation>
+    </message>
+    <message>
+        <source>its header states %1 triangles; it ends in triangle %2</source>
+        <translation>seu cabeçalho declara %1 triângulos; termina no triângulo %2</translation>
+    </message>
+    <message>
+        <source>it has no triangles</source>
+        <translation>não tem triângulos</translation>
+    </message>
+    <message>
+        <source>target uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean of the prior</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard deviation of the prior</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 must be greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 must be above the lower limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guard factor of %1 must lie between -10 and 10; 1 is a guard band of U, 0 simple acceptance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the prior of %1 needs both a mean and a standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the prior of %1 is of use only with a tolerance: give a limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> in %1</source>
+        <translation> em %1</translation>
+    </message>
+    <message>
+        <source>the model has no output quantity %1%2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the id %1 is used twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an axis needs at least two values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;from&apos; and &apos;to&apos; must be two different numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with logarithmic spacing both ends must be greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; takes whole numbers: there are fewer than %2 between the ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the id %1 must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a study has one to three axes; this one has %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is varied by two axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monte Carlo needs at least two trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the grid has %1 points; a study may have %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the uncertainty of an input quantity can be varied by a factor only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a factor has no unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a factor of an uncertainty must not be negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a temperature in %1 cannot be multiplied; add to it, or give its values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a difference of temperatures is given in K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number that varies</source>
+        <translation>um número que varia</translation>
+    </message>
+    <message>
+        <source>an axis of a study</source>
+        <translation>um eixo de um estudo</translation>
+    </message>
+    <message>
+        <source>an output of a study</source>
+        <translation>uma saída de um estudo</translation>
+    </message>
+    <message>
+        <source>a study</source>
+        <translation>um estudo</translation>
+    </message>
+    <message>
+        <source>only numbers of the set-up of an asset can be varied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a target is written as &quot;/setup/KEY&quot;, &quot;/setup/KEY/rows/0/COLUMN&quot;, &quot;/inputs/SYMBOL/estimate&quot; or &quot;/inputs/SYMBOL/components&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be varied: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no asset %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the set-up has no schema</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the set-up has no field %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not used with the present choices of the set-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not given, so there is nothing to change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate of the pose &apos;%1&apos; is written as &quot;/setup/%2/position/0&quot; or &quot;/setup/%3/angles/2&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number of the table &apos;%1&apos; is written as &quot;/setup/%2/rows/0/COLUMN&quot; or &quot;/setup/%3/columns/COLUMN&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table &apos;%1&apos; has no column %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column %1 does not hold numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table &apos;%1&apos; is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table &apos;%1&apos; has %2 rows, counted from 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell is empty, so there is nothing to change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column is empty, so there is nothing to change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of an input quantity, &quot;estimate&quot; or &quot;components&quot; can be varied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the model has no input quantity %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no component %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; has no unit; it is not a measured number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no column &apos;%2&apos;%3; its columns are %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is given twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be one of %2; it is &apos;%3&apos;%4</source>
+        <translation>&apos;%1&apos; deve ser um de %2; é &apos;%3&apos;%4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a whole number that is not negative; it is %2</source>
+        <translation>&apos;%1&apos; deve ser um número inteiro não negativo; é %2</translation>
+    </message>
+    <message>
+        <source>a unit is needed here, such as &quot;mm&quot;, not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit with a dimension is needed here, not &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of the same dimension as a unit before it; give one of each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the project states for results</source>
+        <translation>o que o projeto declara para os resultados</translation>
+    </message>
+    <message>
+        <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a report has no chapter %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no analysis %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the contents of the report</source>
+        <translation>o conteúdo do relatório</translation>
+    </message>
+    <message>
+        <source>a requirement</source>
+        <translation>um requisito</translation>
+    </message>
+    <message>
+        <source>a unit of length is needed here, not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the size of a view must be greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;direction&apos; and &apos;up&apos; must be two different directions, not of length zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a view</source>
+        <translation>uma vista</translation>
+    </message>
+    <message>
+        <source>%1 is the name of a standard view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name %1 is used twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no single value here, but a list or a group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing called &apos;%1&apos; to set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing called &apos;%1&apos; to set%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not of the form /PLACE/IN/THE/PROJECT=VALUE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a table: it needs &quot;columns&quot; and &quot;rows&quot;, or the name of a &quot;csv&quot; file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns of %1 must be texts in quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 of %2 must be a list in brackets, not %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns of the CSV file of %1 must be an object in braces: a header of the file and the column it stands for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must stand for a column of %2 (a text), or for none (an empty text)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CSV file &apos;%1&apos; of %2 must be named relative to the project&apos;s folder and lie in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CSV file of %1 does not exist: looked for &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV file of %1: %2</source>
+        <translation>Arquivo CSV de %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2; its unit is missing: write {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a text in quotes, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lines of %1 must be texts in quotes, each one line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be true or false, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of %2 must be a list of three numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this set-up</source>
+        <translation>esta configuração</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be three numbers: x, y, z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text is needed here, not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project ends before this: nothing may follow its closing &apos;}&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (column %2)</source>
+        <translation>%1 (coluna %2)</translation>
+    </message>
+    <message>
+        <source>the file is truncated: it ends %1; its rest is missing</source>
+        <translation>o arquivo está truncado: termina %1; falta o resto</translation>
+    </message>
+    <message>
+        <source>lists and objects are nested too deeply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where a value is expected</source>
+        <translation>onde se espera um valor</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is too large a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the middle of a value</source>
+        <translation>no meio de um valor</translation>
+    </message>
+    <message>
+        <source>a value is expected here (a number, a text in quotes, a list or an object), not &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number that a project file can hold: give a finite number, or null where infinity is meant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a value: texts stand in double quotes, numbers are written like -12.5e-3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text that begins here is not closed by a double quote on its line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the middle of a text</source>
+        <translation>no meio de um texto</translation>
+    </message>
+    <message>
+        <source>inside %1</source>
+        <translation>dentro de %1</translation>
+    </message>
+    <message>
+        <source>&apos;,&apos; or &apos;%1&apos; is expected here, inside %2, not &apos;%3&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>um objeto</translation>
+    </message>
+    <message>
+        <source>a key in double quotes is expected here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the key before this is not a valid text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is given twice in the same object</source>
+        <translation>&apos;%1&apos; aparece duas vezes no mesmo objeto</translation>
+    </message>
+    <message>
+        <source>after the key &apos;%1&apos;</source>
+        <translation>depois da chave &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;:&apos; is expected after the key &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>uma lista</translation>
+    </message>
+    <message>
+        <source>there is no kind of asset &apos;%1&apos;%2; known are %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no measurement model &apos;%1&apos;%2; known are %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is taken from another analysis, with all its uncertainty: remove either this or the link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the analysis %1 has errors of its own: %2</source>
+        <translation>a análise %1 tem erros próprios: %2</translation>
+    </message>
+    <message>
+        <source>the analysis %1 has no value at its estimates</source>
+        <translation>a análise %1 não tem valor em suas estimativas</translation>
+    </message>
+    <message>
+        <source>the component %1 is not stated alike (held, or edited) by all analyses of the chain: they are taken as independent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is linked twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2; %3 of %4 is %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the analysis %1 would be made of itself: %2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 analyses feed each other in a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the analysis %1 has no output %2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;schemaVersion&apos; is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;schemaVersion&apos; must be a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>written by a newer version of Covaria (schema %1, this program reads up to %2); nothing was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text &apos;%1&apos;</source>
+        <translation>o texto &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the number %1</source>
+        <translation>o número %1</translation>
+    </message>
+    <message>
+        <source>%1 must be an object in braces, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be %2, not %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list in brackets</source>
+        <translation>uma lista entre colchetes</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos; in %2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number with its unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 18446744073709551615, in quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be %2; it is %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number that is not negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text here is not valid UTF-8 or has a wrong \ sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project</source>
+        <translation>o projeto</translation>
+    </message>
+    <message>
+        <source>an asset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not a project of Covaria: it does not begin with &quot;format&quot;: &quot;covaria&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has %1 MB, and projects of up to %2 MB are read: put its long tables into CSV files beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project was not saved: it holds a number that is not finite, or fields that belong to no known kind of asset or model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project was not saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be two capital letters, such as DE; it is &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; deve ter duas letras maiúsculas, como DE; é &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be one of %2; it is &apos;%3&apos;</source>
+        <translation>&apos;%1&apos; deve ser um de %2; é &apos;%3&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a date of the form 2026-04-17 or an interval 2026-04-17/2026-04-18; it is &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; deve ser uma data da forma 2026-04-17 ou um intervalo 2026-04-17/2026-04-18; é &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a date of the form 2026-04-17; it is &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; deve ser uma data da forma 2026-04-17; é &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the item cannot have been calibrated before it was received</source>
+        <translation>o item não pode ter sido calibrado antes de ser recebido</translation>
+    </message>
+    <message>
+        <source>the certificate cannot have been issued before the calibration</source>
+        <translation>o certificado não pode ter sido emitido antes da calibração</translation>
+    </message>
+    <message>
+        <source> (or %1)</source>
+        <translation> (ou %1)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;%2 must be stated (ISO/IEC 17025 %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be stated (Digital Calibration Certificate)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has more than 2 MB, too much for a logo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is neither a PNG nor a JPEG picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The certificate has no logo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 columns are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the quote that begins here is not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>text follows the closing quote of a cell; write a quote inside a quoted cell twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text is encoded as UTF-16; save it as UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text is not encoded as UTF-8; save it as UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this row has %1 cells; there are %2 columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos;: &apos;%2&apos; is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos;: &apos;%2&apos; is neither true nor false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no column &apos;%1&apos;%2; its columns are %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no row with the names of the columns</source>
+        <translation>não há linha com os nomes das colunas</translation>
+    </message>
+    <message>
+        <source>it has %1 lines, and there is memory for about %2 of these rows: leave rows out, or take means of several</source>
+        <translation>tem %1 linhas, e há memória para cerca de %2 delas: omita linhas, ou tome médias de várias</translation>
+    </message>
+    <message>
+        <source>a table to choose from is written as &quot;/setup/KEY/rows&quot;; it is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a design needs &apos;variables&apos;, a table to &apos;choose&apos; from, or &apos;reductions&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cheapest reductions are a design of their own, without variables and rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a design has at most %1 reductions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a design has at most %1 variables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cost is that of rows with &apos;prices&apos;: it needs a table to choose from, and no variables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tolerance must not be negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; takes whole numbers: a study shows what each of them gives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is chosen by two variables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the smallest factor is between 0 and 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a price must not be negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is reduced twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of %1 rows, %2 to %3 can be kept; it is %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 rows, counted from 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 is fixed twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more rows are fixed than kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is one price for all rows, or one for each of the %1; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a box</source>
+        <translation>uma caixa</translation>
+    </message>
+    <message>
+        <source>every coordinate of &apos;to&apos; must be greater than that of &apos;from&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the least distance</source>
+        <translation>a menor distância</translation>
+    </message>
+    <message>
+        <source>the least distance must be greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are 1 to %1 starts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least one evaluation is needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the set-up has no table %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be %2; it is &apos;%3&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a variable of a design</source>
+        <translation>uma variável de um planejamento</translation>
+    </message>
+    <message>
+        <source>a number that is reduced</source>
+        <translation>um número que é reduzido</translation>
+    </message>
+    <message>
+        <source>a reduction of a design</source>
+        <translation>uma redução de um planejamento</translation>
+    </message>
+    <message>
+        <source>the choice of a design</source>
+        <translation>a escolha de um planejamento</translation>
+    </message>
+    <message>
+        <source>a box of a design</source>
+        <translation>uma caixa de um planejamento</translation>
+    </message>
+    <message>
+        <source>a design</source>
+        <translation>um planejamento</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a list of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the parameters of &apos;%1&apos;</source>
+        <translation>os parâmetros de &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a distribution</source>
+        <translation>uma distribuição</translation>
+    </message>
+    <message>
+        <source>there is no distribution &apos;%1&apos;%2; known are %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing in a component</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a component</source>
+        <translation>uma componente</translation>
+    </message>
+    <message>
+        <source>the edit of an input quantity</source>
+        <translation>a edição de uma grandeza de entrada</translation>
+    </message>
+    <message>
+        <source>the notes of a quantity</source>
+        <translation>as notas de uma grandeza</translation>
+    </message>
+    <message>
+        <source>an output of an analysis</source>
+        <translation>uma saída de uma análise</translation>
+    </message>
+    <message>
+        <source>a link</source>
+        <translation>um link</translation>
+    </message>
+    <message>
+        <source>a correlation</source>
+        <translation>uma correlação</translation>
+    </message>
+    <message>
+        <source>component %1</source>
+        <translation>componente %1</translation>
+    </message>
+    <message>
+        <source>%1 is %2; the unit %3 of %4 is the unit of %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the degrees of freedom must be greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a component, not an input quantity: it can be held, but not be edited otherwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no uncertainty to be correlated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no component or quantity %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be correlated with itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a correlation coefficient must lie between -1 and 1; it is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is edited twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the correlation of %1 and %2 is given twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number is needed here; it is %1</source>
+        <translation>aqui é preciso um número; é %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 must lie within %3</source>
+        <translation>%1: %2 deve estar dentro de %3</translation>
+    </message>
+    <message>
+        <source>the frame of %1 is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no calibration of a robot: &apos;kinematics&apos; is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calibration %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lengths in m, angles in rad, about fixed axes as in URDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is called %2 here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an input without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its %1 must be a number</source>
+        <translation>seu %1 deve ser um número</translation>
+    </message>
+    <message>
+        <source>there are two inputs of that name</source>
+        <translation>há duas entradas com esse nome</translation>
+    </message>
+    <message>
+        <source>%1 %2 is %3 %4</source>
+        <translation>%1 %2 é %3 %4</translation>
+    </message>
+    <message>
+        <source>typea_uncert must be a number from 0</source>
+        <translation>typea_uncert deve ser um número a partir de 0</translation>
+    </message>
+    <message>
+        <source>typea must be a list of at least two observations</source>
+        <translation>typea deve ser uma lista de pelo menos duas observações</translation>
+    </message>
+    <message>
+        <source>an observation must be a number; those in groups are not read</source>
+        <translation>uma observação deve ser um número; as de grupos não são lidas</translation>
+    </message>
+    <message>
+        <source>more than %1 observations are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>numnewmeas must be a number from 1</source>
+        <translation>numnewmeas deve ser um número a partir de 1</translation>
+    </message>
+    <message>
+        <source>its observations are taken as independent: Suncal enlarges the uncertainty of more than 50 that are autocorrelated</source>
+        <translation>suas observações são tomadas como independentes: o Suncal aumenta a incerteza de mais de 50 que sejam autocorrelacionadas</translation>
+    </message>
+    <message>
+        <source>%1 %2 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 is %3</source>
+        <translation>%1 %2 é %3</translation>
+    </message>
+    <message>
+        <source>degf must be a number greater than 0, or .inf</source>
+        <translation>degf deve ser um número maior que 0, ou .inf</translation>
+    </message>
+    <message>
+        <source>; it has %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no calculation of mode &apos;uncertainty&apos; or &apos;system&apos;%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 quantities, %3 results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the calculation has no inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the calculation has no functions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system has no quantities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quantities of type %1 are not read; those that are: direct, indirect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system has no direct quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 inputs are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 functions are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a function has the name of an input or of another function</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: in %2 instead of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no starting value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: state the unit of what is solved for under &apos;units&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a correlation needs var1 and var2, two inputs, and cor, a number between -1 and 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no unit can be stated for %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no Excel workbook in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no sheet with cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 is no place of a cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: more than %2 cells are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its text is missing from the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has a password or the old format .xls: save it as .xlsx without a password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>XML of more than %1 MB is not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a document type declaration: files that declare entities are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an alias (*name): write out what it stands for, aliases are not expanded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 entries are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 levels are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a key must be a word</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the key %1 stands twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than 1000 keys are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>YAML of more than %1 kB is not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no YAML document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not readable as YAML: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no readable zip archive in it (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 parts, which are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no part %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a part %1 that cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an encrypted part %1: save it without a password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a part %1 that cannot be unpacked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a damaged part %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parts that unpack to more than %1 MB (at %2), which are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no network of GNU Gama: &lt;gama-local&gt; with a &lt;network&gt; is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stated unit of lengths: coordinates of Gama are in metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;parameters&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 &lt;%2&gt; with observations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points without x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points have no z: it is taken as 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the network has no points with coordinates x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points are to be adjusted: their coordinates are approximate ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: a left-handed frame; x and y are taken as they stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates in metres, axes-xy = %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 = %2 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many points: divide the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;coordinates&gt;: point %1 has no x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a covariance matrix of more than %1 coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no adjusted coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 has no x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>adjusted coordinates in metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainties: the file has no &lt;cov-mat&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>residuals and orientations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its dim must be at least the %1 adjusted coordinates, its band less than it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>element %1, %2 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its dim must be the %1 %2, its band less than that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>element %1, %2: %3 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a covariance matrix of observations that are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the standard deviation %1 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the standard deviation %1 must not be negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 of them without a standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 correlations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 observations%2%3; each is its own result: write the equations of what you measure with them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 observations: more than %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stated unit of lengths: words of GSI state theirs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>words %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 readings of reflectors above their points: the targets are the reflectors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has neither coordinates nor readings with a distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reading of %1: angles and a distance are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates E, N, H become x, y, z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: more than %2 set-ups; divide the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its coordinates are not in the file: 0, 0, 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: readings of points that have coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: readings do not repeat, or are too far apart for it, and say nothing of their uncertainty: points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no word of GSI: index, information, sign and data are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a block begins with the word 11 or 41</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the data of a word must be digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the unit &apos;%1&apos; is none of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no blocks of GSI</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 lines are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of a section is not closed by &apos;]&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the section %1 stands twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither a section [...] nor a line name=value of one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no quantity with a value and an uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no equation (Model[1]=)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log may be the natural or the decimal logarithm: write ln or log10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no file of GUM Workbench: the section [Components] is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the section [COMP %1] is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 quantities are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1= is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quantities of type %1 are not known; those that are: Result, TypBNormal, TypBRectang, TypAPooled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>result %1 as the file states it: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section [%1]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 name occur again and have got a number: first %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 names occur again and have got a number: first %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 groups in one artefact: their names stand before those of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no uncertainties are stated: u_cal is 0 until you state it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u_cal is the largest of the stated standard uncertainties: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u_cal as stated: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 without a stated one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the uncertainty of each point by itself, and correlations: only up to %1 have an analysis of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and 1 correlation coefficient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and %1 correlation coefficients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>analysis &apos;Points as stated&apos;: every coordinate with its own uncertainty%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no line &apos;Frame,Time (Seconds),...&apos; with data below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file must begin with &apos;Format Version,&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotations of type %1 are not read: export the take with quaternions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file does not state its unit of lengths; state it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take %1, lengths in %2, coordinate space %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 columns of markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 rigid bodies are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rigid body %1: columns of its rotation (X, Y, Z, W) or position (X, Y, Z) are missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the take has no rigid body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a number of a pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the quaternion of %1 has not the length 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the angles about z and x of %1 are not determined: turned by 90 degrees about y. Turn the axes of the body in Motive by 90 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 frames in which it was not seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rigid body %1: at least two frames in which it is seen are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rigid body %1: mean pose of %2 frames, Type A with covariance; the body must not have moved, and the frames are taken as independent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit &quot;%1&quot;: write it without parentheses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the exponents are too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; state the columns: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no column %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 points: divide the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: an uncertainty must not be negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line has %1 columns instead of %2; put names that contain blanks into quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what stands behind column %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lengths are taken as mm: the file does not say its unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lines above the headers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lines of comment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table has no line of headers; state the columns: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its columns may mean several things (names that are numbers, offsets, weights, tolerances, notes); state the columns: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>six numbers may be X Y Z Ux Uy Uz, but also X Y Z with weights, a vector or the angles of a frame: name the reader if they are uncertainties, or state the columns: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read as %1 (%2)</source>
+        <translation>lido como %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: the file states no unit, %2 is taken</source>
+        <translation>%1: o arquivo não informa unidade, toma-se %2</translation>
+    </message>
+    <message>
+        <source>Analysis &quot;%1&quot; (%2)</source>
+        <translation>Análise &quot;%1&quot; (%2)</translation>
+    </message>
+    <message>
+        <source>not taken over</source>
+        <translation>não incorporado</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>linha %1: %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>e mais %1</translation>
+    </message>
+    <message>
+        <source>and %1 more rows</source>
+        <translation>e mais %1 linhas</translation>
+    </message>
+    <message>
+        <source>no reader recognises the file; name the one to read it with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several readers recognise the file: %1; name one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a column cannot be %1; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns %1 and %2 mean the same; state the columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a budget needs columns for the quantity or its name, for an uncertainty (u, U or limits) and one more; state the columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distribution %1 is not known; there are normal, rectangular, triangular, U-shaped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the divisor must be greater than 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an uncertainty must not be negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no uncertainty is stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither divisor, k nor distribution says what the uncertainty %1 is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a normal distribution needs a divisor or k for the uncertainty %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no row has a number in the stated columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no sheet %1 with cells; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the workbook has several sheets, %1: name the sheet whose columns are stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no row of headers of a budget was found; state the columns (quantity, value, unit, U, divisor ...)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several sheets have a budget: %1; name one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file that it includes: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the code of a point is expected, a digit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a point that is not to be used: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>code, name, x, y, z, three standard deviations and two deflections of the vertical are expected, there are %1 columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of their coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard deviations of %1 points of code %2: it constrains %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deflections of the vertical of %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points are not constrained: their coordinates are approximate ones for the adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 comments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the constraint of %2, which is switched off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates in metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stated unit of lengths: coordinates of Comp3D are in metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the code of an observation is expected, a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an observation of code %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>code, two points, value, one or two standard deviations and two heights are expected, there are %1 columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2: it is switched off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no observation that is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 observations, lengths in metres; each is its own result: write the equations of what you measure with them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the unit of angles must be one of an angle: gon, deg, rad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2: the part of its standard deviation that depends on the distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: it is switched off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a variance of its covariance matrix is negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its covariance matrix is not symmetric</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its matrix is no covariance matrix: a variance of some combination is negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no Digital Calibration Certificate: its root is &lt;%1&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the certificate has no results with numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>schema version %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what this version of the schema has beyond version 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stated unit of lengths: a certificate states its units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: &lt;measurementMetaData&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a quantity: more than %1 values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 as a length standard: more than %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the signature: it is not verified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 values, %2 of them with an uncertainty</source>
+        <translation>%1 valores, %2 deles com incerteza</translation>
+    </message>
+    <message>
+        <source>%1 values, %2 of them with an uncertainty, with covariances</source>
+        <translation>%1 valores, %2 deles com incerteza, com covariâncias</translation>
+    </message>
+    <message>
+        <source>length standard %1: delete it where the length is no standard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value as &lt;%1&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its relative uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same in other units (%1 is taken)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its lists have different lengths than the %1 values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its covariance matrix: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its covariance matrix has not %1 x %2 elements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p must be between 0 and 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>k must be greater than 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its uncertainty is negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it does not begin with \</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a brace is not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its power &apos;%1&apos; is no small integer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;\%1&apos; is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it ends too early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the unit %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sheet %1, columns: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its unit differs from that of the other uncertainty of the row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no divisor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees of freedom must be greater than 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the contribution %1: c and u give %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the contribution does not follow from c and u in any unit; state the unit behind the coefficient (&apos;-575 nm/K&apos;)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its unit makes no coefficient of the result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its unit may be %1 or %2: state it behind the coefficient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what stands below the budget, to row %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no quantity with an uncertainty below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row without a quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 without figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the quantity has no name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1: computed anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the result is not the sum of c x: %1 is the difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 quantities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sheet %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no input quantity has an uncertainty, so that U is 0 everywhere: state the uncertainties of what the analysis uses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; the run is to end at %2 trials and will not be stable then. Choose a larger tolerance or fewer digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no analysis &quot;%2&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 refers to other assets of the project and cannot be kept alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has errors; open it and repair it before adding to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asset %1: %2</source>
+        <translation>recurso %1: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; refers to the analysis &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; refere-se à análise &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; refers to the asset &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; refere-se ao recurso &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1, which does not offer %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the analysis &apos;%1&apos; has errors of its own: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, which has errors of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, which is of the kind &apos;%2&apos; and does not offer %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, which refers back to this one: %2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: only analyses take something from analyses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, which does not exist%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the values given lead to a %1</source>
+        <translation>os valores dados levam a: %1</translation>
+    </message>
+    <message>
+        <source>the memory of this machine does not suffice</source>
+        <translation>a memória desta máquina não basta</translation>
+    </message>
+    <message>
+        <source>a defect of the program was met (%1): please report it with the project</source>
+        <translation>encontrou-se um defeito do programa (%1): relate-o com o projeto</translation>
+    </message>
+    <message>
+        <source>%1: the part is damaged or no part at all: delete it and make it anew</source>
+        <translation>%1: a parte está danificada ou não é uma parte: apague-a e faça-a de novo</translation>
+    </message>
+    <message>
+        <source>%1: the part was made %2 %3, this is %4: the bits of its results would not be those of one run</source>
+        <translation>%1: a parte foi feita com %2 %3, isto é %4: os bits de seus resultados não seriam os de uma só execução</translation>
+    </message>
+    <message>
+        <source>%1: the part would have %2 MB, more than %3: divide the run into more parts</source>
+        <translation>%1: a parte teria %2 MB, mais que %3: divida a execução em mais partes</translation>
+    </message>
+    <message>
+        <source>%1: the part is of &quot;%2&quot;, which is not evaluated here: it is of another project</source>
+        <translation>%1: a parte é de &quot;%2&quot;, que não é avaliado aqui: é de outro projeto</translation>
+    </message>
+    <message>
+        <source>%1: the part is of &quot;%2&quot; in another project or another state of it (fingerprint %3, here %4): make it anew</source>
+        <translation>%1: a parte é de &quot;%2&quot; em outro projeto ou em outro estado dele (impressão digital %3, aqui %4): faça-a de novo</translation>
+    </message>
+    <message>
+        <source>the model cannot be made</source>
+        <translation>o modelo não pode ser formado</translation>
+    </message>
+    <message>
+        <source>there is no component &apos;%1&apos; here</source>
+        <translation>não há componente &apos;%1&apos; aqui</translation>
+    </message>
+    <message>
+        <source>there is no input quantity &apos;%1&apos; here</source>
+        <translation>não há grandeza de entrada &apos;%1&apos; aqui</translation>
+    </message>
+    <message>
+        <source>the analysis has no study &apos;%1&apos;</source>
+        <translation>a análise não tem o estudo &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the study was stopped</source>
+        <translation>o estudo foi interrompido</translation>
+    </message>
+    <message>
+        <source>the analysis does not use the asset &apos;%1&apos;: varying it changes nothing</source>
+        <translation>a análise não usa o recurso &apos;%1&apos;: variá-lo não muda nada</translation>
+    </message>
+    <message>
+        <source>the model shows no instruments: a least distance and boxes to keep out of mean nothing to it</source>
+        <translation>o modelo não mostra instrumentos: uma menor distância e caixas a evitar não significam nada para ele</translation>
+    </message>
+    <message>
+        <source>the model shows no lines of sight, so that no box can hide them</source>
+        <translation>o modelo não mostra linhas de visada, de modo que nenhuma caixa pode escondê-las</translation>
+    </message>
+    <message>
+        <source>the analysis has no design &apos;%1&apos;</source>
+        <translation>a análise não tem o planejamento &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the variances are not a sum over what is reduced: some of it is correlated, or changes more than a component of uncertainty</source>
+        <translation>as variâncias não são uma soma sobre o que é reduzido: parte disso é correlacionada, ou muda mais de uma componente de incerteza</translation>
+    </message>
+    <message>
+        <source>the analysis has no measurand that a design could look at</source>
+        <translation>a análise não tem mensurando que um planejamento possa observar</translation>
+    </message>
+    <message>
+        <source>without target uncertainties U is looked at relative to that of the present design, which has no result (%1): state requirements</source>
+        <translation>sem incertezas-alvo, U é observado em relação ao do planejamento atual, que não tem resultado (%1): declare requisitos</translation>
+    </message>
+    <message>
+        <source>U of &apos;%1&apos; is zero now: choose the outputs to look at</source>
+        <translation>U de &apos;%1&apos; é agora zero: escolha as saídas a observar</translation>
+    </message>
+    <message>
+        <source>the cheapest reductions need target uncertainties: state requirements</source>
+        <translation>as reduções mais baratas precisam de incertezas-alvo: declare requisitos</translation>
+    </message>
+    <message>
+        <source>the cheapest rows need target uncertainties: state requirements</source>
+        <translation>as linhas mais baratas precisam de incertezas-alvo: declare requisitos</translation>
+    </message>
+    <message>
+        <source>the design was stopped</source>
+        <translation>o planejamento foi interrompido</translation>
+    </message>
+    <message>
+        <source>the set-up</source>
+        <translation>a configuração</translation>
+    </message>
+    <message>
+        <source>the component &apos;%1&apos; is not of one input quantity alone: change it where it comes from (%2)</source>
+        <translation>a componente &apos;%1&apos; não é de uma só grandeza de entrada: mude-a na sua origem (%2)</translation>
+    </message>
+    <message>
+        <source>Distribution of %1.</source>
+        <translation>Distribuição de %1.</translation>
+    </message>
+    <message>
+        <source>Quantiles of %1, the least normal, against those of a normal distribution.</source>
+        <translation>Quantis de %1, a menos normal, contra os de uma distribuição normal.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of %1 against the number of trials.</source>
+        <translation>Incerteza-padrão de %1 contra o número de ensaios.</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty ellipsoids at a coverage probability of %2, magnified as the picture states.</source>
+        <translation>%1: elipsoides de incerteza com probabilidade de abrangência de %2, ampliados como a figura informa.</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients of components</source>
+        <translation>Coeficientes de correlação das componentes</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Componente</translation>
+    </message>
+    <message>
+        <source>Notes on input quantities</source>
+        <translation>Notas sobre grandezas de entrada</translation>
+    </message>
+    <message>
+        <source>Input quantities and the origin of their uncertainties</source>
+        <translation>Grandezas de entrada e origem de suas incertezas</translation>
+    </message>
+    <message>
+        <source>%1 input quantities; many with equal components share a row. The CSV table of inputs lists every one with its estimate.</source>
+        <translation>%1 grandezas de entrada; muitas com componentes iguais compartilham uma linha. A tabela CSV das entradas contém todas com sua estimativa.</translation>
+    </message>
+    <message>
+        <source>These input quantities are results of other analyses. All are evaluated together as one model, in every trial, so that the budget goes down to the components of the analyses that they come from; a component that reaches the result on several ways is one component.</source>
+        <translation>Estas grandezas de entrada são resultados de outras análises. Todas são avaliadas juntas como um só modelo, em cada ensaio, de modo que o balanço desce até as componentes das análises de onde vêm; uma componente que chega ao resultado por vários caminhos é uma só componente.</translation>
+    </message>
+    <message>
+        <source>Linearised: the analysis that the value comes from is replaced by its law of propagation about its estimates. That is exact to first order; its non-linearity is left out of Monte Carlo.</source>
+        <translation>Linearizado: a análise de onde vem o valor é substituída por sua lei de propagação em torno de suas estimativas. É exato em primeira ordem; sua não linearidade não entra em Monte Carlo.</translation>
+    </message>
+    <message>
+        <source>Where the inputs come from</source>
+        <translation>De onde vêm as entradas</translation>
+    </message>
+    <message>
+        <source>Input quantities taken from other analyses</source>
+        <translation>Grandezas de entrada tomadas de outras análises</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Análise</translation>
+    </message>
+    <message>
+        <source>Its result</source>
+        <translation>Seu resultado</translation>
+    </message>
+    <message>
+        <source>%1, linearised</source>
+        <translation>%1, linearizado</translation>
+    </message>
+    <message>
+        <source>The trials are Sobol points with a random digital shift in each batch; standard errors are from the scatter of the batches.</source>
+        <translation>Os ensaios são pontos de Sobol com um deslocamento digital aleatório em cada lote; os erros-padrão vêm da dispersão dos lotes.</translation>
+    </message>
+    <message>
+        <source>Mean, standard uncertainty, symmetric interval and covariance were found with the linear part of each output as control variate: its distribution is known exactly, and the trials tell how the output differs from it. Shortest intervals, histograms and probabilities of conformance are those of the trials.</source>
+        <translation>Média, incerteza-padrão, intervalo simétrico e covariância foram obtidos com a parte linear de cada grandeza de saída como variável de controle: sua distribuição é conhecida exatamente, e os ensaios dizem como a saída difere dela. Intervalos mais curtos, histogramas e probabilidades de conformidade são os dos ensaios.</translation>
+    </message>
+    <message>
+        <source>At the interval ends each trial is worth %1 plain ones or more.</source>
+        <translation>Nos extremos do intervalo cada ensaio vale por %1 simples ou mais.</translation>
+    </message>
+    <message>
+        <source>The adaptive procedure reached its largest number of trials: the results have not stabilised to the numerical tolerance.</source>
+        <translation>O procedimento adaptativo atingiu seu maior número de ensaios: os resultados não se estabilizaram dentro da tolerância numérica.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals were read from finely divided cells, not from ordered trials: there were more trials than memory allows to order.</source>
+        <translation>Os intervalos de abrangência foram lidos de células finamente divididas, não de ensaios ordenados: havia mais ensaios do que a memória permite ordenar.</translation>
+    </message>
+    <message>
+        <source>law of propagation</source>
+        <translation>lei de propagação</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation>adaptativo</translation>
+    </message>
+    <message>
+        <source>%1, Sobol points</source>
+        <translation>%1, pontos de Sobol</translation>
+    </message>
+    <message>
+        <source>%1, control variate</source>
+        <translation>%1, variável de controle</translation>
+    </message>
+    <message>
+        <source>Runs that gave these results</source>
+        <translation>Execuções que deram estes resultados</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Falhou</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Impressão digital</translation>
+    </message>
+    <message>
+        <source>The same project, seed and version give the same numbers on any number of threads. The fingerprint covers everything that influences the numbers of an analysis.</source>
+        <translation>O mesmo projeto, semente e versão dão os mesmos números com qualquer número de threads. A impressão digital abrange tudo o que influencia os números de uma análise.</translation>
+    </message>
+    <message>
+        <source>Factors by which the standard uncertainties are to be multiplied so that all measurands of a group lie in the region together with a probability of %1 (JCGM 102 6.5 and 7.7).</source>
+        <translation>Fatores pelos quais as incertezas-padrão devem ser multiplicadas para que todos os mensurandos de um grupo estejam juntos na região com probabilidade %1 (JCGM 102 6.5 e 7.7).</translation>
+    </message>
+    <message>
+        <source>Factors of the coverage regions</source>
+        <translation>Fatores das regiões de abrangência</translation>
+    </message>
+    <message>
+        <source>No ellipsoid is given where the covariance matrix of the group is singular.</source>
+        <translation>Não se dá elipsoide onde a matriz de covariância do grupo é singular.</translation>
+    </message>
+    <message>
+        <source>Target uncertainties</source>
+        <translation>Incertezas-alvo</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredito</translation>
+    </message>
+    <message>
+        <source>With the figure put in, U by the law of propagation is the target; k follows the effective degrees of freedom.</source>
+        <translation>Com o número posto, U pela lei de propagação é o alvo; k segue os graus de liberdade efetivos.</translation>
+    </message>
+    <message>
+        <source>With the figure put in, U by Monte Carlo is the target; found with %1 trials of the same draws.</source>
+        <translation>Com o número posto, U por Monte Carlo é o alvo; encontrado com %1 ensaios dos mesmos sorteios.</translation>
+    </message>
+    <message>
+        <source>No component suffices alone: all standard uncertainties multiplied by %1 do.</source>
+        <translation>Nenhuma componente basta sozinha: todas as incertezas-padrão multiplicadas por %1 bastam.</translation>
+    </message>
+    <message>
+        <source>What one component alone must be reduced to for U(%1) to meet its target</source>
+        <translation>A que uma componente sozinha deve ser reduzida para que U(%1) atenda seu alvo</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>necessário</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Comentário</translation>
+    </message>
+    <message>
+        <source>not enough by itself, even if it vanished</source>
+        <translation>não basta sozinha, mesmo que desaparecesse</translation>
+    </message>
+    <message>
+        <source>%1: specific consumer&apos;s risk %2 of this decision.</source>
+        <translation>%1: risco específico do consumidor %2 desta decisão.</translation>
+    </message>
+    <message>
+        <source>%1: specific producer&apos;s risk %2 of this decision.</source>
+        <translation>%1: risco específico do produtor %2 desta decisão.</translation>
+    </message>
+    <message>
+        <source>%1: specific consumer&apos;s risk %2 of this decision; global risks of the rule for its prior: consumer&apos;s %3, producer&apos;s %4.</source>
+        <translation>%1: risco específico do consumidor %2 desta decisão; riscos globais da regra para sua distribuição a priori: consumidor %3, produtor %4.</translation>
+    </message>
+    <message>
+        <source>%1: specific producer&apos;s risk %2 of this decision; global risks of the rule for its prior: consumer&apos;s %3, producer&apos;s %4.</source>
+        <translation>%1: risco específico do produtor %2 desta decisão; riscos globais da regra para sua distribuição a priori: consumidor %3, produtor %4.</translation>
+    </message>
+    <message>
+        <source>Conformity with tolerances</source>
+        <translation>Conformidade com tolerâncias</translation>
+    </message>
+    <message>
+        <source>The requirements are not judged: %1.</source>
+        <translation>Os requisitos não são julgados: %1.</translation>
+    </message>
+    <message>
+        <source>U of</source>
+        <translation>U de</translation>
+    </message>
+    <message>
+        <source>Coverage probability %1.</source>
+        <translation>Probabilidade de abrangência %1.</translation>
+    </message>
+    <message>
+        <source>Values from the law of propagation of uncertainty (JCGM 100).</source>
+        <translation>Valores da lei de propagação de incertezas (JCGM 100).</translation>
+    </message>
+    <message>
+        <source>Values from the propagation of distributions (JCGM 101) with %1 trials; the interval is probabilistically symmetric, the shortest one beside it. The effective degrees of freedom are those of the law of propagation.</source>
+        <translation>Valores da propagação de distribuições (JCGM 101) com %1 ensaios; o intervalo é probabilisticamente simétrico, com o mais curto ao lado. Os graus de liberdade efetivos são os da lei de propagação.</translation>
+    </message>
+    <message>
+        <source>This result does not represent the measurand: %1 trials, more than 1 %, have no value.</source>
+        <translation>Este resultado não representa o mensurando: %1 ensaios, mais de 1 %, não têm valor.</translation>
+    </message>
+    <message>
+        <source>Law of propagation with second-order terms</source>
+        <translation>Lei de propagação com termos de segunda ordem</translation>
+    </message>
+    <message>
+        <source>JCGM 100 5.1.2, NOTE, for independent components with symmetric distributions. The shift, half the sum of the second derivatives times the variances, is what the mean of the measurand differs by from the value at the estimates; neither is part of the results above.</source>
+        <translation>JCGM 100 5.1.2, NOTA, para componentes independentes com distribuições simétricas. O deslocamento, metade da soma das segundas derivadas vezes as variâncias, é o quanto a média do mensurando difere do valor nas estimativas; nenhum dos dois faz parte dos resultados acima.</translation>
+    </message>
+    <message>
+        <source>Measurands</source>
+        <translation>Mensurandos</translation>
+    </message>
+    <message>
+        <source>Intermediate quantities</source>
+        <translation>Grandezas intermediárias</translation>
+    </message>
+    <message>
+        <source>position %1, α, β, γ = %2</source>
+        <translation>posição %1, α, β, γ = %2</translation>
+    </message>
+    <message>
+        <source>Read from %1.</source>
+        <translation>Lido de %1.</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 rows; the project file has them all.</source>
+        <translation>As primeiras %1 de %2 linhas; o arquivo do projeto contém todas.</translation>
+    </message>
+    <message>
+        <source>Sobol indices of %1 in %</source>
+        <translation>Índices de Sobol de %1 em %</translation>
+    </message>
+    <message>
+        <source>first order of the law of propagation</source>
+        <translation>primeira ordem da lei de propagação</translation>
+    </message>
+    <message>
+        <source>standard error of S</source>
+        <translation>erro-padrão de S</translation>
+    </message>
+    <message>
+        <source>S total</source>
+        <translation>S total</translation>
+    </message>
+    <message>
+        <source>standard error of S total</source>
+        <translation>erro-padrão de S total</translation>
+    </message>
+    <message>
+        <source>%1 components with smaller indices are left out.</source>
+        <translation>%1 componentes com índices menores foram omitidas.</translation>
+    </message>
+    <message>
+        <source>Sobol indices</source>
+        <translation>Índices de Sobol</translation>
+    </message>
+    <message>
+        <source>S is the share of the variance that a component causes by itself, S total the share with all its interactions with others: where both agree and the shares sum to 100 %, the measurement model is additive. Components that are correlated have indices together. By Monte Carlo with %1 pairs of trials.</source>
+        <translation>S é a parcela da variância que uma componente causa por si, S total a parcela com todas as suas interações com outras: onde ambas concordam e as parcelas somam 100 %, o modelo de medição é aditivo. Componentes correlacionadas têm índices em conjunto. Por Monte Carlo com %1 pares de ensaios.</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3 (%4 values, logarithmic)</source>
+        <translation>%1 de %2 a %3 (%4 valores, logarítmico)</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3 (%4 values)</source>
+        <translation>%1 de %2 a %3 (%4 valores)</translation>
+    </message>
+    <message>
+        <source>Evaluated at %1 grid points, with %2 trials at each.</source>
+        <translation>Avaliado em %1 pontos da malha, com %2 ensaios em cada um.</translation>
+    </message>
+    <message>
+        <source>Evaluated at %1 grid points, by the law of propagation of uncertainty.</source>
+        <translation>Avaliado em %1 pontos da malha, pela lei de propagação de incertezas.</translation>
+    </message>
+    <message>
+        <source>Varied: %1.</source>
+        <translation>Variado: %1.</translation>
+    </message>
+    <message>
+        <source>The CSV table of the study has all output quantities.</source>
+        <translation>A tabela CSV do estudo contém todas as grandezas de saída.</translation>
+    </message>
+    <message>
+        <source>%1: best and worst grid points</source>
+        <translation>%1: melhor e pior ponto da malha</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>menor</translation>
+    </message>
+    <message>
+        <source>greatest</source>
+        <translation>maior</translation>
+    </message>
+    <message>
+        <source>What is given for %1 of the grid points does not represent the measurand: more than 1 % of their trials have no value (see the CSV table).</source>
+        <translation>O que se dá para %1 dos pontos da malha não representa o mensurando: mais de 1 % de seus ensaios não têm valor (ver a tabela CSV).</translation>
+    </message>
+    <message>
+        <source>%1 grid points have no values:</source>
+        <translation>%1 pontos da malha não têm valores:</translation>
+    </message>
+    <message>
+        <source>others: see the CSV table of the study</source>
+        <translation>outros: ver a tabela CSV do estudo</translation>
+    </message>
+    <message>
+        <source>law of propagation of uncertainty</source>
+        <translation>lei de propagação de incertezas</translation>
+    </message>
+    <message>
+        <source>adaptive Monte Carlo, %1 trials</source>
+        <translation>Monte Carlo adaptativo, %1 ensaios</translation>
+    </message>
+    <message>
+        <source>Monte Carlo, %1 trials</source>
+        <translation>Monte Carlo, %1 ensaios</translation>
+    </message>
+    <message>
+        <source>%1; %2; coverage probability %3</source>
+        <translation>%1; %2; probabilidade de abrangência %3</translation>
+    </message>
+    <message>
+        <source>k, intervals and the law of propagation are in the results of the analysis.</source>
+        <translation>k, intervalos e a lei de propagação estão nos resultados da análise.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: %1: %2.</source>
+        <translation>Não avaliado: %1: %2.</translation>
+    </message>
+    <message>
+        <source>Study &quot;%1&quot; not evaluated: %2: %3.</source>
+        <translation>Estudo &quot;%1&quot; não avaliado: %2: %3.</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty U: %1</source>
+        <translation>Incerteza expandida U: %1</translation>
+    </message>
+    <message>
+        <source>Results: %1</source>
+        <translation>Resultados: %1</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>Evaluated with</source>
+        <translation>Avaliado com</translation>
+    </message>
+    <message>
+        <source>Not in this report</source>
+        <translation>Não está neste relatório</translation>
+    </message>
+    <message>
+        <source>Project fingerprint</source>
+        <translation>Impressão digital do projeto</translation>
+    </message>
+    <message>
+        <source>Evaluated with an earlier analysis: %1.</source>
+        <translation>Avaliado com uma análise anterior: %1.</translation>
+    </message>
+    <message>
+        <source>Budget of %1, %2</source>
+        <translation>Balanço de %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 further components</source>
+        <translation>mais %1 componentes</translation>
+    </message>
+    <message>
+        <source>combined (law of propagation)</source>
+        <translation>combinada (lei de propagação)</translation>
+    </message>
+    <message>
+        <source>%1 = %2, u_c = %3, effective degrees of freedom %4, k = %5, p = %6 (law of propagation).</source>
+        <translation>%1 = %2, u_c = %3, graus de liberdade efetivos %4, k = %5, p = %6 (lei de propagação).</translation>
+    </message>
+    <message>
+        <source>Shares of the variance in % by %1, %2</source>
+        <translation>Parcelas da variância em % por %1, %2</translation>
+    </message>
+    <message>
+        <source>together</source>
+        <translation>em conjunto</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>outros</translation>
+    </message>
+    <message>
+        <source>Components by falling share of the variance; cᵢ in the unit of the measurand per unit of the component.</source>
+        <translation>Componentes por parcela decrescente da variância; cᵢ na unidade do mensurando por unidade da componente.</translation>
+    </message>
+    <message>
+        <source>Shown in full for %1, which has the largest expanded uncertainties of the %2 groups; the CSV table of budgets has every group.</source>
+        <translation>Mostrado por inteiro para %1, que tem as maiores incertezas expandidas dos %2 grupos; a tabela CSV dos balanços contém todos os grupos.</translation>
+    </message>
+    <message>
+        <source>Contributions to the variance of %1.</source>
+        <translation>Contribuições para a variância de %1.</translation>
+    </message>
+    <message>
+        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions: so for %1 of %2 quantities.</source>
+        <translation>A lei de propagação é validada segundo a JCGM 101, seção 8, onde os dois extremos de seu intervalo de abrangência, y ± U, estão dentro da tolerância numérica δ dos da propagação de distribuições: assim para %1 de %2 grandezas.</translation>
+    </message>
+    <message>
+        <source>Estimates and standard uncertainties by both methods</source>
+        <translation>Estimativas e incertezas-padrão pelos dois métodos</translation>
+    </message>
+    <message>
+        <source>Where a distribution is too skewed, heavy-tailed or flat for k u, state its coverage interval.</source>
+        <translation>Onde uma distribuição for assimétrica, de caudas pesadas ou achatada demais para k u, declare seu intervalo de abrangência.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U beside what remains of it when everything that a contributor brings in is kept at its estimate (an ideal one), and what that contributor gives alone, with the same coverage factor.</source>
+        <translation>A incerteza expandida U ao lado do que resta dela quando tudo o que uma contribuição traz é mantido em sua estimativa (uma ideal), e o que essa contribuição dá sozinha, com o mesmo fator de abrangência.</translation>
+    </message>
+    <message>
+        <source>By Monte Carlo with %1 trials.</source>
+        <translation>Por Monte Carlo com %1 ensaios.</translation>
+    </message>
+    <message>
+        <source>By the law of propagation.</source>
+        <translation>Pela lei de propagação.</translation>
+    </message>
+    <message>
+        <source>Without %1, %2 trials had no value.</source>
+        <translation>Sem %1, %2 ensaios não tiveram valor.</translation>
+    </message>
+    <message>
+        <source>U without each contributor, and of it alone</source>
+        <translation>U sem cada contribuição, e só com ela</translation>
+    </message>
+    <message>
+        <source>without %1</source>
+        <translation>sem %1</translation>
+    </message>
+    <message>
+        <source>%1 alone</source>
+        <translation>só %1</translation>
+    </message>
+    <message>
+        <source>Of two contributors, what remains without one is what the other gives alone.</source>
+        <translation>De duas contribuições, o que resta sem uma é o que a outra dá sozinha.</translation>
+    </message>
+    <message>
+        <source>Results by contributor</source>
+        <translation>Resultados por contribuição</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients, %1</source>
+        <translation>Coeficientes de correlação, %1</translation>
+    </message>
+    <message>
+        <source>Between groups, which share input quantities, the largest coefficient is %1.</source>
+        <translation>Entre grupos que compartilham grandezas de entrada, o maior coeficiente é %1.</translation>
+    </message>
+    <message>
+        <source>Between groups, which share input quantities, the largest coefficient is %1, of %2 with %3.</source>
+        <translation>Entre grupos que compartilham grandezas de entrada, o maior coeficiente é %1, de %2 com %3.</translation>
+    </message>
+    <message>
+        <source>The CSV table of correlations has all of them.</source>
+        <translation>A tabela CSV das correlações contém todas.</translation>
+    </message>
+    <message>
+        <source>Looked for: the smallest %1.</source>
+        <translation>Procurou-se: o menor %1.</translation>
+    </message>
+    <message>
+        <source>Looked for: the cheapest reductions of uncertainty with which all targets are met.</source>
+        <translation>Procuraram-se: as reduções de incerteza mais baratas com que todos os alvos são atendidos.</translation>
+    </message>
+    <message>
+        <source>Looked for: the cheapest rows with which all targets are met.</source>
+        <translation>Procuraram-se: as linhas mais baratas com que todos os alvos são atendidos.</translation>
+    </message>
+    <message>
+        <source>Cost: %1.</source>
+        <translation>Custo: %1.</translation>
+    </message>
+    <message>
+        <source>Found: %1, before %2.</source>
+        <translation>Encontrado: %1, antes %2.</translation>
+    </message>
+    <message>
+        <source>Found: %1.</source>
+        <translation>Encontrado: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing that was tried has a result.</source>
+        <translation>Nada do que foi tentado tem resultado.</translation>
+    </message>
+    <message>
+        <source>%1 candidates were evaluated by the law of propagation of uncertainty, all that there are.</source>
+        <translation>Foram avaliados %1 candidatos pela lei de propagação de incertezas, todos os que existem.</translation>
+    </message>
+    <message>
+        <source>%1 candidates were evaluated by the law of propagation of uncertainty.</source>
+        <translation>Foram avaliados %1 candidatos pela lei de propagação de incertezas.</translation>
+    </message>
+    <message>
+        <source>Verified by Monte Carlo with %1 trials.</source>
+        <translation>Verificado por Monte Carlo com %1 ensaios.</translation>
+    </message>
+    <message>
+        <source>Not every target is met: what is given is the best that was found.</source>
+        <translation>Nem todos os alvos são atendidos: o que se dá é o melhor que foi encontrado.</translation>
+    </message>
+    <message>
+        <source>%1: the way of the search to the best place, coloured by the objective.</source>
+        <translation>%1: o caminho da busca até o melhor lugar, colorido pelo objetivo.</translation>
+    </message>
+    <message>
+        <source>%1: the candidates, coloured by what they gain; the larger ones are chosen.</source>
+        <translation>%1: os candidatos, coloridos pelo que ganham; os maiores são os escolhidos.</translation>
+    </message>
+    <message>
+        <source>combined</source>
+        <translation>combinada</translation>
+    </message>
+    <message>
+        <source>%1, constant</source>
+        <translation>%1, constante</translation>
+    </message>
+    <message>
+        <source>%1 components, added arithmetically</source>
+        <translation>%1 componentes, soma aritmética</translation>
+    </message>
+    <message>
+        <source>%1 components, in quadrature</source>
+        <translation>%1 componentes, soma quadrática</translation>
+    </message>
+    <message>
+        <source>Table %1. %2</source>
+        <translation>Tabela %1. %2</translation>
+    </message>
+    <message>
+        <source>Figure %1. %2</source>
+        <translation>Figura %1. %2</translation>
+    </message>
+    <message>
+        <source>Uncertainty report</source>
+        <translation>Relatório de incerteza</translation>
+    </message>
+    <message>
+        <source>Report of an uncertainty evaluation</source>
+        <translation>Relatório de uma avaliação de incerteza</translation>
+    </message>
+    <message>
+        <source>Annex</source>
+        <translation>Anexo</translation>
+    </message>
+    <message>
+        <source>In the annex: %1.</source>
+        <translation>No anexo: %1.</translation>
+    </message>
+    <message>
+        <source>In the annex, on request: %1.</source>
+        <translation>No anexo, a pedido: %1.</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the annex has all of them.</source>
+        <translation>A partir de &apos;%1&apos;, que tem as maiores incertezas expandidas, %2 de %3 linhas; o anexo contém todas.</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
+        <translation>A partir de &apos;%1&apos;, que tem as maiores incertezas expandidas, %2 de %3 linhas; as tabelas CSV e, a pedido, o anexo contêm todas.</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 rows; the annex has all of them.</source>
+        <translation>As primeiras %1 de %2 linhas; o anexo contém todas.</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 rows; the CSV tables, and the annex on request, have all of them.</source>
+        <translation>As primeiras %1 de %2 linhas; as tabelas CSV e, a pedido, o anexo contêm todas.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables; the annex has the rest.</source>
+        <translation>São mostradas %1 de %2 tabelas; o anexo contém o resto.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>São mostradas %1 de %2 tabelas; as tabelas CSV e, a pedido, o anexo contêm o resto.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 charts; the annex has the rest.</source>
+        <translation>São mostrados %1 de %2 gráficos; o anexo contém o resto.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 charts; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>São mostrados %1 de %2 gráficos; as tabelas CSV e, a pedido, o anexo contêm o resto.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and %3 of %4 charts; the annex has the rest.</source>
+        <translation>São mostradas %1 de %2 tabelas e %3 de %4 gráficos; o anexo contém o resto.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and %3 of %4 charts; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>São mostradas %1 de %2 tabelas e %3 de %4 gráficos; as tabelas CSV e, a pedido, o anexo contêm o resto.</translation>
+    </message>
+    <message>
+        <source>%1 (constant)</source>
+        <translation>%1 (constante)</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Depois</translation>
+    </message>
+    <message>
+        <source>U is stated by different rules: before, %1 After, %2</source>
+        <translation>U é declarado por regras diferentes: antes, %1 Depois, %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 measurands are in both results; the budgets of %3 of them differ.</source>
+        <translation>%1 de %2 mensurandos estão em ambos os resultados; os balanços de %3 deles diferem.</translation>
+    </message>
+    <message>
+        <source>Shown are the %1 whose standard uncertainty changes most, relative to what it was.</source>
+        <translation>São mostradas as %1 cuja incerteza-padrão mais muda, em relação ao que era.</translation>
+    </message>
+    <message>
+        <source>Distribution of %1 before and after.</source>
+        <translation>Distribuição de %1 antes e depois.</translation>
+    </message>
+    <message>
+        <source>Comparison of uncertainty evaluations</source>
+        <translation>Comparação de avaliações de incerteza</translation>
+    </message>
+    <message>
+        <source>Only before: %1.</source>
+        <translation>Só antes: %1.</translation>
+    </message>
+    <message>
+        <source>Only after: %1.</source>
+        <translation>Só depois: %1.</translation>
+    </message>
+    <message>
+        <source>this report</source>
+        <translation>este relatório</translation>
+    </message>
+    <message>
+        <source>there are no results for the certificate to state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the standard uncertainty of %1 is not finite; a Digital Calibration Certificate has no place for that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no robot to write: no analysis uses or finds one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is of one robot, and there are %1: choose an analysis that uses or finds the one to write (--analysis)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no points to write: no analysis has a result with coordinates x, y, z of a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot %1: the file is of six joints that turn (shoulder to wrist_3); write it as URDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no results to write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the workbook cannot be made in the folder for temporary files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the report carries no results to compare with (results.json)</source>
+        <translation>o relatório não traz resultados para comparar (results.json)</translation>
+    </message>
+    <message>
+        <source>what the report carries as results.json is none of Covaria</source>
+        <translation>o que o relatório traz como results.json não é da Covaria</translation>
+    </message>
+    <message>
+        <source>no folder could be made in %1: %2</source>
+        <translation>não foi possível criar uma pasta em %1: %2</translation>
+    </message>
+    <message>
+        <source>the attached file %1 would leave its folder; nothing was taken out</source>
+        <translation>o arquivo anexo %1 sairia de sua pasta; nada foi extraído</translation>
+    </message>
+    <message>
+        <source>the attached file %1 cannot be taken out: another one is in its way</source>
+        <translation>o arquivo anexo %1 não pode ser extraído: há outro no caminho</translation>
+    </message>
+    <message>
+        <source>it is no PDF</source>
+        <translation>não é um PDF</translation>
+    </message>
+    <message>
+        <source>it carries no project: it is no report of Covaria, or one of a version before 0.2.0, or another program has written it anew</source>
+        <translation>não traz nenhum projeto: não é um relatório da Covaria, ou é de uma versão anterior a 0.2.0, ou outro programa o gravou de novo</translation>
+    </message>
+    <message>
+        <source>best</source>
+        <translation>melhor</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>pior</translation>
+    </message>
+    <message>
+        <source>coverage ellipsoids, p = %1</source>
+        <translation>elipsoides de abrangência, p = %1</translation>
+    </message>
+    <message>
+        <source>iso-surfaces at %1</source>
+        <translation>isossuperfícies em %1</translation>
+    </message>
+    <message>
+        <source>the study has not been run</source>
+        <translation>o estudo não foi executado</translation>
+    </message>
+    <message>
+        <source>none of the study&apos;s output quantities has a place in space</source>
+        <translation>nenhuma das grandezas de saída do estudo tem lugar no espaço</translation>
+    </message>
+    <message>
+        <source>the point %1 does not move in this study</source>
+        <translation>o ponto %1 não se move neste estudo</translation>
+    </message>
+    <message>
+        <source>outputs</source>
+        <translation>saídas</translation>
+    </message>
+    <message>
+        <source>inputs</source>
+        <translation>entradas</translation>
+    </message>
+    <message>
+        <source>%1: coverage ellipsoids, p = %2</source>
+        <translation>%1: elipsoides de abrangência, p = %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 trials per point</source>
+        <translation>%1: %2 ensaios por ponto</translation>
+    </message>
+    <message>
+        <source>before: coverage ellipsoids, p = %1</source>
+        <translation>antes: elipsoides de abrangência, p = %1</translation>
+    </message>
+    <message>
+        <source>line of sight</source>
+        <translation>linha de visada</translation>
+    </message>
+    <message>
+        <source>forces, to a scale of their own</source>
+        <translation>forças, em escala própria</translation>
+    </message>
+    <message>
+        <source>moments, to a scale of their own</source>
+        <translation>momentos, em escala própria</translation>
+    </message>
+    <message>
+        <source>uncertainty × %1</source>
+        <translation>incerteza × %1</translation>
+    </message>
+    <message>
+        <source>uncertainty × %1, ellipsoids p = %2</source>
+        <translation>incerteza × %1, elipsoides p = %2</translation>
+    </message>
+    <message>
+        <source>best: %1</source>
+        <translation>melhor: %1</translation>
+    </message>
+    <message>
+        <source>nothing that this design chooses stands in space</source>
+        <translation>nada do que este planejamento escolhe está no espaço</translation>
+    </message>
+    <message>
+        <source>nothing that was tried has a result</source>
+        <translation>nada do que foi tentado tem resultado</translation>
+    </message>
+    <message>
+        <source>candidates; the larger %1 of %2 are chosen</source>
+        <translation>candidatos; os %1 maiores de %2 são os escolhidos</translation>
+    </message>
+    <message>
+        <source>gain: by how much the uncertainty is smaller with this candidate than without it, the others as chosen</source>
+        <translation>ganho: quanto a incerteza é menor com este candidato do que sem ele, os demais como escolhidos</translation>
+    </message>
+    <message>
+        <source>best so far, in the order of the search</source>
+        <translation>o melhor até agora, na ordem da busca</translation>
+    </message>
+    <message>
+        <source>dashed: where it may stand</source>
+        <translation>tracejado: onde pode ficar</translation>
+    </message>
+    <message>
+        <source>analysis</source>
+        <translation>análise</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>tipo</translation>
+    </message>
+    <message>
+        <source>trajectory</source>
+        <translation>trajetória</translation>
+    </message>
+    <message>
+        <source>mean Monte Carlo</source>
+        <translation>média Monte Carlo</translation>
+    </message>
+    <message>
+        <source>u Monte Carlo</source>
+        <translation>u Monte Carlo</translation>
+    </message>
+    <message>
+        <source>interval low</source>
+        <translation>intervalo inferior</translation>
+    </message>
+    <message>
+        <source>interval high</source>
+        <translation>intervalo superior</translation>
+    </message>
+    <message>
+        <source>shortest low</source>
+        <translation>mais curto inferior</translation>
+    </message>
+    <message>
+        <source>shortest high</source>
+        <translation>mais curto superior</translation>
+    </message>
+    <message>
+        <source>skewness</source>
+        <translation>assimetria</translation>
+    </message>
+    <message>
+        <source>excess kurtosis</source>
+        <translation>excesso de curtose</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>razão</translation>
+    </message>
+    <message>
+        <source>y at the estimates</source>
+        <translation>y nas estimativas</translation>
+    </message>
+    <message>
+        <source>u law of prop.</source>
+        <translation>u lei de prop.</translation>
+    </message>
+    <message>
+        <source>Clause 8</source>
+        <translation>Seção 8</translation>
+    </message>
+    <message>
+        <source>validated</source>
+        <translation>validado</translation>
+    </message>
+    <message>
+        <source>not validated</source>
+        <translation>não validado</translation>
+    </message>
+    <message>
+        <source>u with second-order terms</source>
+        <translation>u com termos de segunda ordem</translation>
+    </message>
+    <message>
+        <source>shift of the estimate</source>
+        <translation>deslocamento da estimativa</translation>
+    </message>
+    <message>
+        <source>|cᵢ|·u(xᵢ) in %1</source>
+        <translation>|cᵢ|·u(xᵢ) em %1</translation>
+    </message>
+    <message>
+        <source>Share of variance in %</source>
+        <translation>Parcela da variância em %</translation>
+    </message>
+    <message>
+        <source>alone, Monte Carlo, in %1</source>
+        <translation>só ela, Monte Carlo, em %1</translation>
+    </message>
+    <message>
+        <source>ellipsoid, law of prop.</source>
+        <translation>elipsoide, lei de prop.</translation>
+    </message>
+    <message>
+        <source>rectangle, law of prop.</source>
+        <translation>paralelepípedo, lei de prop.</translation>
+    </message>
+    <message>
+        <source>ellipsoid, Monte Carlo</source>
+        <translation>elipsoide, Monte Carlo</translation>
+    </message>
+    <message>
+        <source>rectangle, Monte Carlo</source>
+        <translation>paralelepípedo, Monte Carlo</translation>
+    </message>
+    <message>
+        <source>y before</source>
+        <translation>y antes</translation>
+    </message>
+    <message>
+        <source>y after</source>
+        <translation>y depois</translation>
+    </message>
+    <message>
+        <source>Change of y</source>
+        <translation>Mudança de y</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>O quê</translation>
+    </message>
+    <message>
+        <source>|c|·u before in %1</source>
+        <translation>|c|·u antes em %1</translation>
+    </message>
+    <message>
+        <source>|c|·u after in %1</source>
+        <translation>|c|·u depois em %1</translation>
+    </message>
+    <message>
+        <source>Share before in %</source>
+        <translation>Parcela antes em %</translation>
+    </message>
+    <message>
+        <source>Share after in %</source>
+        <translation>Parcela depois em %</translation>
+    </message>
+    <message>
+        <source>Change of variance in %</source>
+        <translation>Mudança da variância em %</translation>
     </message>
 </context>
 <context>
@@ -9003,6 +14963,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Keep in My Library</source>
         <translation>Manter em minha biblioteca</translation>
+    </message>
+    <message>
+        <source>Show in the Scene</source>
+        <translation>Mostrar na cena</translation>
     </message>
 </context>
 <context>

@@ -279,6 +279,8 @@ void MainWindow::connect_panes() {
     connect(start_, &StartPage::library_wanted, this, &MainWindow::show_library);
     connect(start_, &StartPage::first_steps_wanted, this, &MainWindow::show_first_steps);
     connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
+    project_->is_in_scene = [this](const QString& asset) { return scene_->view().shows_asset(asset); };
+    connect(project_, &ProjectPane::scene_wanted, &scene_->view(), &SceneView::show_asset);
     connect(start_, &StartPage::file_wanted, &files_, &FileActions::open_file);
     connect(start_, &StartPage::example_wanted, &files_, &FileActions::open_example);
     connect(&files_, &FileActions::recent_changed, start_,

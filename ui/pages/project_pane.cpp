@@ -171,18 +171,29 @@ void ProjectPane::update_actions() {
 
 void ProjectPane::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu(this);
+    fill_menu(menu, model_.address(indexAt(event->pos())));
+    menu.exec(event->globalPos());
+}
+
+void ProjectPane::fill_menu(QMenu& menu, const SetupAddress& address) {
     menu.addMenu(make_add_menu(&menu));
-    const SetupAddress address = model_.address(indexAt(event->pos()));
     if (address.owner == SetupOwner::analysis && !address.id.empty())
         menu.addAction(icon(QStringLiteral("run")), tr("Run"), this, [this, address] {
             finish_typing();
             runner_.run(to_qt(address.id));
         });
-    if (address.owner == SetupOwner::asset && !address.id.empty())
+    if (address.owner == SetupOwner::asset && !address.id.empty()) {
         menu.addAction(tr("Keep in My Library"), this, [this, address] { keep_in_library(address); });
+        const QString asset = to_qt(address.id);
+        const std::optional<bool> shown = is_in_scene ? is_in_scene(asset) : std::nullopt;
+        QAction* show = menu.addAction(tr("Show in the Scene"), this,
+                                       [this, asset](bool wanted) { emit scene_wanted(asset, wanted); });
+        show->setCheckable(true);
+        show->setChecked(shown.value_or(false));
+        show->setEnabled(shown.has_value());
+    }
     menu.addSeparator();
     menu.addActions({duplicate_action, rename_action, delete_action});
-    menu.exec(event->globalPos());
 }
 
 }  // namespace covaria::ui

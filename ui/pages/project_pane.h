@@ -3,6 +3,7 @@
 
 #include <QTreeView>
 #include <functional>
+#include <optional>
 
 #include "core/made/analysis_templates.h"
 #include "ui/document/selection.h"
@@ -23,6 +24,9 @@ public:
     /// Asked before something is deleted; the question names what depends on it.
     std::function<bool(const QString& question, const QString& action)> confirm;
 
+    /// Whether the scene shows what an asset has in it; empty: it has nothing there.
+    std::function<std::optional<bool>(const QString& asset)> is_in_scene;
+
     QAction* duplicate_action;
     QAction* rename_action;
     QAction* delete_action;
@@ -40,11 +44,15 @@ public:
     /// Copies an asset into the user's library.
     void keep_in_library(const SetupAddress& address);
 
+    /// What can be done to an entry.
+    void fill_menu(QMenu& menu, const SetupAddress& address);
+
     /// That shows the names of entries whole; a title may be longer.
     int wanted_width() const;
 
 signals:
     void library_wanted();
+    void scene_wanted(const QString& asset, bool shown);
     /// Something to be told in passing.
     void message(const QString& text);
 

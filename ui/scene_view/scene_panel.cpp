@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/model/has_layout.h"
+#include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/icons.h"

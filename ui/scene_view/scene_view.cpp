@@ -8,6 +8,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -92,6 +93,27 @@ void SceneView::set_visibility(const Visibility& visibility) {
     if (visibility == visibility_) return;
     visibility_ = visibility;
     send_scene();
+}
+
+std::optional<bool> SceneView::shows_asset(const QString& asset) const {
+    const std::set<std::string> items =
+        whole_ ? items_of_asset(*whole_, to_std(asset)) : std::set<std::string>();
+    if (items.empty()) return {};
+    return std::ranges::any_of(items,
+                               [this](const std::string& id) { return find_item(*scene_, id) != nullptr; });
+}
+
+void SceneView::show_asset(const QString& asset, bool shown) {
+    if (!whole_) return;
+    Visibility visibility = visibility_;
+    for (const std::string& id : items_of_asset(*whole_, to_std(asset))) {
+        if (!shown)
+            visibility.hidden.insert(id);
+        else
+            visibility.hidden.erase(id);
+    }
+    if (shown) visibility.only.clear();
+    set_visibility(visibility);
 }
 
 void SceneView::send_scene() {

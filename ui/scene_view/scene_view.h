@@ -31,6 +31,9 @@ public:
     const Scene* scene() const { return scene_.get(); }
     void set_visibility(const Visibility& visibility);
     const Visibility& visibility() const { return visibility_; }
+    /// Whether anything that stands in the set-up of an asset is shown; empty: it has nothing in the scene.
+    std::optional<bool> shows_asset(const QString& asset) const;
+    void show_asset(const QString& asset, bool shown);
     void set_palette_kind(ScenePalette palette);
     void set_layers(const LayerVisibility& layers);
     void set_view(StandardView view);

@@ -77,4 +77,18 @@ Scene visible_part(Scene scene, const Visibility& visibility) {
     return scene;
 }
 
+std::set<std::string> items_of_asset(const Scene& scene, const std::string& asset) {
+    std::set<std::string> ids;
+    const auto add = [&](const auto& items) {
+        for (const auto& each : items)
+            if (each.item.source.asset == asset) ids.insert(each.item.id);
+    };
+    add(scene.frames);
+    add(scene.points);
+    add(scene.bodies);
+    add(scene.vectors);
+    add(scene.meshes);
+    return ids;
+}
+
 }  // namespace covaria

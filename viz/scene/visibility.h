@@ -20,4 +20,7 @@ struct Visibility {
 /// the scene does not have hides nothing, and is not shown alone.
 Scene visible_part(Scene scene, const Visibility& visibility);
 
+/// Ids of what stands in the set-up of an asset.
+std::set<std::string> items_of_asset(const Scene& scene, const std::string& asset);
+
 }  // namespace covaria

@@ -74,6 +74,35 @@ TEST_F(ViewSession, BodiesAreHiddenAndShownAlone) {
     EXPECT_TRUE(shows("body:base"));
 }
 
+TEST_F(ViewSession, TheTreeHidesAndShowsWhatAnAssetHasInTheScene) {
+    open(project_copy(QStringLiteral("lsm-network")));
+    ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
+    ASSERT_FALSE(scene_picture().isNull());
+    ProjectPane& tree = window_->project_pane();
+    const auto show_in_scene = [&tree](const QString& name) {
+        const auto found = tree.model()->match(tree.model()->index(0, 0), Qt::DisplayRole, name, 1,
+                                               Qt::MatchStartsWith | Qt::MatchRecursive);
+        ASSERT_FALSE(found.isEmpty()) << name.toStdString();
+        tree.scrollTo(found.first());
+        choose_from_context_menu(*tree.viewport(), tree.visualRect(found.first()).center(),
+                                 QStringLiteral("Show in the Scene"));
+    };
+    const AssetEntry* tracker = window_->document().project().find_asset("laser-tracker");
+    ASSERT_NE(tracker, nullptr);
+    const std::set<std::string> items = items_of_asset(*view().scene(), tracker->id);
+    ASSERT_FALSE(items.empty());
+    const auto shown = [&] {
+        return std::ranges::count_if(items, [this](const std::string& id) { return shows(id.c_str()); });
+    };
+    const QString name = to_qt(tracker->name);
+    show_in_scene(name);
+    EXPECT_EQ(shown(), 0);
+    EXPECT_EQ(view().shows_asset(to_qt(tracker->id)), false);
+    show_in_scene(name);
+    EXPECT_EQ(shown(), static_cast<long>(items.size()));
+    EXPECT_EQ(view().shows_asset(QStringLiteral("gone")), std::nullopt);
+}
+
 TEST_F(ViewSession, KeysHideWhatIsSelected) {
     view().select(QStringLiteral("body:base"));
     view().setFocus();
