@@ -15,6 +15,7 @@
 
 #include "core/text/round_numbers.h"
 #include "ui/scene_view/view_cube_painter.h"
+#include "ui/theme/strings.h"
 #include "viz/scene/pick.h"
 #include "viz/scene/saved_camera.h"
 
