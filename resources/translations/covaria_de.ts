@@ -11925,7 +11925,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>u law of prop.</source>
-        <translation>u Fortpflanzungsgesetz</translation>
+        <translation>u Fortpfl.-Gesetz</translation>
     </message>
     <message>
         <source>Clause 8</source>
@@ -11961,11 +11961,11 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>ellipsoid, law of prop.</source>
-        <translation>Ellipsoid, Fortpflanzungsgesetz</translation>
+        <translation>Ellipsoid, Fortpfl.-Gesetz</translation>
     </message>
     <message>
         <source>rectangle, law of prop.</source>
-        <translation>Quader, Fortpflanzungsgesetz</translation>
+        <translation>Quader, Fortpfl.-Gesetz</translation>
     </message>
     <message>
         <source>ellipsoid, Monte Carlo</source>
