@@ -6557,11 +6557,11 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>and %1 more like these</source>
-        <translation type="unfinished"></translation>
+        <translation>y otros %1 como estos</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was not written: %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; no se escribió: %2: %3</translation>
     </message>
     <message>
         <source>it cannot be opened</source>
@@ -6609,19 +6609,19 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; no se puede leer: %2</translation>
     </message>
     <message>
         <source>it is %1, not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>es %1, no un archivo</translation>
     </message>
     <message>
         <source>it is not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>no es un archivo</translation>
     </message>
     <message>
         <source>it is too large: files of up to %1 MB are read, it has %2 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>es demasiado grande: se leen archivos de hasta %1 MB, tiene %2 MB</translation>
     </message>
     <message>
         <source>it is a folder</source>
@@ -6629,7 +6629,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>unit &quot;%1&quot;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad &quot;%1&quot;: %2</translation>
     </message>
     <message>
         <source>a parenthesis is closed that was not opened.</source>
@@ -6669,7 +6669,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the unit is empty: write &quot;1&quot; for a pure number.</source>
-        <translation type="unfinished"></translation>
+        <translation>la unidad está vacía: escriba &quot;1&quot; para un número puro.</translation>
     </message>
     <message>
         <source> Known units, most of them with the prefixes of the SI: %1.</source>
@@ -6689,11 +6689,11 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>la probabilidad de cobertura debe estar entre 0 y 1.</translation>
     </message>
     <message>
         <source>the effective degrees of freedom must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>los grados efectivos de libertad deben ser mayores que 0.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is defined by itself here, directly or through other definitions; an equation that is to be solved is written &apos;solve %1 = 1: ... = ...&apos;, with a starting value</source>
@@ -6705,139 +6705,139 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is neither defined nor one of the quantities: give it a row in the table of quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; ni se define ni es una de las magnitudes: dele una fila en la tabla de magnitudes</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: its unit is K, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una diferencia de temperaturas: su unidad es K, no %2</translation>
     </message>
     <message>
         <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es un múltiplo de una temperatura: su unidad es K, no %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; sería una condición: una definición debe dar un número</translation>
     </message>
     <message>
         <source>%1 is %2, %3 is %4: they cannot be equal</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es %2, %3 es %4: no pueden ser iguales</translation>
     </message>
     <message>
         <source>the equations do not depend on the unknown &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>las ecuaciones no dependen de la incógnita &apos;%1&apos;</translation>
     </message>
     <message>
         <source>this equation does not depend on any unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>esta ecuación no depende de ninguna incógnita</translation>
     </message>
     <message>
         <source>this constant has no value (division by zero, or root of a negative number)</source>
-        <translation type="unfinished"></translation>
+        <translation>esta constante no tiene valor (división por cero, o raíz de un número negativo)</translation>
     </message>
     <message>
         <source>no equation defines &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna ecuación define &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is to be given in %2, but is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; ha de darse en %2, pero es %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2, which has no unit of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; es %2, que no tiene unidad propia</translation>
     </message>
     <message>
         <source>%1 is %2, %3 is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es %2, %3 es %4</translation>
     </message>
     <message>
         <source>they cannot be added</source>
-        <translation type="unfinished"></translation>
+        <translation>no se pueden sumar</translation>
     </message>
     <message>
         <source>they cannot be subtracted</source>
-        <translation type="unfinished"></translation>
+        <translation>no se pueden restar</translation>
     </message>
     <message>
         <source>%1 is %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es %2: %3</translation>
     </message>
     <message>
         <source>the exponent %1 is %2: an exponent must be a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>el exponente %1 es %2: un exponente debe ser un número puro</translation>
     </message>
     <message>
         <source>%1 is %2: its exponent must be a constant, or the dimension would vary</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es %2: su exponente debe ser una constante, o la dimensión variaría</translation>
     </message>
     <message>
         <source>atan2 needs two quantities of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>atan2 necesita dos magnitudes de la misma clase</translation>
     </message>
     <message>
         <source>a function of both needs quantities of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>una función de ambas necesita magnitudes de la misma clase</translation>
     </message>
     <message>
         <source>sin, cos and tan need an angle or a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>sin, cos y tan necesitan un ángulo o un número puro</translation>
     </message>
     <message>
         <source>an inverse function of an angle needs a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>una función inversa de un ángulo necesita un número puro</translation>
     </message>
     <message>
         <source>this function needs a pure number: divide by a quantity of the same kind</source>
-        <translation type="unfinished"></translation>
+        <translation>esta función necesita un número puro: divida por una magnitud de la misma clase</translation>
     </message>
     <message>
         <source>they cannot be compared</source>
-        <translation type="unfinished"></translation>
+        <translation>no se pueden comparar</translation>
     </message>
     <message>
         <source>%1 is not a condition: write a comparison, as in x &gt; 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no es una condición: escriba una comparación, como en x &gt; 0</translation>
     </message>
     <message>
         <source>a condition</source>
-        <translation type="unfinished"></translation>
+        <translation>una condición</translation>
     </message>
     <message>
         <source>a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>un número puro</translation>
     </message>
     <message>
         <source>measured in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>medido en %1</translation>
     </message>
     <message>
         <source>%1 is a temperature in degC, %2 a difference of temperatures: give differences in K</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una temperatura en degC, %2 una diferencia de temperaturas: dé las diferencias en K</translation>
     </message>
     <message>
         <source>%1 is a temperature in degC, and 0 has no unit: write 0 [degC], or 0 [K] for absolute zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una temperatura en degC, y 0 no tiene unidad: escriba 0 [degC], o 0 [K] para el cero absoluto</translation>
     </message>
     <message>
         <source>%1 is a sum of temperatures in degC, which means nothing: give differences in K, or divide the sum by the number of temperatures for their mean</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una suma de temperaturas en degC, que no significa nada: dé las diferencias en K, o divida la suma por el número de temperaturas para su media</translation>
     </message>
     <message>
         <source>%1 is not a condition: write a comparison, as in if(x &gt; 0, x, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no es una condición: escriba una comparación, como en if(x &gt; 0, x, 0)</translation>
     </message>
     <message>
         <source>both values of &apos;if&apos; must be numbers, not conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>ambos valores de &apos;if&apos; deben ser números, no condiciones</translation>
     </message>
     <message>
         <source>both values of &apos;if&apos; must be of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>ambos valores de &apos;if&apos; deben ser de la misma clase</translation>
     </message>
     <message>
         <source>%1 is a condition: use it as the first argument of if(...)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una condición: úsela como primer argumento de if(...)</translation>
     </message>
     <message>
         <source>the end of the equation</source>
@@ -6857,111 +6857,111 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>&apos;+&apos; stands here twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;+&apos; aparece aquí dos veces</translation>
     </message>
     <message>
         <source>the expression is nested more than %1 levels deep: split it into definitions</source>
-        <translation type="unfinished"></translation>
+        <translation>la expresión tiene más de %1 niveles de anidamiento: divídala en definiciones</translation>
     </message>
     <message>
         <source>a unit in brackets belongs behind a number: 20 [degC]</source>
-        <translation type="unfinished"></translation>
+        <translation>una unidad entre corchetes va detrás de un número: 20 [degC]</translation>
     </message>
     <message>
         <source>a number, a name or a parenthesis is expected here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aquí se espera un número, un nombre o un paréntesis, no %1</translation>
     </message>
     <message>
         <source>this parenthesis is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>este paréntesis no está cerrado</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a function: its argument follows in parentheses</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; es una función: su argumento sigue entre paréntesis</translation>
     </message>
     <message>
         <source>the word &apos;%1&apos; is not expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>aquí no se espera la palabra &apos;%1&apos;</translation>
     </message>
     <message>
         <source>an operator, a comma or &apos;)&apos; is expected here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aquí se espera un operador, una coma o &apos;)&apos;, no %1</translation>
     </message>
     <message>
         <source>this parenthesis closes nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>este paréntesis no cierra nada</translation>
     </message>
     <message>
         <source>an equation defines one name: write &apos;y = ...&apos;; to compare, write &apos;==&apos;; an equation that is to be solved starts with &apos;solve&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>una ecuación define un nombre: escriba &apos;y = ...&apos;; para comparar, escriba &apos;==&apos;; una ecuación que ha de resolverse empieza por &apos;solve&apos;</translation>
     </message>
     <message>
         <source>an operator is missing before %1</source>
-        <translation type="unfinished"></translation>
+        <translation>falta un operador antes de %1</translation>
     </message>
     <message>
         <source>%1 is not expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>aquí no se espera %1</translation>
     </message>
     <message>
         <source>an equation starts with the name that it defines: y = ...</source>
-        <translation type="unfinished"></translation>
+        <translation>una ecuación empieza por el nombre que define: y = ...</translation>
     </message>
     <message>
         <source>a name with its starting value is expected here: y = 1</source>
-        <translation type="unfinished"></translation>
+        <translation>aquí se espera un nombre con su valor inicial: y = 1</translation>
     </message>
     <message>
         <source>a function</source>
-        <translation type="unfinished"></translation>
+        <translation>una función</translation>
     </message>
     <message>
         <source>a word of the language</source>
-        <translation type="unfinished"></translation>
+        <translation>una palabra del lenguaje</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2: choose another name</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; es %2: elija otro nombre</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is defined twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; se define dos veces</translation>
     </message>
     <message>
         <source>a colon is expected before the equations to be solved: solve y = 1: y^2 = x</source>
-        <translation type="unfinished"></translation>
+        <translation>se esperan dos puntos antes de las ecuaciones que han de resolverse: solve y = 1: y^2 = x</translation>
     </message>
     <message>
         <source>%1 unknowns need as many equations; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 incógnitas necesitan otras tantas ecuaciones; hay %2</translation>
     </message>
     <message>
         <source>at most six unknowns can be solved together</source>
-        <translation type="unfinished"></translation>
+        <translation>se pueden resolver juntas como máximo seis incógnitas</translation>
     </message>
     <message>
         <source>an equals sign is expected in an equation to be solved</source>
-        <translation type="unfinished"></translation>
+        <translation>se espera un signo igual en una ecuación que ha de resolverse</translation>
     </message>
     <message>
         <source>line %1, column %2: </source>
-        <translation type="unfinished"></translation>
+        <translation>línea %1, columna %2: </translation>
     </message>
     <message>
         <source>line %1, columns %2-%3: </source>
-        <translation type="unfinished"></translation>
+        <translation>línea %1, columnas %2-%3: </translation>
     </message>
     <message>
         <source>this number is too large or too small to compute with</source>
-        <translation type="unfinished"></translation>
+        <translation>este número es demasiado grande o demasiado pequeño para calcular con él</translation>
     </message>
     <message>
         <source>the bracket of a unit is not closed: write &apos;]&apos; behind the unit</source>
-        <translation type="unfinished"></translation>
+        <translation>el corchete de una unidad no está cerrado: escriba &apos;]&apos; detrás de la unidad</translation>
     </message>
     <message>
         <source>the character &apos;%1&apos; does not belong in an equation</source>
-        <translation type="unfinished"></translation>
+        <translation>el carácter &apos;%1&apos; no puede estar en una ecuación</translation>
     </message>
     <message>
         <source>the equations have %1 characters; more than %2 are not read: put tables of data into assets or observations</source>
@@ -6969,35 +6969,35 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the coverage factor k must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>el factor de cobertura k debe ser mayor que cero</translation>
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 100 %</source>
-        <translation type="unfinished"></translation>
+        <translation>la probabilidad de cobertura debe estar entre 0 y 100 %</translation>
     </message>
     <message>
         <source>the limits give the estimate: leave the value empty, or state a half-width</source>
-        <translation type="unfinished"></translation>
+        <translation>los límites dan la estimación: deje vacío el valor, o indique una semianchura</translation>
     </message>
     <message>
         <source>the lower limit is above the upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>el límite inferior está por encima del superior</translation>
     </message>
     <message>
         <source>a relative part of the permissible error needs the value of the quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>una parte relativa del error permitido necesita el valor de la magnitud</translation>
     </message>
     <message>
         <source>an exponential distribution needs an estimate greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>una distribución exponencial necesita una estimación mayor que cero</translation>
     </message>
     <message>
         <source>the number of counts must be whole</source>
-        <translation type="unfinished"></translation>
+        <translation>el número de cuentas debe ser entero</translation>
     </message>
     <message>
         <source>the counts give the estimate: leave the value empty</source>
-        <translation type="unfinished"></translation>
+        <translation>las cuentas dan la estimación: deje vacío el valor</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not used by this statement: leave it empty</source>
@@ -7025,7 +7025,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>there is no statement &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna indicación &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not understood here</source>
@@ -7089,43 +7089,43 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>a Type A evaluation needs at least two observations.</source>
-        <translation type="unfinished"></translation>
+        <translation>una evaluación tipo A necesita al menos dos observaciones.</translation>
     </message>
     <message>
         <source>one of the observations is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>una de las observaciones no es un número finito.</translation>
     </message>
     <message>
         <source>there is no series to be pooled.</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna serie que agrupar.</translation>
     </message>
     <message>
         <source>the covariance of two means needs observations made in pairs: the series have different lengths.</source>
-        <translation type="unfinished"></translation>
+        <translation>la covarianza de dos medias necesita observaciones hechas por pares: las series tienen longitudes distintas.</translation>
     </message>
     <message>
         <source>the covariance of two means needs at least two pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>la covarianza de dos medias necesita al menos dos pares.</translation>
     </message>
     <message>
         <source>the components %1 and %2 are given two different correlations; a quantity that combines its components arithmetically needs +1 or -1.</source>
-        <translation type="unfinished"></translation>
+        <translation>se dan dos correlaciones distintas a las componentes %1 y %2; una magnitud que combina sus componentes aritméticamente necesita +1 o -1.</translation>
     </message>
     <message>
         <source>a correlation refers to component number %1 of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>una correlación remite a la componente número %1 de %2.</translation>
     </message>
     <message>
         <source>a correlation is given between the component %1 and itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>se da una correlación entre la componente %1 y ella misma.</translation>
     </message>
     <message>
         <source>the correlation of the components %1 and %2 must lie between -1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>la correlación de las componentes %1 y %2 debe estar entre -1 y 1.</translation>
     </message>
     <message>
         <source>the quantity &quot;%1&quot; refers to component number %2 of %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>la magnitud &quot;%1&quot; remite a la componente número %2 de %3.</translation>
     </message>
     <message>
         <source>the correlations of the components %1 contradict each other: the smallest eigenvalue of their correlation matrix is %2, it must not be negative.</source>
@@ -7145,107 +7145,107 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the components %1 and %2 cannot have the correlation %3: with these distributions it lies between %4 and %5.</source>
-        <translation type="unfinished"></translation>
+        <translation>las componentes %1 y %2 no pueden tener la correlación %3: con estas distribuciones está entre %4 y %5.</translation>
     </message>
     <message>
         <source>%1 distribution: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>distribución %1: %2</translation>
     </message>
     <message>
         <source>the %1 must be a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: debe ser un número finito.</translation>
     </message>
     <message>
         <source>the %1 is too large (at most 1e150).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: es demasiado grande (como máximo 1e150).</translation>
     </message>
     <message>
         <source>the %1 must not be negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: no debe ser negativo.</translation>
     </message>
     <message>
         <source>the %1 must lie between 0.001 and 1000000.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: debe estar entre 0.001 y 1000000.</translation>
     </message>
     <message>
         <source>the lower limit must not be greater than the upper limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>el límite inferior no debe ser mayor que el superior.</translation>
     </message>
     <message>
         <source>the degrees of freedom must be at least 0.2 (they may be infinite).</source>
-        <translation type="unfinished"></translation>
+        <translation>los grados de libertad deben ser al menos 0.2 (pueden ser infinitos).</translation>
     </message>
     <message>
         <source>the inexactness of the limits must not exceed half the distance between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>la inexactitud de los límites no debe superar la mitad de la distancia entre ellos.</translation>
     </message>
     <message>
         <source>the ratio beta of top to base must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>la razón beta de la base superior a la inferior debe estar entre 0 y 1.</translation>
     </message>
     <message>
         <source>one of the limits excludes every value.</source>
-        <translation type="unfinished"></translation>
+        <translation>uno de los límites excluye todo valor.</translation>
     </message>
     <message>
         <source>the mean value lies outside the limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>el valor medio está fuera de los límites.</translation>
     </message>
     <message>
         <source>the limits lie so far from the mean value that no probability is left between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>los límites están tan lejos del valor medio que no queda probabilidad entre ellos.</translation>
     </message>
     <message>
         <source>mean value of the logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>valor medio del logaritmo</translation>
     </message>
     <message>
         <source>the parameters of the logarithm are too large: the quantity has no finite variance in numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>los parámetros del logaritmo son demasiado grandes: la magnitud no tiene varianza finita en números.</translation>
     </message>
     <message>
         <source>a discrete distribution needs at least one value.</source>
-        <translation type="unfinished"></translation>
+        <translation>una distribución discreta necesita al menos un valor.</translation>
     </message>
     <message>
         <source>there must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>debe haber tantas probabilidades como valores.</translation>
     </message>
     <message>
         <source>values</source>
-        <translation type="unfinished"></translation>
+        <translation>valores</translation>
     </message>
     <message>
         <source>probabilities</source>
-        <translation type="unfinished"></translation>
+        <translation>probabilidades</translation>
     </message>
     <message>
         <source>the probabilities must sum to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>las probabilidades deben sumar 1.</translation>
     </message>
     <message>
         <source>discrete distribution: there must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>distribución discreta: debe haber tantas probabilidades como valores.</translation>
     </message>
     <message>
         <source>%1 distribution: %2 parameters are needed, %3 are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>distribución %1: se necesitan %2 parámetros, se dan %3.</translation>
     </message>
     <message>
         <source>the distribution &quot;%1&quot; is not known. Known distributions: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>no se conoce la distribución &quot;%1&quot;. Distribuciones conocidas: %2.</translation>
     </message>
     <message>
         <source>%1 in row %2 of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 en la fila %2 de %3</translation>
     </message>
     <message>
         <source>greater than %1 and at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>mayor que %1 y como máximo %2</translation>
     </message>
     <message>
         <source>between %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>entre %1 y %2</translation>
     </message>
     <message>
         <source>greater than %1</source>
@@ -7257,23 +7257,23 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>como máximo %1</translation>
     </message>
     <message>
         <source>%1 must be a whole number; it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 debe ser un número entero; es %2</translation>
     </message>
     <message>
         <source>%1 is too large a number: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es un número demasiado grande: %2</translation>
     </message>
     <message>
         <source>%1 must be %2; it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 debe ser %2; es %3</translation>
     </message>
     <message>
         <source>%1 must be one of %2; it is %3%4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 debe ser uno de %2; es %3%4</translation>
     </message>
     <message>
         <source>a number</source>
@@ -7281,15 +7281,15 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>un número entero</translation>
     </message>
     <message>
         <source>one of its choices</source>
-        <translation type="unfinished"></translation>
+        <translation>una de sus opciones</translation>
     </message>
     <message>
         <source>a text</source>
-        <translation type="unfinished"></translation>
+        <translation>un texto</translation>
     </message>
     <message>
         <source>true or false</source>
@@ -7297,31 +7297,31 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>una pose</translation>
     </message>
     <message>
         <source>a table</source>
-        <translation type="unfinished"></translation>
+        <translation>una tabla</translation>
     </message>
     <message>
         <source>the id of an asset</source>
-        <translation type="unfinished"></translation>
+        <translation>el id de un recurso</translation>
     </message>
     <message>
         <source>%1 must be %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 debe ser %2</translation>
     </message>
     <message>
         <source>%1 needs at least 1 row; it has %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 necesita al menos 1 fila; tiene %2</translation>
     </message>
     <message>
         <source>%1 needs at least %2 rows; it has %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 necesita al menos %2 filas; tiene %3</translation>
     </message>
     <message>
         <source>%1 has %2 columns, but %3 units</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene %2 columnas, pero %3 unidades</translation>
     </message>
     <message>
         <source>row %1 of %2 has %3 cells; there are %4 columns</source>
@@ -7329,31 +7329,31 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>%1 is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 está vacío</translation>
     </message>
     <message>
         <source>%1 must not be empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no debe estar vacío</translation>
     </message>
     <message>
         <source>%1 must be given (&apos;%2&apos; is missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 debe darse (falta &apos;%2&apos;)</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%1 [%4]&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>la columna &apos;%1&apos; de &apos;%2&apos; es %3; falta su unidad: escriba &quot;%1 [%4]&quot;</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; &apos;%4&apos; is the unit of %5</source>
-        <translation type="unfinished"></translation>
+        <translation>la columna &apos;%1&apos; de &apos;%2&apos; es %3; &apos;%4&apos; es la unidad de %5</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in K, not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>la columna &apos;%1&apos; de &apos;%2&apos; es una diferencia de temperaturas: dela en K, no en %3</translation>
     </message>
     <message>
         <source>there is no field &apos;%1&apos; here%2</source>
-        <translation type="unfinished"></translation>
+        <translation>aquí no hay ningún campo &apos;%1&apos;%2</translation>
     </message>
     <message>
         <source>a length</source>
@@ -7361,35 +7361,35 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>an area</source>
-        <translation type="unfinished"></translation>
+        <translation>un área</translation>
     </message>
     <message>
         <source>a volume</source>
-        <translation type="unfinished"></translation>
+        <translation>un volumen</translation>
     </message>
     <message>
         <source>a mass</source>
-        <translation type="unfinished"></translation>
+        <translation>una masa</translation>
     </message>
     <message>
         <source>a time</source>
-        <translation type="unfinished"></translation>
+        <translation>un tiempo</translation>
     </message>
     <message>
         <source>a frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>una frecuencia</translation>
     </message>
     <message>
         <source>an electric current</source>
-        <translation type="unfinished"></translation>
+        <translation>una corriente eléctrica</translation>
     </message>
     <message>
         <source>a temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>una temperatura</translation>
     </message>
     <message>
         <source>an expansion coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>un coeficiente de dilatación</translation>
     </message>
     <message>
         <source>an angle</source>
@@ -7397,99 +7397,99 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>a velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>una velocidad</translation>
     </message>
     <message>
         <source>an acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>una aceleración</translation>
     </message>
     <message>
         <source>a force</source>
-        <translation type="unfinished"></translation>
+        <translation>una fuerza</translation>
     </message>
     <message>
         <source>a moment</source>
-        <translation type="unfinished"></translation>
+        <translation>un momento</translation>
     </message>
     <message>
         <source>a pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>una presión</translation>
     </message>
     <message>
         <source>a stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>una rigidez</translation>
     </message>
     <message>
         <source>a voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>una tensión eléctrica</translation>
     </message>
     <message>
         <source>an electric resistance</source>
-        <translation type="unfinished"></translation>
+        <translation>una resistencia eléctrica</translation>
     </message>
     <message>
         <source>an electric charge</source>
-        <translation type="unfinished"></translation>
+        <translation>una carga eléctrica</translation>
     </message>
     <message>
         <source>a capacitance</source>
-        <translation type="unfinished"></translation>
+        <translation>una capacitancia</translation>
     </message>
     <message>
         <source>an inductance</source>
-        <translation type="unfinished"></translation>
+        <translation>una inductancia</translation>
     </message>
     <message>
         <source>a magnetic flux density</source>
-        <translation type="unfinished"></translation>
+        <translation>una densidad de flujo magnético</translation>
     </message>
     <message>
         <source>a magnetic flux</source>
-        <translation type="unfinished"></translation>
+        <translation>un flujo magnético</translation>
     </message>
     <message>
         <source>a power</source>
-        <translation type="unfinished"></translation>
+        <translation>una potencia</translation>
     </message>
     <message>
         <source>an amount of substance</source>
-        <translation type="unfinished"></translation>
+        <translation>una cantidad de sustancia</translation>
     </message>
     <message>
         <source>a luminous intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>una intensidad luminosa</translation>
     </message>
     <message>
         <source>an angular velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>una velocidad angular</translation>
     </message>
     <message>
         <source>a density</source>
-        <translation type="unfinished"></translation>
+        <translation>una densidad</translation>
     </message>
     <message>
         <source> (did you mean &apos;%1&apos;?)</source>
-        <translation type="unfinished"></translation>
+        <translation> (¿quiso decir &apos;%1&apos;?)</translation>
     </message>
     <message>
         <source>%1 must be a finite number; it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 debe ser un número finito; es %2</translation>
     </message>
     <message>
         <source>%1 is too large to be computed with (at most 1e100): it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es demasiado grande para calcular con él (como máximo 1e100): es %2</translation>
     </message>
     <message>
         <source>%1 is %2; %3 has no unit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es %2; %3 no tiene unidad</translation>
     </message>
     <message>
         <source>%1 is %2; %3 is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es %2; %3 es %4</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: give it in K, not in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una diferencia de temperaturas: dela en K, no en %2</translation>
     </message>
     <message>
         <source>the result does not represent the measurand: more than 1 % of the trials have no value</source>
@@ -7509,55 +7509,55 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the number of significant digits of the numerical tolerance must be 1, 2, 3 or 4</source>
-        <translation type="unfinished"></translation>
+        <translation>el número de cifras significativas de la tolerancia numérica debe ser 1, 2, 3 o 4</translation>
     </message>
     <message>
         <source>the numerical tolerance must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>la tolerancia numérica debe ser mayor que cero</translation>
     </message>
     <message>
         <source>the adaptive procedure needs at least two batches</source>
-        <translation type="unfinished"></translation>
+        <translation>el procedimiento adaptativo necesita al menos dos lotes</translation>
     </message>
     <message>
         <source>the adaptive procedure needs at least two batches: allow %1 trials or more</source>
-        <translation type="unfinished"></translation>
+        <translation>el procedimiento adaptativo necesita al menos dos lotes: permita %1 pruebas o más</translation>
     </message>
     <message>
         <source>a Monte Carlo run needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>una ejecución de Monte Carlo necesita al menos dos pruebas</translation>
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>la probabilidad de cobertura debe estar entre 0 y 1</translation>
     </message>
     <message>
         <source>the coverage probability is too near to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>la probabilidad de cobertura está demasiado cerca de 1</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>el factor de cobertura debe ser mayor que cero</translation>
     </message>
     <message>
         <source>one-at-a-time Monte Carlo needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo de uno en uno necesita al menos dos pruebas</translation>
     </message>
     <message>
         <source>Monte Carlo without a contributor needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo sin una contribución necesita al menos dos pruebas</translation>
     </message>
     <message>
         <source>Sobol indices need at least 100 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>los índices de Sobol necesitan al menos 100 pruebas</translation>
     </message>
     <message>
         <source>the evaluation was stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>se detuvo la evaluación</translation>
     </message>
     <message>
         <source>none of the trials has a value: the measurement model cannot be evaluated within the uncertainties of its inputs; check the standard uncertainties and the geometry</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna de las pruebas tiene valor: el modelo de medición no se puede evaluar dentro de las incertidumbres de sus entradas; compruebe las incertidumbres típicas y la geometría</translation>
     </message>
     <message>
         <source>the linear part explains %1 % of the variance: a gain of %2</source>
@@ -7569,51 +7569,51 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>no trial has a value</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna prueba tiene valor</translation>
     </message>
     <message>
         <source>the measurement model has no sensitivity coefficients near the estimates: second-order terms do not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>el modelo de medición no tiene coeficientes de sensibilidad cerca de las estimaciones: no existen términos de segundo orden</translation>
     </message>
     <message>
         <source>there are too many quantities for them</source>
-        <translation type="unfinished"></translation>
+        <translation>hay demasiadas magnitudes para ellos</translation>
     </message>
     <message>
         <source>the degrees of freedom of %1 must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>los grados de libertad de %1 deben ser mayores que cero</translation>
     </message>
     <message>
         <source>the degrees of freedom of %1 are too few: there must be at least 0.2</source>
-        <translation type="unfinished"></translation>
+        <translation>los grados de libertad de %1 son demasiado pocos: debe haber al menos 0,2</translation>
     </message>
     <message>
         <source>the distribution of %1 has no finite mean or standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>la distribución de %1 no tiene media o incertidumbre típica finita</translation>
     </message>
     <message>
         <source>the estimate of %1 is not a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>la estimación de %1 no es un número finito</translation>
     </message>
     <message>
         <source>quantity %1 refers to a component that does not exist, or with a factor that is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>la magnitud %1 remite a una componente que no existe, o con un factor que no es finito</translation>
     </message>
     <message>
         <source>the measurement model has %1 input quantities, but %2 were given</source>
-        <translation type="unfinished"></translation>
+        <translation>el modelo de medición tiene %1 magnitudes de entrada, pero se dieron %2</translation>
     </message>
     <message>
         <source>the measurement model has no output quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>el modelo de medición no tiene magnitudes de salida</translation>
     </message>
     <message>
         <source>its correlated components are not normally distributed</source>
-        <translation type="unfinished"></translation>
+        <translation>sus componentes correlacionadas no tienen distribución normal</translation>
     </message>
     <message>
         <source>its sensitivity coefficients are zero</source>
-        <translation type="unfinished"></translation>
+        <translation>sus coeficientes de sensibilidad son cero</translation>
     </message>
     <message>
         <source>no spread</source>
@@ -7645,11 +7645,11 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>Second-order terms are left out: the formula of JCGM 100 5.1.2 assumes independent components, and some of these are correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omiten los términos de segundo orden: la fórmula de JCGM 100 5.1.2 supone componentes independientes, y algunas de estas están correlacionadas.</translation>
     </message>
     <message>
         <source>Second-order terms are left out: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omiten los términos de segundo orden: %1.</translation>
     </message>
     <message>
         <source>%1 of %2 trials (%3 %) have no value (the measurement model cannot be evaluated there) and are not part of the statistics.</source>
@@ -7661,11 +7661,11 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>The adaptive procedure stopped at %1 trials before its results were stable: allow more trials, or ask for fewer significant digits.</source>
-        <translation type="unfinished"></translation>
+        <translation>El procedimiento adaptativo se detuvo en %1 pruebas antes de que sus resultados fueran estables: permita más pruebas, o pida menos cifras significativas.</translation>
     </message>
     <message>
         <source>Coverage intervals are interpolated in fine cells: there are too many trials to keep the values of the tails in memory.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los intervalos de cobertura se interpolan en celdas finas: hay demasiadas pruebas para mantener en memoria los valores de las colas.</translation>
     </message>
     <message>
         <source>The correlations stated cannot all hold with these distributions: the nearest that can are drawn, with coefficients that differ by up to %1.</source>
@@ -7673,39 +7673,39 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>The angle %1%2 is hardly determined: its standard uncertainty exceeds 1 rad.</source>
-        <translation type="unfinished"></translation>
+        <translation>El ángulo %1%2 apenas está determinado: su incertidumbre típica supera 1 rad.</translation>
     </message>
     <message>
         <source>Nothing is gained by variance reduction, and standard errors are not known: there are fewer than %1 batches of %2 trials.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se gana nada con la reducción de varianza, y no se conocen errores típicos: hay menos de %1 lotes de %2 pruebas.</translation>
     </message>
     <message>
         <source>Control variates are not used: the linear part of the trials that have a value has another distribution than that of all trials.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se usan variables de control: la parte lineal de las pruebas que tienen valor tiene otra distribución que la de todas las pruebas.</translation>
     </message>
     <message>
         <source>Without control variate: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin variable de control: %1.</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 does not exist, because a Student t distribution with two degrees of freedom or fewer has no finite standard deviation: it is shown as infinite, and U is half the width of the coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>La incertidumbre típica por Monte Carlo de %1 no existe, porque una distribución t de Student con dos grados de libertad o menos no tiene desviación típica finita: se muestra como infinita, y U es la mitad de la anchura del intervalo de cobertura.</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 cannot stabilise, because Student t distributions with four degrees of freedom or fewer have no finite fourth moment: the adaptive procedure judges by the coverage intervals; use these.</source>
-        <translation type="unfinished"></translation>
+        <translation>La incertidumbre típica por Monte Carlo de %1 no puede estabilizarse, porque las distribuciones t de Student con cuatro grados de libertad o menos no tienen cuarto momento finito: el procedimiento adaptativo juzga por los intervalos de cobertura; use estos.</translation>
     </message>
     <message>
         <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
-        <translation type="unfinished"></translation>
+        <translation>el modelo de medición no tiene valor en las estimaciones de sus magnitudes de entrada%1: compruebe la geometría nominal y los valores introducidos</translation>
     </message>
     <message>
         <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
-        <translation type="unfinished"></translation>
+        <translation>el modelo de medición no tiene coeficientes de sensibilidad en las estimaciones de sus magnitudes de entrada%1: no es derivable ahí (geometría singular)</translation>
     </message>
     <message>
         <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los grados efectivos de libertad son aproximados: la fórmula de Welch-Satterthwaite supone componentes independientes, y contribuyen componentes correlacionadas con grados de libertad finitos. El intervalo de cobertura de Monte Carlo es mejor guía.</translation>
     </message>
     <message>
         <source>1 vector of random direction has coordinates with different distributions after editing: they are drawn independently.</source>
@@ -7717,7 +7717,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>The angle %1 is hardly determined: its standard uncertainty by the law of propagation exceeds 1 rad.</source>
-        <translation type="unfinished"></translation>
+        <translation>El ángulo %1 apenas está determinado: su incertidumbre típica por la ley de propagación supera 1 rad.</translation>
     </message>
     <message>
         <source>a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)</source>
@@ -7725,43 +7725,43 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>to correct the bias of coordinate %1, give the number of observations n in its row: the uncertainty of the correction is u_var/sqrt(n)</source>
-        <translation type="unfinished"></translation>
+        <translation>para corregir el sesgo de la coordenada %1, dé en su fila el número de observaciones n: la incertidumbre de la corrección es u_var/sqrt(n)</translation>
     </message>
     <message>
         <source>there are two points called &apos;%1&apos;; rename one</source>
-        <translation type="unfinished"></translation>
+        <translation>hay dos puntos llamados &apos;%1&apos;; cambie el nombre de uno</translation>
     </message>
     <message>
         <source>there is no calibrated point called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ningún punto calibrado llamado &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must consist of the letters x, y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; debe formarse con las letras x, y y z</translation>
     </message>
     <message>
         <source>coordinate %1 has fewer than two observations that do not define the frame: measure more points or runs</source>
-        <translation type="unfinished"></translation>
+        <translation>la coordenada %1 tiene menos de dos observaciones que no definen el sistema: mida más puntos o series</translation>
     </message>
     <message>
         <source>coordinate %1 has %2 rows; it must have one</source>
-        <translation type="unfinished"></translation>
+        <translation>la coordenada %1 tiene %2 filas; debe tener una</translation>
     </message>
     <message>
         <source>the length standard needs at least two observations</source>
-        <translation type="unfinished"></translation>
+        <translation>el patrón de longitud necesita al menos dos observaciones</translation>
     </message>
     <message>
         <source>the table must have one row; it has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>la tabla debe tener una fila; tiene %1</translation>
     </message>
     <message>
         <source>the analysis has no point called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>el análisis no tiene ningún punto llamado &apos;%1&apos;</translation>
     </message>
     <message>
         <source>point %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>punto %1: %2</translation>
     </message>
     <message>
         <source>it is at the place of the instrument</source>
@@ -7773,23 +7773,23 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>correlated coordinates of a station are combinations of independent deviations, which are normal: leave the distribution normal, or the correlation out</source>
-        <translation type="unfinished"></translation>
+        <translation>las coordenadas correlacionadas de una estación son combinaciones de desviaciones independientes, que son normales: deje la distribución normal, o quite la correlación</translation>
     </message>
     <message>
         <source>a coordinate of the station is correlated with itself; name two different ones</source>
-        <translation type="unfinished"></translation>
+        <translation>una coordenada de la estación está correlacionada consigo misma; nombre dos distintas</translation>
     </message>
     <message>
         <source>the range ends before it begins: the longest distance must be greater than the shortest</source>
-        <translation type="unfinished"></translation>
+        <translation>el alcance termina antes de empezar: la distancia mayor debe ser mayor que la menor</translation>
     </message>
     <message>
         <source>the sensor reads nothing: choose a distance or an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>el sensor no lee nada: elija una distancia o un ángulo</translation>
     </message>
     <message>
         <source>these coefficients are not possible together: their matrix has a negative eigenvalue</source>
-        <translation type="unfinished"></translation>
+        <translation>estos coeficientes no son posibles juntos: su matriz tiene un autovalor negativo</translation>
     </message>
     <message>
         <source>it is at the place of %1</source>
@@ -7805,91 +7805,91 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the readings do not lead to a position of every target: the estimation does not converge from the nominal coordinates; look for exchanged or mistyped readings</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas no llevan a una posición de cada diana: la estimación no converge desde las coordenadas nominales; busque lecturas intercambiadas o mal escritas</translation>
     </message>
     <message>
         <source>%1 looks away from target %2: its angles point to the opposite side</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mira en sentido opuesto a la diana %2: sus ángulos señalan al lado contrario</translation>
     </message>
     <message>
         <source>there is no target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna diana %1</translation>
     </message>
     <message>
         <source>%1 does not see target %2: it is out of its range or field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no ve la diana %2: está fuera de su alcance o campo de visión</translation>
     </message>
     <message>
         <source>%1 does not see %2 of the %3 targets: they are out of its range or field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no ve %2 de las %3 dianas: están fuera de su alcance o campo de visión</translation>
     </message>
     <message>
         <source>the sensor %1 is not listed in the network</source>
-        <translation type="unfinished"></translation>
+        <translation>el sensor %1 no figura en la red</translation>
     </message>
     <message>
         <source>%1 reads no %2 according to its description</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no lee %2 según su descripción</translation>
     </message>
     <message>
         <source>more than %1 rows for target %2</source>
-        <translation type="unfinished"></translation>
+        <translation>más de %1 filas para la diana %2</translation>
     </message>
     <message>
         <source>target %1 is at the place of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>la diana %1 está en el lugar de %2</translation>
     </message>
     <message>
         <source>target %1 is behind the camera %2</source>
-        <translation type="unfinished"></translation>
+        <translation>la diana %1 está detrás de la cámara %2</translation>
     </message>
     <message>
         <source>a network has at most %1 sensors; divide it into several analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>una red tiene como máximo %1 sensores; divídala en varios análisis</translation>
     </message>
     <message>
         <source>two targets are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dos dianas se llaman %1</translation>
     </message>
     <message>
         <source>a distance needs two targets at different places</source>
-        <translation type="unfinished"></translation>
+        <translation>una distancia necesita dos dianas en lugares distintos</translation>
     </message>
     <message>
         <source>a calibrated length needs two targets at different places</source>
-        <translation type="unfinished"></translation>
+        <translation>una longitud calibrada necesita dos dianas en lugares distintos</translation>
     </message>
     <message>
         <source>the calibrated length is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta la longitud calibrada</translation>
     </message>
     <message>
         <source>the nominal targets of the %1 are at another distance than its calibrated length; the design takes their distance</source>
-        <translation type="unfinished"></translation>
+        <translation>las dianas nominales de %1 están a otra distancia que su longitud calibrada; el diseño toma la distancia de ellas</translation>
     </message>
     <message>
         <source>a calibrated length can be a constraint only of the non-linear estimator with weights from readings and stations</source>
-        <translation type="unfinished"></translation>
+        <translation>una longitud calibrada solo puede ser restricción del estimador no lineal con pesos de lecturas y estaciones</translation>
     </message>
     <message>
         <source>the targets of the %1 belong to two set-ups, which are estimated one after the other: it can only be a check</source>
-        <translation type="unfinished"></translation>
+        <translation>las dianas de %1 pertenecen a dos estacionamientos, que se estiman uno tras otro: solo puede ser una comprobación</translation>
     </message>
     <message>
         <source>the targets of an angle must be at three places off one line: at 0° and 180° an angle has no sign and no derivative</source>
-        <translation type="unfinished"></translation>
+        <translation>las dianas de un ángulo deben estar en tres lugares fuera de una recta: a 0° y 180° un ángulo no tiene signo ni derivada</translation>
     </message>
     <message>
         <source>the name %1 is taken by another frame or a target</source>
-        <translation type="unfinished"></translation>
+        <translation>el nombre %1 ya lo tiene otro sistema o una diana</translation>
     </message>
     <message>
         <source>the three targets of frame %1 lie on one line: its axes are undefined</source>
-        <translation type="unfinished"></translation>
+        <translation>las tres dianas del sistema %1 están en una recta: sus ejes no están definidos</translation>
     </message>
     <message>
         <source>the x-axis of frame %1 is vertical: its Z-Y-X angles are undefined (gimbal lock)</source>
-        <translation type="unfinished"></translation>
+        <translation>el eje x del sistema %1 es vertical: sus ángulos Z-Y-X no están definidos (bloqueo de cardán)</translation>
     </message>
     <message>
         <source>scale bar %1 – %2</source>
@@ -7897,11 +7897,11 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the sensor %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>el sensor %1 figura dos veces</translation>
     </message>
     <message>
         <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or figures of the instruments that are too small</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Los residuos son mayores de lo que permiten las incertidumbres; el mayor para su incertidumbre es %2. Busque lecturas mal escritas o intercambiadas, o cifras de los instrumentos demasiado pequeñas</translation>
     </message>
     <message>
         <source>distance of %1 by %2</source>
@@ -7929,59 +7929,59 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>target %1 has no linear equations that localise it (a distance without angles has none): use the non-linear estimator</source>
-        <translation type="unfinished"></translation>
+        <translation>la diana %1 no tiene ecuaciones lineales que la localicen (una distancia sin ángulos no las tiene): use el estimador no lineal</translation>
     </message>
     <message>
         <source>target %1 cannot be localised from what %2 read: the readings leave a direction undetermined; add a sensor or a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>la diana %1 no se puede localizar con lo que leen %2: las lecturas dejan indeterminada una dirección; añada un sensor o una lectura</translation>
     </message>
     <message>
         <source>target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m</source>
-        <translation type="unfinished"></translation>
+        <translation>la diana %1 apenas se localiza: en una dirección u es %2 m a una distancia de %3 m</translation>
     </message>
     <message>
         <source>the stations that measure target %1 lie in one plane and read distances only: its mirror image behind that plane fits as well; the one near the nominal coordinates is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>las estaciones que miden la diana %1 están en un plano y solo leen distancias: su imagen especular tras ese plano también se ajusta; se toma la próxima a las coordenadas nominales</translation>
     </message>
     <message>
         <source>a calibrated length cannot be a constraint of a set-up with more than %1 readings (this one has %2): make it a check</source>
-        <translation type="unfinished"></translation>
+        <translation>una longitud calibrada no puede ser restricción de un estacionamiento con más de %1 lecturas (este tiene %2): hágala comprobación</translation>
     </message>
     <message>
         <source>the %1 readings of one set-up are too many to be weighed together: each target is estimated from its own readings, weighted with the stations</source>
-        <translation type="unfinished"></translation>
+        <translation>las %1 lecturas de un estacionamiento son demasiadas para ponderarlas juntas: cada diana se estima con sus propias lecturas, ponderadas con las estaciones</translation>
     </message>
     <message>
         <source>the standard uncertainty of a coordinate, %1 mm, is more than a tenth of the distance of point %2 from the x-axis, %3 mm: the law of propagation is not reliable here, look at Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>la incertidumbre típica de una coordenada, %1 mm, es más de la décima parte de la distancia del punto %2 al eje x, %3 mm: la ley de propagación no es fiable aquí, mire Monte Carlo</translation>
     </message>
     <message>
         <source>the frame made from these points lies %1 mm and %2° away from the axes in which they are given, so results differ from the table of poses; check the side of point 3 and the shift of the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>el sistema formado por estos puntos está a %1 mm y %2° de los ejes en que se dan, por lo que los resultados difieren de la tabla de poses; compruebe el lado del punto 3 y el desplazamiento del origen</translation>
     </message>
     <message>
         <source>%1: beta is within 2° of ±90°, where Z-Y-X angles are undefined (gimbal lock); state the orientation as a rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: beta está a menos de 2° de ±90°, donde los ángulos Z-Y-X no están definidos (bloqueo de cardán); indique la orientación como vector de rotación</translation>
     </message>
     <message>
         <source>%1: beta is within 2° of 0° or 180°, where Z-Y-Z angles are undefined (gimbal lock); state the orientation as Z-Y-X angles or a rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: beta está a menos de 2° de 0° o 180°, donde los ángulos Z-Y-Z no están definidos (bloqueo de cardán); indique la orientación como ángulos Z-Y-X o vector de rotación</translation>
     </message>
     <message>
         <source>%1: the rotation is within 4° of half a turn, where the sign of the axis is undefined; state the orientation as angles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: la rotación está a menos de 4° de media vuelta, donde el signo del eje no está definido; indique la orientación como ángulos</translation>
     </message>
     <message>
         <source>the analysis %1 has no point called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>el análisis %1 no tiene ningún punto llamado &apos;%2&apos;</translation>
     </message>
     <message>
         <source>point %1 cannot be measured by %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>el punto %1 no puede ser medido por %2: %3</translation>
     </message>
     <message>
         <source>the 3-2-1 method uses the first three points; point %1 and those after it are not used: choose least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>el método 3-2-1 usa los tres primeros puntos; el punto %1 y los siguientes no se usan: elija mínimos cuadrados</translation>
     </message>
     <message>
         <source>the base frame is undefined</source>
@@ -7993,19 +7993,19 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>points %1 and %2 coincide: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos %1 y %2 coinciden: %3</translation>
     </message>
     <message>
         <source>point %1 lies on the line through %2 and %3: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>el punto %1 está en la recta por %2 y %3: %4</translation>
     </message>
     <message>
         <source>all points lie on one line or coincide: their frame is undefined</source>
-        <translation type="unfinished"></translation>
+        <translation>todos los puntos están en una recta o coinciden: su sistema no está definido</translation>
     </message>
     <message>
         <source>not used: the uncertainties come from an artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>no se usa: las incertidumbres proceden de un patrón o instrumento</translation>
     </message>
     <message>
         <source>there are two poses called &apos;%1&apos;; rename one</source>
@@ -8013,19 +8013,19 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>no pose may be called &apos;base&apos;: that names the base among the measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna pose puede llamarse &apos;base&apos;: eso nombra la base entre los puntos medidos</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is neither &apos;base&apos; nor the name of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; no es ni &apos;base&apos; ni el nombre de una pose</translation>
     </message>
     <message>
         <source>there is no point called &apos;%1&apos; in that frame</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ningún punto llamado &apos;%1&apos; en ese sistema</translation>
     </message>
     <message>
         <source>point %1 of &apos;%2&apos; was not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>el punto %1 de &apos;%2&apos; no se midió</translation>
     </message>
     <message>
         <source>the mirrored coordinates leave %1 instead of %2: frame 0 is left-handed, check the signs and the order of its axes</source>
@@ -8053,11 +8053,11 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the lengths of support %1 do not meet at its height: they miss by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>las longitudes del apoyo %1 no se encuentran a su altura: fallan en %2</translation>
     </message>
     <message>
         <source>a set has at most %1 supports</source>
-        <translation type="unfinished"></translation>
+        <translation>un conjunto tiene como máximo %1 apoyos</translation>
     </message>
     <message>
         <source>the rotation about %1</source>
@@ -8065,51 +8065,51 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>%1 has %2 points; a plane needs three, and some more to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene %2 puntos; un plano necesita tres, y alguno más para comprobarlo</translation>
     </message>
     <message>
         <source>%1 has a span of zero: all its points coincide</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene recorrido cero: todos sus puntos coinciden</translation>
     </message>
     <message>
         <source>the tool centre point lies on the axis of %1 (or the tool has no length): it traces no circle; turn about another axis</source>
-        <translation type="unfinished"></translation>
+        <translation>el centro de la herramienta está en el eje de %1 (o la herramienta no tiene longitud): no traza círculo; gire alrededor de otro eje</translation>
     </message>
     <message>
         <source>the arc of %1 spans only %2°: uncertainties grow as the inverse square of the span and may be %3 times those of half a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>el arco de %1 abarca solo %2°: las incertidumbres crecen con el inverso del cuadrado del recorrido y pueden ser %3 veces las de media vuelta</translation>
     </message>
     <message>
         <source>point %1 is %2 mm on the other side of the supports&apos; plane, where the ballbars look for no solution; change their placement or their side</source>
-        <translation type="unfinished"></translation>
+        <translation>el punto %1 está %2 mm al otro lado del plano de los apoyos, donde las ballbars no buscan solución; cambie su colocación o su lado</translation>
     </message>
     <message>
         <source>point %1 is only %2 mm from the supports&apos; plane, with a standard uncertainty of %3 mm in that direction: in some trials the lengths will not meet (negative root), and u is not to be trusted</source>
-        <translation type="unfinished"></translation>
+        <translation>el punto %1 está a solo %2 mm del plano de los apoyos, con una incertidumbre típica de %3 mm en esa dirección: en algunas pruebas las longitudes no se encontrarán (raíz negativa), y u no es de fiar</translation>
     </message>
     <message>
         <source>the measured points determine no sphere and no axes: they lie on one circle, or coincide; check their axes and angles</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos medidos no determinan esfera ni ejes: están en un círculo, o coinciden; compruebe sus ejes y ángulos</translation>
     </message>
     <message>
         <source>a procedure has at most %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>un procedimiento tiene como máximo %1 puntos</translation>
     </message>
     <message>
         <source>two points are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dos puntos se llaman %1</translation>
     </message>
     <message>
         <source>the flange turns about %1 in two rotations; put their points into one</source>
-        <translation type="unfinished"></translation>
+        <translation>la brida gira alrededor de %1 en dos rotaciones; ponga sus puntos en una</translation>
     </message>
     <message>
         <source>one rotation traces one circle, which leaves the centre of the flange and its axes undetermined: add a rotation about another axis</source>
-        <translation type="unfinished"></translation>
+        <translation>una rotación traza un círculo, que deja indeterminados el centro de la brida y sus ejes: añada una rotación alrededor de otro eje</translation>
     </message>
     <message>
         <source>no rotation measures axis %1: choose another way to make the axes, or add the rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna rotación mide el eje %1: elija otra forma de construir los ejes, o añada la rotación</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not offer &apos;%2&apos;</source>
@@ -8137,15 +8137,15 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>no joint leads to a link called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna articulación lleva a un eslabón llamado %1</translation>
     </message>
     <message>
         <source>no moving joint leads to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna articulación móvil lleva a %1</translation>
     </message>
     <message>
         <source>the links form a ring; URDF describes trees</source>
-        <translation type="unfinished"></translation>
+        <translation>los eslabones forman un anillo; URDF describe árboles</translation>
     </message>
     <message>
         <source>joint %1 on the way to %2 is of the type %3: freeze it, --freeze %1=0</source>
@@ -8185,11 +8185,11 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the file has no moving joint</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo no tiene ninguna articulación móvil</translation>
     </message>
     <message>
         <source>the file has several arms of equal length, ending at %1 and %2: name the tip link of the one to import</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo tiene varios brazos de igual longitud, que terminan en %1 y %2: nombre el eslabón final del que se importa</translation>
     </message>
     <message>
         <source>frozen: %1</source>
@@ -8197,47 +8197,47 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not three numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; no son tres números</translation>
     </message>
     <message>
         <source>joint %1 does not say which links it joins</source>
-        <translation type="unfinished"></translation>
+        <translation>la articulación %1 no dice qué eslabones une</translation>
     </message>
     <message>
         <source>joint %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>articulación %1: %2</translation>
     </message>
     <message>
         <source>joint %1: its axis has no direction</source>
-        <translation type="unfinished"></translation>
+        <translation>articulación %1: su eje no tiene dirección</translation>
     </message>
     <message>
         <source>not readable as XML: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no se puede leer como XML: %1</translation>
     </message>
     <message>
         <source>no URDF: its root element &lt;robot&gt; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>no es URDF: falta su elemento raíz &lt;robot&gt;</translation>
     </message>
     <message>
         <source>the file has xacro macros: expand them first (xacro FILE &gt; arm.urdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo tiene macros xacro: expándalas antes (xacro FILE &gt; arm.urdf)</translation>
     </message>
     <message>
         <source>link %1 hangs on two joints; URDF describes trees</source>
-        <translation type="unfinished"></translation>
+        <translation>el eslabón %1 cuelga de dos articulaciones; URDF describe árboles</translation>
     </message>
     <message>
         <source>there is no joint %1 to freeze%2</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna articulación %1 que congelar%2</translation>
     </message>
     <message>
         <source>joint %1 does not move, or is frozen twice</source>
-        <translation type="unfinished"></translation>
+        <translation>la articulación %1 no se mueve, o se congela dos veces</translation>
     </message>
     <message>
         <source>joint %1 is of the type %2: it can be frozen at 0 only</source>
-        <translation type="unfinished"></translation>
+        <translation>la articulación %1 es del tipo %2: solo puede congelarse en 0</translation>
     </message>
     <message>
         <source>frozen at %1, beyond its limits</source>
@@ -8249,7 +8249,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>an arm has at most %1 joints here</source>
-        <translation type="unfinished"></translation>
+        <translation>un brazo tiene aquí como máximo %1 articulaciones</translation>
     </message>
     <message>
         <source>joint %1 slides: state its readings as lengths, in the columns of s</source>
@@ -8265,59 +8265,59 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>only the convention with Ry(beta) has a beta; leave it empty for %1, or choose that convention</source>
-        <translation type="unfinished"></translation>
+        <translation>solo la convención con Ry(beta) tiene beta; déjelo vacío para %1, o elija esa convención</translation>
     </message>
     <message>
         <source>d and beta of %1 describe the same place of a parallel axis: where beta is given, d is 0 by definition</source>
-        <translation type="unfinished"></translation>
+        <translation>d y beta de %1 describen el mismo lugar de un eje paralelo: donde se da beta, d es 0 por definición</translation>
     </message>
     <message>
         <source>the lowest reading of %1 is not below its highest</source>
-        <translation type="unfinished"></translation>
+        <translation>la lectura mínima de %1 no es menor que la máxima</translation>
     </message>
     <message>
         <source>the robot has no joint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>el robot no tiene la articulación %1</translation>
     </message>
     <message>
         <source>%1 is 0 by definition, because the axis is parallel to the next</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es 0 por definición, porque el eje es paralelo al siguiente</translation>
     </message>
     <message>
         <source>%1 is no parameter of this robot: give beta in the table of joints where axes are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no es un parámetro de este robot: dé beta en la tabla de articulaciones donde los ejes son paralelos</translation>
     </message>
     <message>
         <source>a parameter is correlated with itself; name two different ones</source>
-        <translation type="unfinished"></translation>
+        <translation>un parámetro está correlacionado consigo mismo; nombre dos distintos</translation>
     </message>
     <message>
         <source>there is no parameter &apos;%1&apos; with an uncertainty; write its symbol, such as d_3</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ningún parámetro &apos;%1&apos; con incertidumbre; escriba su símbolo, como d_3</translation>
     </message>
     <message>
         <source>%1 has several components of uncertainty: give it one, the combined, so that it can be correlated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene varias componentes de incertidumbre: dele una, la combinada, para que pueda correlacionarse</translation>
     </message>
     <message>
         <source>there is no pose: give joint readings or a place of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna pose: dé lecturas de articulaciones o un lugar de la herramienta</translation>
     </message>
     <message>
         <source>two poses are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dos poses se llaman %1</translation>
     </message>
     <message>
         <source>pose %1: reading %2 of joint %3 is beyond its limits, %4 to %5</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: la lectura %2 de la articulación %3 está más allá de sus límites, %4 a %5</translation>
     </message>
     <message>
         <source>pose %1: the orientation is within 2° of one that %2 cannot state (gimbal lock, half turn); state it otherwise</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: la orientación está a menos de 2° de una que %2 no puede indicar (bloqueo de cardán, media vuelta); indíquela de otro modo</translation>
     </message>
     <message>
         <source>%1 has only %2 joints; leave %3 empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 solo tiene %2 articulaciones; deje %3 vacío</translation>
     </message>
     <message>
         <source>joint %1 of %2 slides: its reading is %3</source>
@@ -8329,7 +8329,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>pose %1: give all three angles or none</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: dé los tres ángulos o ninguno</translation>
     </message>
     <message>
         <source>pose %1: no readings within the limits of the joints bring the tool there; the nearest attempt misses the place by %2 but not the orientation</source>
@@ -8377,55 +8377,55 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the chain to %1 has %2 moving joints; an arm has at most %3 here: freeze those before the arm, --freeze %4=0</source>
-        <translation type="unfinished"></translation>
+        <translation>la cadena hasta %1 tiene %2 articulaciones móviles; un brazo tiene aquí como máximo %3: congele las anteriores al brazo, --freeze %4=0</translation>
     </message>
     <message>
         <source>pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). Look at this pose first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: el residuo de su %2 es %3 veces su incertidumbre típica (límite %4). Mire primero esta pose; resérvela con use = check</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the uncertainties of points and readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
-        <translation type="unfinished"></translation>
+        <translation>los residuos son %1 veces mayores de lo que explican las incertidumbres de puntos y lecturas: hay algo más (elasticidad de una articulación, temperatura, un valor atípico), y la incertidumbre de los parámetros se indica demasiado pequeña</translation>
     </message>
     <message>
         <source>these poses hardly tell %1 apart (condition %2): turn more joints further, or hold one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>estas poses apenas distinguen %1 (condición %2): gire más articulaciones más lejos, o fije uno de ellos</translation>
     </message>
     <message>
         <source>no parameter of the arm can be told from these poses: every one of them is coupled with others or held</source>
-        <translation type="unfinished"></translation>
+        <translation>con estas poses no se puede hallar ningún parámetro del brazo: cada uno está acoplado con otros o fijado</translation>
     </message>
     <message>
         <source>the poses of the fit give %1 coordinates, no more than there are unknowns to find: measure more poses, or hold parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>las poses del ajuste dan %1 coordenadas, no más que incógnitas por hallar: mida más poses, o fije parámetros</translation>
     </message>
     <message>
         <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, and for a nominal robot that is another arm</source>
-        <translation type="unfinished"></translation>
+        <translation>el ajuste no converge: busque poses intercambiadas, lecturas de signo contrario o en otra unidad, y un robot nominal que sea otro brazo</translation>
     </message>
     <message>
         <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
-        <translation type="unfinished"></translation>
+        <translation>en la solución las incógnitas no se pueden distinguir; fije una de las que nombra la tabla de observabilidad</translation>
     </message>
     <message>
         <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>la articulación %1 se desliza: solo se identifican brazos cuyas articulaciones giran; tome un brazo sin ella, tal como está durante la medición</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>el ajuste tiene %1 poses; necesita tres o más, y unas veinte para hallar todos los parámetros</translation>
     </message>
     <message>
         <source>the robot has only %1 joints; leave %2 empty</source>
-        <translation type="unfinished"></translation>
+        <translation>el robot solo tiene %1 articulaciones; deje %2 vacío</translation>
     </message>
     <message>
         <source>pose %1: its orientation is missing; give alpha, beta and gamma of every pose, or fit positions alone</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: falta su orientación; dé alpha, beta y gamma de cada pose, o ajuste solo posiciones</translation>
     </message>
     <message>
         <source>the robot has no parameter &apos;%1&apos; to hold; write its symbol, such as d_3</source>
-        <translation type="unfinished"></translation>
+        <translation>el robot no tiene ningún parámetro &apos;%1&apos; que fijar; escriba su símbolo, como d_3</translation>
     </message>
     <message>
         <source>rotation about %1</source>
@@ -8441,11 +8441,11 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the points do not lead to parameters of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos no llevan a parámetros del brazo</translation>
     </message>
     <message>
         <source>the points of %1 run against the positive direction of the joint: reverse their order, or give its readings</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos de %1 van contra el sentido positivo de la articulación: invierta su orden, o dé sus lecturas</translation>
     </message>
     <message>
         <source>the axes of joints %1 and %2</source>
@@ -8453,211 +8453,211 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>%1 are nearly parallel (%2): they are described by beta with d = 0, because the place of their common perpendicular is hardly determined</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 son casi paralelos (%2): se describen con beta y d = 0, porque el lugar de su perpendicular común apenas está determinado</translation>
     </message>
     <message>
         <source>%1 are %2 apart: they are described by d without beta, although the nominal robot has beta</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 están a %2: se describen con d y sin beta, aunque el robot nominal tiene beta</translation>
     </message>
     <message>
         <source>the axes of joints %1 and %2 are the same line: nothing tells their frames apart</source>
-        <translation type="unfinished"></translation>
+        <translation>los ejes de las articulaciones %1 y %2 son la misma recta: nada distingue sus sistemas</translation>
     </message>
     <message>
         <source>parameters are identified by Eq 5: describe the nominal robot in that convention, not in Craig&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>los parámetros se identifican por la ec. 5: describa el robot nominal en esa convención, no en la de Craig</translation>
     </message>
     <message>
         <source>joint %1 slides and draws no circle: take an arm without it, as it stands during the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>la articulación %1 se desliza y no traza círculo: tome un brazo sin ella, tal como está durante la medición</translation>
     </message>
     <message>
         <source>an arm of one joint has no parameters between two axes</source>
-        <translation type="unfinished"></translation>
+        <translation>un brazo de una articulación no tiene parámetros entre dos ejes</translation>
     </message>
     <message>
         <source>the robot has no %1</source>
-        <translation type="unfinished"></translation>
+        <translation>el robot no tiene %1</translation>
     </message>
     <message>
         <source>%1 has %2 points; a circle needs three or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene %2 puntos; un círculo necesita tres o más</translation>
     </message>
     <message>
         <source>the ball hardly moves while %1 turns: it lies on the axis of that joint and draws no circle. Fix the ball off the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>la bola apenas se mueve mientras gira %1: está en el eje de esa articulación y no traza círculo. Fije la bola fuera del eje</translation>
     </message>
     <message>
         <source>the points of %1 lie on a straight line, as far as their uncertainty lets it be seen: no circle goes through them. Turn the joint further</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos de %1 están en una recta, hasta donde su incertidumbre deja ver: ningún círculo pasa por ellos. Gire más la articulación</translation>
     </message>
     <message>
         <source>the arc of %1 over %2 is short for the uncertainty of its points: its axis will be known poorly</source>
-        <translation type="unfinished"></translation>
+        <translation>el arco de %1 sobre %2 es corto para la incertidumbre de sus puntos: su eje se conocerá mal</translation>
     </message>
     <message>
         <source>the plane of %1 passes the origin at %2: Eq 1 excludes planes through the origin and fails near it. Use total least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>el plano de %1 pasa por el origen a %2: la ec. 1 excluye planos por el origen y falla cerca de él. Use mínimos cuadrados totales</translation>
     </message>
     <message>
         <source>no circle fits the points of %1; look for exchanged points</source>
-        <translation type="unfinished"></translation>
+        <translation>ningún círculo se ajusta a los puntos de %1; busque puntos intercambiados</translation>
     </message>
     <message>
         <source>the calibration matrix is singular: the channels answer to loads on %1 alike, so these cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>la matriz de calibración es singular: los canales responden igual a cargas en %1, por lo que no se pueden distinguir</translation>
     </message>
     <message>
         <source>the calibration matrix has the condition number %1: loads on %2 are hardly told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>la matriz de calibración tiene el número de condición %1: las cargas en %2 apenas se distinguen</translation>
     </message>
     <message>
         <source>add a row of loads to be evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>añada una fila de cargas que evaluar</translation>
     </message>
     <message>
         <source>add a row of readings to be decoupled</source>
-        <translation type="unfinished"></translation>
+        <translation>añada una fila de lecturas que desacoplar</translation>
     </message>
     <message>
         <source>two cases are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>dos casos se llaman &apos;%1&apos;</translation>
     </message>
     <message>
         <source>channel %1 has no reading: all channels are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>el canal %1 no tiene lectura: hacen falta todos los canales</translation>
     </message>
     <message>
         <source>the sensor has no channel %1</source>
-        <translation type="unfinished"></translation>
+        <translation>el sensor no tiene el canal %1</translation>
     </message>
     <message>
         <source>no load gives these readings by the calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna carga da estas lecturas con la matriz de calibración</translation>
     </message>
     <message>
         <source>the load on %1 is %2 % of its rated load: the calibration says nothing about it</source>
-        <translation type="unfinished"></translation>
+        <translation>la carga en %1 es el %2 % de su carga nominal: la calibración no dice nada de ella</translation>
     </message>
     <message>
         <source>loads on %1 are too few for this calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>las cargas en %1 son demasiado pocas para esta matriz de calibración</translation>
     </message>
     <message>
         <source>the interference of %1 is known without signs: it cannot be compensated. Give raw readings, or a table with signs</source>
-        <translation type="unfinished"></translation>
+        <translation>la interferencia de %1 se conoce sin signos: no se puede compensar. Dé lecturas brutas, o una tabla con signos</translation>
     </message>
     <message>
         <source>quadratic terms need raw readings; %1 has a summary only</source>
-        <translation type="unfinished"></translation>
+        <translation>los términos cuadráticos necesitan lecturas brutas; %1 solo tiene un resumen</translation>
     </message>
     <message>
         <source>channel %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>el canal %1 figura dos veces</translation>
     </message>
     <message>
         <source>moment</source>
-        <translation type="unfinished"></translation>
+        <translation>momento</translation>
     </message>
     <message>
         <source>force</source>
-        <translation type="unfinished"></translation>
+        <translation>fuerza</translation>
     </message>
     <message>
         <source>channel %1 needs its rated load, a %2</source>
-        <translation type="unfinished"></translation>
+        <translation>el canal %1 necesita su carga nominal, de %2</translation>
     </message>
     <message>
         <source>%1 states no uncertainty of its load on %2: add it to its certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no indica la incertidumbre de su carga en %2: añádala a su certificado</translation>
     </message>
     <message>
         <source>increasing loads</source>
-        <translation type="unfinished"></translation>
+        <translation>cargas crecientes</translation>
     </message>
     <message>
         <source>unloaded reading before</source>
-        <translation type="unfinished"></translation>
+        <translation>lectura sin carga antes</translation>
     </message>
     <message>
         <source>run %1 of %2 has no %3: it is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>la serie %1 de %2 no tiene %3: se omite</translation>
     </message>
     <message>
         <source>%1 was not calibrated: there are no runs with its axis loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no se calibró: no hay series con su eje cargado</translation>
     </message>
     <message>
         <source>%1 has one run only: its repeatability needs two or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene una sola serie: su repetibilidad necesita dos o más</translation>
     </message>
     <message>
         <source>%1 has %2 runs, %3 are planned: its means have %4 degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene %2 series, están previstas %3: sus medias tienen %4 grados de libertad</translation>
     </message>
     <message>
         <source>%1 has %2 preloads, %3 are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene %2 precargas, están previstas %3</translation>
     </message>
     <message>
         <source>, and it says nothing about repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>, y no dice nada de la repetibilidad</translation>
     </message>
     <message>
         <source>step %1 of %2 is missing in %3 of %4 runs: its mean is that of %5%6</source>
-        <translation type="unfinished"></translation>
+        <translation>el escalón %1 de %2 falta en %3 de %4 series: su media es la de %5%6</translation>
     </message>
     <message>
         <source>%1 was loaded in %2 steps, %3 are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se cargó en %2 escalones, están previstos %3</translation>
     </message>
     <message>
         <source>the largest load on %1 is %2; the rated output needs the rated load, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>la mayor carga en %1 es %2; la salida nominal necesita la carga nominal, %3</translation>
     </message>
     <message>
         <source>%1 has the same reading in all runs: its repeatability is evaluated as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene la misma lectura en todas las series: su repetibilidad se evalúa como cero</translation>
     </message>
     <message>
         <source>%1 has no unloaded readings after a run: its non-zero error is taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene lecturas sin carga después de una serie: su error de cero se toma como cero</translation>
     </message>
     <message>
         <source>%1 has no decreasing loads: its hysteresis is not known and is taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene cargas decrecientes: su histéresis no se conoce y se toma como cero</translation>
     </message>
     <message>
         <source>run %1 of %2 reads the same at steps %3 and %4 although the load rises: the indicator is saturated or the channel is stuck</source>
-        <translation type="unfinished"></translation>
+        <translation>la serie %1 de %2 lee lo mismo en los escalones %3 y %4 aunque la carga sube: el indicador está saturado o el canal bloqueado</translation>
     </message>
     <message>
         <source>run %1 of %2: only %3 s between steps %4 and %5, %6 s are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>serie %1 de %2: solo %3 s entre los escalones %4 y %5, están previstos %6 s</translation>
     </message>
     <message>
         <source>run %1 of %2 begins %3 s after the one before was unloaded, %4 s are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>la serie %1 de %2 empieza %3 s después de descargar la anterior, están previstos %4 s</translation>
     </message>
     <message>
         <source>channel %1 does not respond to its load: %2 at the rated load; look at its cable and its column</source>
-        <translation type="unfinished"></translation>
+        <translation>el canal %1 no responde a su carga: %2 a la carga nominal; mire su cable y su columna</translation>
     </message>
     <message>
         <source>channel %1 responds to %2 more than to its own load: are columns exchanged?</source>
-        <translation type="unfinished"></translation>
+        <translation>el canal %1 responde a %2 más que a su propia carga: ¿están intercambiadas las columnas?</translation>
     </message>
     <message>
         <source>there are no readings: import them from a CSV file, or choose summary tables</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay lecturas: impórtelas de un archivo CSV, o elija tablas de resumen</translation>
     </message>
     <message>
         <source>the sensor has no channel %1: list it among its channels</source>
-        <translation type="unfinished"></translation>
+        <translation>el sensor no tiene el canal %1: inclúyalo entre sus canales</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no unit of a load: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; no es unidad de una carga: %2</translation>
     </message>
     <message>
         <source>%1 is a moment, but its load is in %2: are forces and moments, or their units, exchanged?</source>
@@ -8669,83 +8669,83 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>a load of %1 is more than 1.2 times the rated load of %2, %3: is its unit right?</source>
-        <translation type="unfinished"></translation>
+        <translation>una carga de %1 es más de 1,2 veces la carga nominal de %2, %3: ¿es correcta su unidad?</translation>
     </message>
     <message>
         <source>channel %1 has no reading in this row</source>
-        <translation type="unfinished"></translation>
+        <translation>el canal %1 no tiene lectura en esta fila</translation>
     </message>
     <message>
         <source>channel %1 indicates %2 mV/V, which is the end of the indicator&apos;s range: the reading is saturated</source>
-        <translation type="unfinished"></translation>
+        <translation>el canal %1 indica %2 mV/V, que es el final del rango del indicador: la lectura está saturada</translation>
     </message>
     <message>
         <source>this run has its unloaded reading already</source>
-        <translation type="unfinished"></translation>
+        <translation>esta serie ya tiene su lectura sin carga</translation>
     </message>
     <message>
         <source>step %1 of this run is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>el escalón %1 de esta serie se da dos veces</translation>
     </message>
     <message>
         <source>channel %1 has no row in the summary</source>
-        <translation type="unfinished"></translation>
+        <translation>el canal %1 no tiene fila en el resumen</translation>
     </message>
     <message>
         <source>%1 has no row in the table of interference: taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene fila en la tabla de interferencias: se toma como cero</translation>
     </message>
     <message>
         <source>axis %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>el eje %1 figura dos veces</translation>
     </message>
     <message>
         <source>the sensor&apos;s calibration is a summary: there are no steps to pool over, so the largest standard deviation is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>la calibración del sensor es un resumen: no hay escalones que agrupar, así que se toma la mayor desviación típica</translation>
     </message>
     <message>
         <source>the name is one of a function or a word of the equations; choose another</source>
-        <translation type="unfinished"></translation>
+        <translation>el nombre es el de una función o una palabra de las ecuaciones; elija otro</translation>
     </message>
     <message>
         <source>a symbol is made of letters, Greek ones too, digits and &apos;_&apos;, a letter first</source>
-        <translation type="unfinished"></translation>
+        <translation>un símbolo se forma con letras, también griegas, cifras y &apos;_&apos;, con una letra al principio</translation>
     </message>
     <message>
         <source>only the first row of a symbol has a value; further rows add components</source>
-        <translation type="unfinished"></translation>
+        <translation>solo la primera fila de un símbolo tiene valor; las demás filas añaden componentes</translation>
     </message>
     <message>
         <source>the component is in %1, the quantity in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>la componente está en %1, la magnitud en %2</translation>
     </message>
     <message>
         <source>a further row states a component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>una fila adicional indica una componente de incertidumbre</translation>
     </message>
     <message>
         <source>the instrument of the project is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta el instrumento del proyecto</translation>
     </message>
     <message>
         <source>the reading of an instrument needs a value</source>
-        <translation type="unfinished"></translation>
+        <translation>la lectura de un instrumento necesita un valor</translation>
     </message>
     <message>
         <source>an instrument reads distances here; the unit must be one of length</source>
-        <translation type="unfinished"></translation>
+        <translation>un instrumento lee aquí distancias; la unidad debe ser de longitud</translation>
     </message>
     <message>
         <source>%1 reads no distances</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no lee distancias</translation>
     </message>
     <message>
         <source>the value is missing, and no statement gives it</source>
-        <translation type="unfinished"></translation>
+        <translation>falta el valor, y ninguna indicación lo da</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has observations and no row in the table of quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; tiene observaciones y ninguna fila en la tabla de magnitudes</translation>
     </message>
     <message>
         <source>Newton&apos;s method finds no solution of this equation from the starting value, at the estimates of the quantities</source>
@@ -8757,15 +8757,15 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>it has several series: leave out the name of the one that is measured now</source>
-        <translation type="unfinished"></translation>
+        <translation>tiene varias series: omita el nombre de la que se mide ahora</translation>
     </message>
     <message>
         <source>the table of observations has no rows for it</source>
-        <translation type="unfinished"></translation>
+        <translation>la tabla de observaciones no tiene filas para ella</translation>
     </message>
     <message>
         <source>&apos;a&apos; is missing: number of observations of which the value is the mean</source>
-        <translation type="unfinished"></translation>
+        <translation>falta &apos;a&apos;: número de observaciones de las que el valor es la media</translation>
     </message>
     <message>
         <source>there is no equation: write one, y = x_1 + x_2</source>
@@ -8773,71 +8773,71 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is defined by an equation: it cannot be a quantity too</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; se define por una ecuación: no puede ser además una magnitud</translation>
     </message>
     <message>
         <source>no equation uses &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna ecuación usa &apos;%1&apos;</translation>
     </message>
     <message>
         <source>no equation defines &apos;%1&apos;%2</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna ecuación define &apos;%1&apos;%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; figura dos veces</translation>
     </message>
     <message>
         <source>group &apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>grupo &apos;%1&apos;: %2</translation>
     </message>
     <message>
         <source>an analysis of variance needs at least two groups</source>
-        <translation type="unfinished"></translation>
+        <translation>un análisis de varianza necesita al menos dos grupos</translation>
     </message>
     <message>
         <source>no group has more than one observation: nothing tells the scatter within the groups from that between them</source>
-        <translation type="unfinished"></translation>
+        <translation>ningún grupo tiene más de una observación: nada distingue la dispersión dentro de los grupos de la que hay entre ellos</translation>
     </message>
     <message>
         <source>the curve does not reach %1</source>
-        <translation type="unfinished"></translation>
+        <translation>la curva no alcanza %1</translation>
     </message>
     <message>
         <source>, outside of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>, fuera de sus puntos</translation>
     </message>
     <message>
         <source>the curve reaches %1 at x = %2%3: say in &apos;near&apos; which of them is meant</source>
-        <translation type="unfinished"></translation>
+        <translation>la curva alcanza %1 en x = %2%3: diga en &apos;near&apos; cuál de ellos se quiere</translation>
     </message>
     <message>
         <source>no curve of this degree was found: the iteration for the uncertainties of x does not settle on these points</source>
-        <translation type="unfinished"></translation>
+        <translation>no se halló ninguna curva de este grado: la iteración para las incertidumbres de x no se estabiliza con estos puntos</translation>
     </message>
     <message>
         <source>the points do not determine a curve of this degree</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos no determinan una curva de este grado</translation>
     </message>
     <message>
         <source>the x of y = %1 lies outside of the points of the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>la x de y = %1 está fuera de los puntos de la calibración</translation>
     </message>
     <message>
         <source>the standard uncertainty of y is missing in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>falta la incertidumbre típica de y en la fila %1</translation>
     </message>
     <message>
         <source>the standard uncertainty of y must be greater than zero in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>la incertidumbre típica de y debe ser mayor que cero en la fila %1</translation>
     </message>
     <message>
         <source>readings have the scatter of the residuals, which stated uncertainties do not use: give u_y in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas tienen la dispersión de los residuos, que las incertidumbres indicadas no usan: dé u_y en la fila %1</translation>
     </message>
     <message>
         <source>a curve through the origin needs differences: give y in K</source>
-        <translation type="unfinished"></translation>
+        <translation>una curva por el origen necesita diferencias: dé y en K</translation>
     </message>
     <message>
         <source>a polynomial of this degree needs points at %1 different places or more beside the origin</source>
@@ -8849,7 +8849,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>residuals say nothing about the uncertainty unless there are more points than coefficients: add points, or state u_y</source>
-        <translation type="unfinished"></translation>
+        <translation>los residuos no dicen nada de la incertidumbre si no hay más puntos que coeficientes: añada puntos, o indique u_y</translation>
     </message>
     <message>
         <source>line %1, %2</source>
@@ -9825,27 +9825,27 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>the frame of %1 is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta el sistema de %1</translation>
     </message>
     <message>
         <source>no calibration of a robot: &apos;kinematics&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>no es una calibración de un robot: falta &apos;kinematics&apos;</translation>
     </message>
     <message>
         <source>calibration %1</source>
-        <translation type="unfinished"></translation>
+        <translation>calibración %1</translation>
     </message>
     <message>
         <source>lengths in m, angles in rad, about fixed axes as in URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>longitudes en m, ángulos en rad, alrededor de ejes fijos como en URDF</translation>
     </message>
     <message>
         <source>%1 is called %2 here</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se llama %2 aquí</translation>
     </message>
     <message>
         <source>an input without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>una entrada sin nombre</translation>
     </message>
     <message>
         <source>its %1 must be a number</source>
@@ -9873,7 +9873,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>more than %1 observations are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>no se leen más de %1 observaciones</translation>
     </message>
     <message>
         <source>numnewmeas must be a number from 1</source>
@@ -9897,171 +9897,171 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>; it has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>; tiene %1</translation>
     </message>
     <message>
         <source>the file has no calculation of mode &apos;uncertainty&apos; or &apos;system&apos;%1</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo no tiene ningún cálculo de modo &apos;uncertainty&apos; o &apos;system&apos;%1</translation>
     </message>
     <message>
         <source>%1: %2 quantities, %3 results</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 magnitudes, %3 resultados</translation>
     </message>
     <message>
         <source>the calculation has no inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>el cálculo no tiene entradas</translation>
     </message>
     <message>
         <source>the calculation has no functions</source>
-        <translation type="unfinished"></translation>
+        <translation>el cálculo no tiene funciones</translation>
     </message>
     <message>
         <source>the system has no quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>el sistema no tiene magnitudes</translation>
     </message>
     <message>
         <source>quantities of type %1 are not read; those that are: direct, indirect</source>
-        <translation type="unfinished"></translation>
+        <translation>no se leen magnitudes del tipo %1; las que se leen: direct, indirect</translation>
     </message>
     <message>
         <source>the system has no direct quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>el sistema no tiene ninguna magnitud direct</translation>
     </message>
     <message>
         <source>more than %1 inputs are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>no se leen más de %1 entradas</translation>
     </message>
     <message>
         <source>more than %1 functions are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>no se leen más de %1 funciones</translation>
     </message>
     <message>
         <source>a function has the name of an input or of another function</source>
-        <translation type="unfinished"></translation>
+        <translation>una función tiene el nombre de una entrada o de otra función</translation>
     </message>
     <message>
         <source>%1: in %2 instead of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: en %2 en vez de %3</translation>
     </message>
     <message>
         <source>%1: no starting value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: sin valor inicial</translation>
     </message>
     <message>
         <source>%1: state the unit of what is solved for under &apos;units&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: indique en &apos;units&apos; la unidad de lo que se resuelve</translation>
     </message>
     <message>
         <source>a correlation needs var1 and var2, two inputs, and cor, a number between -1 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>una correlación necesita var1 y var2, dos entradas, y cor, un número entre -1 y 1</translation>
     </message>
     <message>
         <source>no unit can be stated for %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>no se puede indicar unidad para %1%2</translation>
     </message>
     <message>
         <source>the file has no Excel workbook in it</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo no contiene ningún libro de Excel</translation>
     </message>
     <message>
         <source>the file has no sheet with cells</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo no tiene ninguna hoja con celdas</translation>
     </message>
     <message>
         <source>%1: %2 is no place of a cell</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 no es el lugar de una celda</translation>
     </message>
     <message>
         <source>%1: more than %2 cells are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: no se leen más de %2 celdas</translation>
     </message>
     <message>
         <source>its text is missing from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>su texto falta en el archivo</translation>
     </message>
     <message>
         <source>the file has a password or the old format .xls: save it as .xlsx without a password</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo tiene contraseña o el formato antiguo .xls: guárdelo como .xlsx sin contraseña</translation>
     </message>
     <message>
         <source>XML of more than %1 MB is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>no se lee XML de más de %1 MB</translation>
     </message>
     <message>
         <source>a document type declaration: files that declare entities are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>una declaración de tipo de documento: no se leen archivos que declaran entidades</translation>
     </message>
     <message>
         <source>an alias (*name): write out what it stands for, aliases are not expanded</source>
-        <translation type="unfinished"></translation>
+        <translation>un alias (*name): escriba lo que representa, los alias no se expanden</translation>
     </message>
     <message>
         <source>more than %1 entries are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>no se leen más de %1 entradas</translation>
     </message>
     <message>
         <source>more than %1 levels are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>no se leen más de %1 niveles</translation>
     </message>
     <message>
         <source>a key must be a word</source>
-        <translation type="unfinished"></translation>
+        <translation>una clave debe ser una palabra</translation>
     </message>
     <message>
         <source>the key %1 stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>la clave %1 aparece dos veces</translation>
     </message>
     <message>
         <source>more than 1000 keys are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>no se leen más de 1000 claves</translation>
     </message>
     <message>
         <source>YAML of more than %1 kB is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>no se lee YAML de más de %1 kB</translation>
     </message>
     <message>
         <source>the file has no YAML document</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo no tiene ningún documento YAML</translation>
     </message>
     <message>
         <source>not readable as YAML: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no se puede leer como YAML: %1</translation>
     </message>
     <message>
         <source>the file has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo tiene %1</translation>
     </message>
     <message>
         <source>no readable zip archive in it (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>no contiene ningún archivo zip legible (%1)</translation>
     </message>
     <message>
         <source>more than %1 parts, which are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>más de %1 partes, que no se leen</translation>
     </message>
     <message>
         <source>no part %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna parte %1</translation>
     </message>
     <message>
         <source>a part %1 that cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>una parte %1 que no se puede leer</translation>
     </message>
     <message>
         <source>an encrypted part %1: save it without a password</source>
-        <translation type="unfinished"></translation>
+        <translation>una parte %1 cifrada: guárdelo sin contraseña</translation>
     </message>
     <message>
         <source>a part %1 that cannot be unpacked</source>
-        <translation type="unfinished"></translation>
+        <translation>una parte %1 que no se puede descomprimir</translation>
     </message>
     <message>
         <source>a damaged part %1</source>
-        <translation type="unfinished"></translation>
+        <translation>una parte %1 dañada</translation>
     </message>
     <message>
         <source>parts that unpack to more than %1 MB (at %2), which are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>partes que se descomprimen a más de %1 MB (en %2), que no se leen</translation>
     </message>
     <message>
         <source>no network of GNU Gama: &lt;gama-local&gt; with a &lt;network&gt; is expected</source>
@@ -10661,67 +10661,67 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>%1 observations, lengths in metres; each is its own result: write the equations of what you measure with them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 observaciones, longitudes en metros; cada una es su propio resultado: escriba con ellas las ecuaciones de lo que mide</translation>
     </message>
     <message>
         <source>the unit of angles must be one of an angle: gon, deg, rad</source>
-        <translation type="unfinished"></translation>
+        <translation>la unidad de los ángulos debe ser de ángulo: gon, deg, rad</translation>
     </message>
     <message>
         <source>%1 %2: the part of its standard deviation that depends on the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2: la parte de su desviación típica que depende de la distancia</translation>
     </message>
     <message>
         <source>%1: it is switched off</source>
-        <translation type="unfinished">%1 %2: está desactivada {1:?}</translation>
+        <translation>%1: está desactivado</translation>
     </message>
     <message>
         <source>a variance of its covariance matrix is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>una varianza de su matriz de covarianza es negativa</translation>
     </message>
     <message>
         <source>its covariance matrix is not symmetric</source>
-        <translation type="unfinished"></translation>
+        <translation>su matriz de covarianza no es simétrica</translation>
     </message>
     <message>
         <source>its matrix is no covariance matrix: a variance of some combination is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>su matriz no es de covarianza: la varianza de alguna combinación es negativa</translation>
     </message>
     <message>
         <source>no Digital Calibration Certificate: its root is &lt;%1&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>no es un certificado digital de calibración: su raíz es &lt;%1&gt;</translation>
     </message>
     <message>
         <source>the certificate has no results with numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>el certificado no tiene resultados con números</translation>
     </message>
     <message>
         <source>schema version %1</source>
-        <translation type="unfinished"></translation>
+        <translation>versión de esquema %1</translation>
     </message>
     <message>
         <source>what this version of the schema has beyond version 3</source>
-        <translation type="unfinished"></translation>
+        <translation>lo que esta versión del esquema tiene más allá de la versión 3</translation>
     </message>
     <message>
         <source>the stated unit of lengths: a certificate states its units</source>
-        <translation type="unfinished"></translation>
+        <translation>la unidad de longitud indicada: un certificado indica sus unidades</translation>
     </message>
     <message>
         <source>%1: &lt;measurementMetaData&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: &lt;measurementMetaData&gt;</translation>
     </message>
     <message>
         <source>a quantity: more than %1 values</source>
-        <translation type="unfinished"></translation>
+        <translation>una magnitud: más de %1 valores</translation>
     </message>
     <message>
         <source>%1 as a length standard: more than %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 como patrón de longitud: más de %2</translation>
     </message>
     <message>
         <source>the signature: it is not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>la firma: no se verifica</translation>
     </message>
     <message>
         <source>%1 values, %2 of them with an uncertainty</source>
@@ -10733,151 +10733,151 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>length standard %1: delete it where the length is no standard</source>
-        <translation type="unfinished"></translation>
+        <translation>patrón de longitud %1: bórrelo si la longitud no es un patrón</translation>
     </message>
     <message>
         <source>a value as &lt;%1&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>un valor como &lt;%1&gt;</translation>
     </message>
     <message>
         <source>its relative uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>su incertidumbre relativa</translation>
     </message>
     <message>
         <source>the same in other units (%1 is taken)</source>
-        <translation type="unfinished"></translation>
+        <translation>lo mismo en otras unidades (se toma %1)</translation>
     </message>
     <message>
         <source>its lists have different lengths than the %1 values</source>
-        <translation type="unfinished"></translation>
+        <translation>sus listas tienen longitudes distintas de los %1 valores</translation>
     </message>
     <message>
         <source>its covariance matrix: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>su matriz de covarianza: %1</translation>
     </message>
     <message>
         <source>its covariance matrix has not %1 x %2 elements</source>
-        <translation type="unfinished"></translation>
+        <translation>su matriz de covarianza no tiene %1 x %2 elementos</translation>
     </message>
     <message>
         <source>p must be between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>p debe estar entre 0 y 1</translation>
     </message>
     <message>
         <source>k must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>k debe ser mayor que 0</translation>
     </message>
     <message>
         <source>its uncertainty is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>su incertidumbre es negativa</translation>
     </message>
     <message>
         <source>it does not begin with \</source>
-        <translation type="unfinished"></translation>
+        <translation>no empieza por \</translation>
     </message>
     <message>
         <source>a brace is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>una llave no está cerrada</translation>
     </message>
     <message>
         <source>its power &apos;%1&apos; is no small integer</source>
-        <translation type="unfinished"></translation>
+        <translation>su potencia &apos;%1&apos; no es un entero pequeño</translation>
     </message>
     <message>
         <source>&apos;\%1&apos; is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>no se conoce &apos;\%1&apos;</translation>
     </message>
     <message>
         <source>it ends too early</source>
-        <translation type="unfinished"></translation>
+        <translation>termina demasiado pronto</translation>
     </message>
     <message>
         <source>the unit %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>la unidad %1: %2</translation>
     </message>
     <message>
         <source>sheet %1, columns: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>hoja %1, columnas: %2</translation>
     </message>
     <message>
         <source>%1 is no number</source>
-        <translation type="unfinished">%1 %2 no es un número {1 ?}</translation>
+        <translation>%1 no es un número</translation>
     </message>
     <message>
         <source>its unit differs from that of the other uncertainty of the row</source>
-        <translation type="unfinished"></translation>
+        <translation>su unidad difiere de la de la otra incertidumbre de la fila</translation>
     </message>
     <message>
         <source>%1 is no divisor</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no es un divisor</translation>
     </message>
     <message>
         <source>degrees of freedom must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>los grados de libertad deben ser mayores que 0</translation>
     </message>
     <message>
         <source>row %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>fila %1: %2</translation>
     </message>
     <message>
         <source>the contribution %1: c and u give %2</source>
-        <translation type="unfinished"></translation>
+        <translation>la contribución %1: c y u dan %2</translation>
     </message>
     <message>
         <source>the contribution does not follow from c and u in any unit; state the unit behind the coefficient (&apos;-575 nm/K&apos;)</source>
-        <translation type="unfinished"></translation>
+        <translation>la contribución no se sigue de c y u en ninguna unidad; indique la unidad tras el coeficiente (&apos;-575 nm/K&apos;)</translation>
     </message>
     <message>
         <source>its unit makes no coefficient of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>su unidad no da un coeficiente del resultado</translation>
     </message>
     <message>
         <source>its unit may be %1 or %2: state it behind the coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>su unidad puede ser %1 o %2: indíquela tras el coeficiente</translation>
     </message>
     <message>
         <source>what stands below the budget, to row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>lo que está debajo del balance, hasta la fila %1</translation>
     </message>
     <message>
         <source>there is no quantity with an uncertainty below</source>
-        <translation type="unfinished"></translation>
+        <translation>debajo no hay ninguna magnitud con incertidumbre</translation>
     </message>
     <message>
         <source>row without a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>fila sin magnitud</translation>
     </message>
     <message>
         <source>row %1 without figures</source>
-        <translation type="unfinished"></translation>
+        <translation>fila %1 sin cifras</translation>
     </message>
     <message>
         <source>the quantity has no name</source>
-        <translation type="unfinished"></translation>
+        <translation>la magnitud no tiene nombre</translation>
     </message>
     <message>
         <source>row %1: computed anew</source>
-        <translation type="unfinished"></translation>
+        <translation>fila %1: calculada de nuevo</translation>
     </message>
     <message>
         <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>no se indica la unidad del resultado: dé al resultado una fila propia, ponga la unidad tras el encabezado de las contribuciones, o indíquela como la de &apos;result&apos;</translation>
     </message>
     <message>
         <source>the result is not the sum of c x: %1 is the difference</source>
-        <translation type="unfinished"></translation>
+        <translation>el resultado no es la suma de c x: la diferencia es %1</translation>
     </message>
     <message>
         <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
-        <translation type="unfinished"></translation>
+        <translation>modelo: %1; la hoja solo tiene coeficientes de sensibilidad, escriba en su lugar su ecuación donde la tenga</translation>
     </message>
     <message>
         <source>%1 quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 magnitudes</translation>
     </message>
     <message>
         <source>sheet %1</source>
-        <translation type="unfinished"></translation>
+        <translation>hoja %1</translation>
     </message>
     <message>
         <source>no input quantity has an uncertainty, so that U is 0 everywhere: state the uncertainties of what the analysis uses</source>
@@ -11717,35 +11717,35 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>there are no results for the certificate to state</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay resultados que el certificado pueda indicar</translation>
     </message>
     <message>
         <source>the standard uncertainty of %1 is not finite; a Digital Calibration Certificate has no place for that</source>
-        <translation type="unfinished"></translation>
+        <translation>la incertidumbre típica de %1 no es finita; un certificado digital de calibración no tiene lugar para ello</translation>
     </message>
     <message>
         <source>there is no robot to write: no analysis uses or finds one</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay robot que escribir: ningún análisis usa o halla uno</translation>
     </message>
     <message>
         <source>the file is of one robot, and there are %1: choose an analysis that uses or finds the one to write (--analysis)</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo es de un robot y hay %1: elija un análisis que use o halle el que se ha de escribir (--analysis)</translation>
     </message>
     <message>
         <source>there are no points to write: no analysis has a result with coordinates x, y, z of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay puntos que escribir: ningún análisis tiene un resultado con coordenadas x, y, z de un punto</translation>
     </message>
     <message>
         <source>robot %1: the file is of six joints that turn (shoulder to wrist_3); write it as URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>robot %1: el archivo es de seis articulaciones que giran (shoulder a wrist_3); escríbalo como URDF</translation>
     </message>
     <message>
         <source>there are no results to write</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay resultados que escribir</translation>
     </message>
     <message>
         <source>the workbook cannot be made in the folder for temporary files</source>
-        <translation type="unfinished"></translation>
+        <translation>no se puede crear el libro en la carpeta de archivos temporales</translation>
     </message>
     <message>
         <source>the report carries no results to compare with (results.json)</source>

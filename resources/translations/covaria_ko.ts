@@ -6053,39 +6053,39 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>Eq 19 is corrected: o_p − o_b must be expressed in the base frame. As printed, the pose does not depend on the orientation of the base, and U(x) of all poses is the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 19를 바로잡음: o_p − o_b는 베이스 좌표계로 나타내야 합니다. 인쇄된 대로면 자세가 베이스의 방향에 따르지 않고 모든 자세의 U(x)가 같습니다.</translation>
     </message>
     <message>
         <source>Eq 20 is corrected: R = R_bᵀ R_p. The printed R_p R_bᵀ is the same rotation expressed in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 20을 바로잡음: R = R_bᵀ R_p. 인쇄된 R_p R_bᵀ는 좌표계 0에서 나타낸 같은 회전입니다.</translation>
     </message>
     <message>
         <source>Eqs 21-23 are corrected: as printed they are Z-Y-Z angles, undefined without tilt; the text and Table 3 use Z-Y-X angles, R = Rz(γ) Ry(β) Rx(α).</source>
-        <translation type="unfinished"></translation>
+        <translation>식 21-23을 바로잡음: 인쇄된 것은 기울기가 없으면 정해지지 않는 Z-Y-Z 각입니다. 본문과 표 3은 Z-Y-X 각, R = Rz(γ) Ry(β) Rx(α)를 씁니다.</translation>
     </message>
     <message>
         <source>b₃ lies at negative y of its frame (Eq 10) and p₃ at positive y of its own (Eq 14); other arrangements can be chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>b₃는 그 좌표계의 음의 y에(식 10), p₃는 자신의 양의 y에(식 14) 있습니다. 다른 배치를 고를 수 있습니다.</translation>
     </message>
     <message>
         <source>Typed uncertainties lie along the axes of the frame that the points define (those of the moving frame along the base&apos;s on request) and are turned into frame 0; those of an instrument lie along and across its line of sight.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 불확도는 점이 정하는 좌표계의 축을 따르며(움직이는 좌표계의 것은 요청하면 베이스의 축) 좌표계 0으로 돌려집니다. 측정기의 불확도는 시준선 방향과 그 직각 방향입니다.</translation>
     </message>
     <message>
         <source>Measured points of a least-squares frame are tested against their nominal coordinates: residuals, redundancy, chi-square with the full covariance of the stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>최소제곱 좌표계의 측정점은 공칭 좌표에 대해 시험합니다. 잔차, 여유도, 제시된 불확도의 전체 공분산에 의한 카이제곱.</translation>
     </message>
     <message>
         <source>All poses of an analysis share one measurement of the base, so their results are correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 분석의 모든 자세는 베이스의 측정 하나를 공유하므로 결과가 상관됩니다.</translation>
     </message>
     <message>
         <source>The uncertainty of the mean of repeated measurements (a posteriori) is taken as that of one measurement, as in the paper: the systematic part does not average out.</source>
-        <translation type="unfinished"></translation>
+        <translation>반복 측정 평균의 불확도(사후)는 논문처럼 한 번 측정의 불확도로 봅니다. 계통 부분은 평균으로 없어지지 않습니다.</translation>
     </message>
     <message>
         <source>Angles are undefined in gimbal lock; the set-up then warns. Rotation vector and quaternion are free of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>짐벌락에서는 각도가 정해지지 않으며 측정 구성이 경고합니다. 회전 벡터와 사원수에는 그 문제가 없습니다.</translation>
     </message>
     <message>
         <source>Coordinates of targets and distances between them, measured by any mix of trackers, total stations, cameras and distance meters placed in space.</source>
@@ -6093,39 +6093,39 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>The uncertainty of the stations does not contribute marginally to the position of a target, as the paper says: only distances within one set-up are nearly free of it. Eq 5 is the precision of the readings; it is shown beside the total, never as the uncertainty of a position.</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션의 불확도는 논문의 말처럼 표적 위치에 미미하게 기여하지 않습니다. 한 설치 안의 거리만 거의 영향을 받지 않습니다. 식 5는 읽음값의 정밀도이며, 전체 옆에 보일 뿐 위치의 불확도로 보이지 않습니다.</translation>
     </message>
     <message>
         <source>Weights from the readings alone, as in the paper, are inefficient for positions; those with the stations are the default.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문처럼 읽음값만의 가중치는 위치에 비효율적입니다. 스테이션을 포함한 가중치가 기본입니다.</translation>
     </message>
     <message>
         <source>Eq 2 is corrected: D holds equations by readings; as printed it is transposed.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 2를 바로잡음: D는 식 × 읽음값입니다. 인쇄된 것은 전치되어 있습니다.</translation>
     </message>
     <message>
         <source>The linearised equations have the measured angles in M: their estimate shrinks towards the sensors, the non-linear one moves outwards by half as much. It matters beyond a milliradian (3.5 mrad, cameras alone: −6.9 mm against +3.3 mm) and not for the paper&apos;s network.</source>
-        <translation type="unfinished"></translation>
+        <translation>선형화한 식의 M에는 측정한 각도가 있습니다. 그 추정은 센서 쪽으로 줄어들고 비선형 추정은 그 절반만큼 바깥으로 움직입니다. 1밀리라디안을 넘을 때 문제가 되며(3.5 mrad, 카메라만: −6.9 mm 대 +3.3 mm) 논문의 네트워크에서는 그렇지 않습니다.</translation>
     </message>
     <message>
         <source>Stations are located once for a set-up: all its targets share their deviations. &quot;New set-up&quot; at a target draws them anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션은 한 설치에 한 번 위치를 정합니다. 모든 표적이 그 편차를 공유합니다. 표적의 &quot;새 설치&quot;는 편차를 다시 추출합니다.</translation>
     </message>
     <message>
         <source>A distance without angles has no linear equation; the non-linear estimator uses it, from the nominal coordinates as start.</source>
-        <translation type="unfinished"></translation>
+        <translation>각도 없는 거리에는 선형 식이 없습니다. 비선형 추정은 공칭 좌표를 시작으로 그것을 씁니다.</translation>
     </message>
     <message>
         <source>A calibrated length as a check is not used in the estimation: its difference is to be judged by its uncertainty. As a constraint it carries its own uncertainty; a scale that the instruments share is corrected by it.</source>
-        <translation type="unfinished"></translation>
+        <translation>점검으로서의 교정된 길이는 추정에 쓰지 않으며 그 차를 불확도로 판단합니다. 구속이면 자체 불확도를 가지며, 측정기가 공유하는 척도가 그것으로 보정됩니다.</translation>
     </message>
     <message>
         <source>With more than 600 readings in one set-up each target is estimated by itself, weighted with the stations.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 설치의 읽음값이 600개를 넘으면 표적마다 따로, 스테이션과 함께 가중하여 추정합니다.</translation>
     </message>
     <message>
         <source>Azimuths may be given with any number of whole turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>방위각은 몇 바퀴를 더해 제시해도 됩니다.</translation>
     </message>
     <message>
         <source>The tool centre point of a robot: the flange turns about its own axes, telescopic ballbars measure where the ball at the tool goes, and planes and a sphere give the flange&apos;s axes and centre.</source>
@@ -6133,39 +6133,39 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>The paper states neither the tool, nor the flange&apos;s orientation, start angles, how the frame is made, nor how the points are averaged. With a tool of (0, 0, 100) mm, the flange pointing down, arcs from -60° to 140° and from -90° to 90° and u(L) = 1.55 µm, the published values reproduce within 1.5 % (root mean square).</source>
-        <translation type="unfinished"></translation>
+        <translation>논문은 공구, 플랜지의 방향, 시작각, 좌표계를 만드는 방법, 점을 평균하는 방법을 밝히지 않습니다. 공구 (0, 0, 100) mm, 아래를 향한 플랜지, -60°~140°와 -90°~90°의 호, u(L) = 1.55 µm이면 발표된 값이 1.5 %(제곱평균제곱근) 안에서 재현됩니다.</translation>
     </message>
     <message>
         <source>U(TCP): published 8.2, 11.1, 5.1 µm; here 8.16, 10.92, 5.00 µm: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>U(TCP): 발표값 8.2, 11.1, 5.1 µm. 여기 8.16, 10.92, 5.00 µm: 재현됨.</translation>
     </message>
     <message>
         <source>U(TCP) with an ideal robot: published 2.8, 3.7, 1.6 µm; here 2.77, 3.61, 1.57 µm: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>이상적인 로봇의 U(TCP): 발표값 2.8, 3.7, 1.6 µm. 여기 2.77, 3.61, 1.57 µm: 재현됨.</translation>
     </message>
     <message>
         <source>U of the axes&apos; angles XY, XZ, YX, YZ: published 79, 87, 59, 123 µrad; here 78.3, 87.2, 58.5, 120.6 µrad: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>축 사이 각 XY, XZ, YX, YZ의 U: 발표값 79, 87, 59, 123 µrad. 여기 78.3, 87.2, 58.5, 120.6 µrad: 재현됨.</translation>
     </message>
     <message>
         <source>Largest U of a point measured by the ballbars alone: published 5.7, 5.7, 2.4 µm; here 5.83, 5.72, 2.38 µm: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>볼바만으로 측정한 점의 최대 U: 발표값 5.7, 5.7, 2.4 µm. 여기 5.83, 5.72, 2.38 µm: 재현됨.</translation>
     </message>
     <message>
         <source>With the stated U(L) = 4 µm the same geometry gives U(TCP) 8.46, 11.31, 5.16 µm and points up to 7.53, 7.37, 3.07 µm: differs, because the stated 4 µm and the published points cannot both hold. U(z) of a point at most 577 mm above the supports is 2.4 µm only for U(L) near 3.1 µm; all six figures of the instrument alone are 0.78 of what 4 µm gives.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 U(L) = 4 µm이면 같은 기하에서 U(TCP) 8.46, 11.31, 5.16 µm, 점은 최대 7.53, 7.37, 3.07 µm: 다름. 제시된 4 µm와 발표된 점이 함께 성립할 수 없기 때문입니다. 받침 위 최대 577 mm인 점의 U(z)가 2.4 µm인 것은 U(L)이 3.1 µm 부근일 때뿐입니다. 측정기만의 여섯 수치는 모두 4 µm가 주는 값의 0.78배입니다.</translation>
     </message>
     <message>
         <source>The centre of the sphere is the centre of the flange, not the tool centre point as section 4 says: its U is 5.96, 7.42, 6.94 µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>구의 중심은 4절의 말처럼 공구 중심점이 아니라 플랜지의 중심입니다. 그 U는 5.96, 7.42, 6.94 µm입니다.</translation>
     </message>
     <message>
         <source>Eq 8 needs perpendicular axes, which two measured normals are not: U(x) of the tool is 8.16, 8.37 or 8.66 µm with y first, symmetric or x first.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 8에는 직교하는 축이 필요한데 측정한 두 법선은 그렇지 않습니다. 공구의 U(x)는 y 먼저, 대칭, x 먼저일 때 8.16, 8.37, 8.66 µm입니다.</translation>
     </message>
     <message>
         <source>A trial whose lengths do not meet (negative root of Eq 3) has no value: it is counted and reported.</source>
-        <translation type="unfinished"></translation>
+        <translation>길이들이 만나지 않는 시행(식 3의 음의 근)에는 값이 없습니다. 세어서 보고합니다.</translation>
     </message>
     <message>
         <source>Position and orientation of the tool of a serial robot from its geometric parameters and joint readings.</source>
@@ -6173,23 +6173,23 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>The paper calls the model highly non-linear. At the uncertainties of its Table 1 it is not: the law of propagation and Monte Carlo agree to 4e-5 mm in u, and the laws are normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문은 모델이 매우 비선형이라고 합니다. 표 1의 불확도에서는 그렇지 않습니다. 전파 법칙과 몬테카를로의 u가 4e-5 mm까지 일치하고 분포가 정규입니다.</translation>
     </message>
     <message>
         <source>The tolerance 0.0001 of the paper has no unit. In millimetres it would need 5e9 trials; in metres it is 0.1 mm, and 20 000 trials do.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문의 허용오차 0.0001에는 단위가 없습니다. 밀리미터이면 시행 5e9회가 필요하고, 미터이면 0.1 mm로 20 000회면 됩니다.</translation>
     </message>
     <message>
         <source>The paper takes the parameters as uncorrelated. Parameters identified together are strongly correlated; an identified robot carries their full covariance into this analysis, which lowers u by up to a factor of 12.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문은 파라미터를 상관이 없는 것으로 봅니다. 함께 식별한 파라미터는 강하게 상관되며, 식별된 로봇은 전체 공분산을 이 분석에 가져와 u를 최대 12분의 1로 줄입니다.</translation>
     </message>
     <message>
         <source>Of two readings of section 4.1 (0.01 rad for theta alone, or for all angles) both are reproduced; that theta matters more than alpha holds only where its standard deviation is ten times larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>4.1절의 두 해석(theta만 0.01 rad, 또는 모든 각도)이 모두 재현됩니다. theta가 alpha보다 중요하다는 것은 그 표준편차가 열 배 클 때만 성립합니다.</translation>
     </message>
     <message>
         <source>Readings of the joints deviate anew at each pose; parameters and tool are the same for all poses of an analysis.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절의 읽음값은 자세마다 새로 어긋나며, 파라미터와 공구는 한 분석의 모든 자세에서 같습니다.</translation>
     </message>
     <message>
         <source>Geometric parameters of a serial robot from points measured while one joint after the other turns (circle point analysis).</source>
@@ -6197,39 +6197,39 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>Eq 4 is corrected: without the square its derivative by R gives R = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 4를 바로잡음: 제곱이 없으면 R에 대한 미분이 R = 0을 줍니다.</translation>
     </message>
     <message>
         <source>2.1.3 is corrected: x_i = z_i × y_i is left-handed.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.1.3을 바로잡음: x_i = z_i × y_i는 왼손 좌표계입니다.</translation>
     </message>
     <message>
         <source>2.1.4 is corrected: alpha_i and beta_i turn z_{i−1} into z_i.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.1.4를 바로잡음: alpha_i와 beta_i는 z_{i−1}을 z_i로 돌립니다.</translation>
     </message>
     <message>
         <source>The auxiliary plane of Figure 2 is not defined in the paper; it must pass through O_{i−1} with the normal z_{i−1}, or d_i = 0 is impossible.</source>
-        <translation type="unfinished"></translation>
+        <translation>그림 2의 보조 평면은 논문에 정의되어 있지 않습니다. z_{i−1}을 법선으로 O_{i−1}을 지나야 하며 그렇지 않으면 d_i = 0이 불가능합니다.</translation>
     </message>
     <message>
         <source>Eq 1 has no plane through the origin and fails near it; total least squares is the default.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 1에는 원점을 지나는 평면이 없고 그 부근에서 실패합니다. 전체 최소제곱이 기본입니다.</translation>
     </message>
     <message>
         <source>Eq 8 is a standard deviation of the mean of repeats. The paper applies it to different ranges and numbers of points, which are no repeats: the ±10° run dominates, and the noise is counted three times. Here the covariance is that of the chosen experiment.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 8은 반복 평균의 표준편차입니다. 논문은 이를 반복이 아닌 서로 다른 범위와 점의 수에 적용합니다. ±10° 측정이 지배하고 잡음을 세 번 셉니다. 여기서 공분산은 선택한 실험의 것입니다.</translation>
     </message>
     <message>
         <source>The standard deviation falls with the square of the range (factor 30 from ±10° to ±60°) and with the root of the number of points.</source>
-        <translation type="unfinished"></translation>
+        <translation>표준편차는 범위의 제곱에 따라(±10°에서 ±60°까지 30배), 점의 수의 제곱근에 따라 줄어듭니다.</translation>
     </message>
     <message>
         <source>Parameters are strongly correlated (d_3 and alpha_3: −0.99): use their full covariance, as an identified robot does.</source>
-        <translation type="unfinished"></translation>
+        <translation>파라미터는 강하게 상관됩니다(d_3과 alpha_3: −0.99). 식별된 로봇처럼 전체 공분산을 쓰십시오.</translation>
     </message>
     <message>
         <source>Every joint needs a ball off its axis; at the paper&apos;s flange origin joint 6 draws no circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 관절에 축에서 벗어난 구가 필요합니다. 논문의 플랜지 원점에서는 관절 6이 원을 그리지 않습니다.</translation>
     </message>
     <message>
         <source>Geometric parameters of a serial robot by least squares from measured positions or poses of its tool, with observability, residuals and validation.</source>
@@ -6237,23 +6237,23 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>The paper identifies parameters by joint trajectories; least squares on measured positions or poses is the other usual way, with the same model of the arm (Eq 5).</source>
-        <translation type="unfinished"></translation>
+        <translation>논문은 관절 궤적으로 파라미터를 식별합니다. 측정한 위치나 자세에 대한 최소제곱은 같은 팔 모델(식 5)을 쓰는 또 다른 일반적 방법입니다.</translation>
     </message>
     <message>
         <source>Parameters that the poses cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, then ball or tool, then joint by joint) stays nominal and is named with its partners.</source>
-        <translation type="unfinished"></translation>
+        <translation>자세로 구할 수 없는 파라미터는 야코비 행렬의 열로 찾습니다. 앞의 것들(베이스, 다음 구나 공구, 다음 관절 순서)의 조합인 것은 공칭값으로 두고 상대와 함께 이름을 보입니다.</translation>
     </message>
     <message>
         <source>Weights are the inverse variances of the measured coordinates. Shared deviations of an instrument and the readings of the joints do not change the weights, but are propagated in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>가중치는 측정한 좌표의 분산의 역수입니다. 측정기의 공통 편차와 관절의 읽음값은 가중치를 바꾸지 않지만 온전히 전파됩니다.</translation>
     </message>
     <message>
         <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature, below 1e-9 m here.</source>
-        <translation type="unfinished"></translation>
+        <translation>시행마다 추정값에서의 이득을 씁니다. 완전한 맞춤과의 차이는 잔차 × 곡률로, 여기서 1e-9 m 미만입니다.</translation>
     </message>
     <message>
         <source>Position alone does not tell the last joint&apos;s parameters from the place of the ball; a known base and a known ball leave more to find.</source>
-        <translation type="unfinished"></translation>
+        <translation>위치만으로는 마지막 관절의 파라미터와 구의 위치를 구별할 수 없습니다. 베이스와 구를 알면 더 많은 것을 구할 수 있습니다.</translation>
     </message>
     <message>
         <source>The uncertainty of each channel of a multi-axis force/moment sensor, used alone or while unknown loads act on its other axes; by the GUM, with the paper&apos;s evaluation beside it.</source>
@@ -6261,27 +6261,27 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>U of the paper: 0.91, 1.22, 1.67, 1.68, 2.78, 1.20 % of rated output: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문의 U: 정격출력의 0.91, 1.22, 1.67, 1.68, 2.78, 1.20 %: 재현됨.</translation>
     </message>
     <message>
         <source>By the GUM (k = 2) with unknown loads on the other five axes: 1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %. With all others at rated load interference alone reaches 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %, more than U of the paper for all six: its linear sum is no bound.</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM에 따라(k = 2), 다른 다섯 축에 알 수 없는 하중이 있을 때: 1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %. 다른 모두가 정격하중이면 간섭만으로 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %에 이르러 여섯 모두 논문의 U를 넘습니다. 선형 합은 한계가 아닙니다.</translation>
     </message>
     <message>
         <source>Monte Carlo intervals are a little shorter than k = 2 because a few rectangular loads dominate.</source>
-        <translation type="unfinished"></translation>
+        <translation>몇몇 직사각형 분포의 하중이 지배하므로 몬테카를로 구간은 k = 2보다 조금 짧습니다.</translation>
     </message>
     <message>
         <source>The load on an axis is one quantity in the equations of all channels, which correlates them.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 축의 하중은 모든 채널의 식에서 하나의 양이며 채널들을 상관시킵니다.</translation>
     </message>
     <message>
         <source>With n = 3 a standard deviation has two degrees of freedom. Used alone a channel has effective degrees of freedom between 20 and 140, because its repeatability is a small part.</source>
-        <translation type="unfinished"></translation>
+        <translation>n = 3이면 표준편차의 자유도는 2입니다. 채널을 단독으로 쓰면 반복성이 작은 부분이므로 유효자유도는 20과 140 사이입니다.</translation>
     </message>
     <message>
         <source>Not covered: misalignment of the loads, creep, temperature, remounting.</source>
-        <translation type="unfinished"></translation>
+        <translation>포함하지 않음: 하중의 정렬 불량, 크리프, 온도, 재장착.</translation>
     </message>
     <message>
         <source>Forces and moments that act together, from the readings of all channels of a multi-axis sensor: the calibration matrix takes the interference between them away.</source>
@@ -6289,27 +6289,27 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>Kim prints no signs of the interference: nothing can be compensated from the paper. The readings of the example have signs of their own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kim은 간섭의 부호를 인쇄하지 않았습니다. 논문으로는 아무것도 보상할 수 없습니다. 예제의 읽음값에는 자체 부호가 있습니다.</translation>
     </message>
     <message>
         <source>U (k = 2) in % of rated load with all six axes at rated load: 0.184, 0.192, 0.152, 0.226, 0.219, 0.261; without load 0.149, 0.159, 0.144, 0.188, 0.179, 0.180. Compensation lowers the uncertainty under combined loads by a factor of 5 to 13 against U of the paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>여섯 축 모두 정격하중일 때 정격하중에 대한 % U (k = 2): 0.184, 0.192, 0.152, 0.226, 0.219, 0.261. 무부하에서 0.149, 0.159, 0.144, 0.188, 0.179, 0.180. 보상은 복합 하중에서의 불확도를 논문의 U에 비해 5~13분의 1로 줄입니다.</translation>
     </message>
     <message>
         <source>Without compensation the same loads are told wrong by -0.73, +2.05, -1.42, -2.72, +2.90, -1.54 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>보상하지 않으면 같은 하중이 -0.73, +2.05, -1.42, -2.72, +2.90, -1.54 % 틀립니다.</translation>
     </message>
     <message>
         <source>The machine&apos;s deviation is common to all readings under one load: a column of the matrix, and so a scale of the load on that axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>시험기의 편차는 한 하중의 모든 읽음값에 공통입니다. 행렬의 한 열, 곧 그 축 하중의 척도입니다.</translation>
     </message>
     <message>
         <source>Repeatability is that of one reading, the largest of the steps; hysteresis is rectangular over the loop, in proportion to the load.</source>
-        <translation type="unfinished"></translation>
+        <translation>반복성은 읽음값 하나의 것으로 단계 중 가장 큰 값이며, 히스테리시스는 고리에서 하중에 비례하는 직사각형 분포입니다.</translation>
     </message>
     <message>
         <source>Not covered: products of loads in the interference, misalignment of loads, creep, temperature, remounting.</source>
-        <translation type="unfinished"></translation>
+        <translation>포함하지 않음: 간섭에서 하중의 곱, 하중의 정렬 불량, 크리프, 온도, 재장착.</translation>
     </message>
     <message>
         <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
@@ -6317,19 +6317,19 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>차원은 식을 읽을 때 확인합니다. SI에서 라디안은 1이므로 평면각은 수로 봅니다. °C로 된 온도는 열역학적 온도로 보며 온도 차는 K로 제시합니다.</translation>
     </message>
     <message>
         <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
-        <translation type="unfinished"></translation>
+        <translation>감도계수는 정확합니다(자동 미분). 식이 음함수로 정의하는 미지수의 것은 JCGM 102 6.3을 따릅니다.</translation>
     </message>
     <message>
         <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
-        <translation type="unfinished"></translation>
+        <translation>관측 n개의 평균은 자유도 n − 1의 t 분포에서 추출합니다(JCGM 101 6.4.9). 동시 관측의 평균은 가우스 코풀라로 상관됩니다. JCGM 102 5.3.2의 다변량 t 분포는 n − N ≤ 2이면 공분산이 없어 제공하지 않습니다.</translation>
     </message>
     <message>
         <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 H.1, H.2, JCGM 101 9.2~9.5, JCGM 102 9.2~9.4는 projects/gum의 예제입니다. covaria verify가 발표된 값과 대조합니다.</translation>
     </message>
     <message>
         <source>A straight line or polynomial through the points of a calibration by least squares, with uncertainties in y and in x: the covariance of its coefficients, its values, and the x that belong to observed y, with their uncertainties.</source>
@@ -6337,15 +6337,15 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>Computed with polynomials that are orthonormal over the points, so results do not depend on the origin, up to degree 10. From the residuals their coefficients are drawn from a multivariate t distribution: one estimate of the scatter, n - p degrees of freedom for every result.</source>
-        <translation type="unfinished"></translation>
+        <translation>점 위에서 정규직교인 다항식으로 계산하므로 10차까지 결과가 원점에 따르지 않습니다. 잔차에서 구할 때 계수는 다변량 t 분포에서 추출합니다. 산포의 추정 하나, 모든 결과의 자유도는 n - p입니다.</translation>
     </message>
     <message>
         <source>JCGM 100 H.3, published y₁ = −0.1712 °C, y₂ = 0.002 18, u(y₁) = 0.0029 °C, u(y₂) = 0.000 67, b(30 °C) = −0.1494 °C with u = 0.0041 °C: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 H.3, 발표값 y₁ = −0.1712 °C, y₂ = 0.002 18, u(y₁) = 0.0029 °C, u(y₂) = 0.000 67, b(30 °C) = −0.1494 °C, u = 0.0041 °C: 재현됨.</translation>
     </message>
     <message>
         <source>The uncertainty of b(x) is that of the curve: the scatter of a further observation is not part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>b(x)의 불확도는 곡선의 불확도입니다. 또 다른 관측의 산포는 포함되지 않습니다.</translation>
     </message>
     <message>
         <source>The mean of observations made on several days, with several instruments or by several operators, and an analysis of variance that says whether these have an effect.</source>
@@ -6353,199 +6353,199 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>Groups may have different numbers of observations; n_0 = (N − Σ n_j²/N)/(J − 1) is then their size in the components of variance.</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹마다 관측 수가 다를 수 있습니다. 그때 분산 성분에서의 크기는 n_0 = (N − Σ n_j²/N)/(J − 1)입니다.</translation>
     </message>
     <message>
         <source>JCGM 100 H.5, published V̄ = 10.000 097 V, s(V̄_j) = 57 µV, s_b = 85 µV, u(V̄) = 18 µV with nine degrees of freedom, or 13 µV with 49 without an effect of the days: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 H.5, 발표값 V̄ = 10.000 097 V, s(V̄_j) = 57 µV, s_b = 85 µV, u(V̄) = 18 µV, 자유도 9, 또는 날짜의 영향이 없으면 13 µV, 자유도 49: 재현됨.</translation>
     </message>
     <message>
         <source>A plate or frame with calibrated nests, measured repeatedly where the real points will be. Its errors of indication give the uncertainty of each coordinate of a measured point.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 받침점이 있는 판이나 틀을 실제 점이 있을 곳에서 반복 측정합니다. 그 지시 오차가 측정점 각 좌표의 불확도를 줍니다.</translation>
     </message>
     <message>
         <source>u_i² = u_cal² + u_var,i² + u_T,i² + b_i² (Eq 2) with u_T = L_max α ΔT/√3 (Eq 3).</source>
-        <translation type="unfinished"></translation>
+        <translation>u_i² = u_cal² + u_var,i² + u_T,i² + b_i² (식 2), u_T = L_max α ΔT/√3 (식 3).</translation>
     </message>
     <message>
         <source>The paper draws all parts independently for each point; calibration, temperature and bias are in truth common to all points, which can be chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문은 점마다 모든 부분을 독립적으로 추출합니다. 교정, 온도, 편의는 실제로 모든 점에 공통이며 그렇게 고를 수 있습니다.</translation>
     </message>
     <message>
         <source>The noise of the three points that define the artefact&apos;s frame is part of the errors of the others; the errors of the defining coordinates themselves are never observed.</source>
-        <translation type="unfinished"></translation>
+        <translation>표준기의 좌표계를 정하는 세 점의 잡음은 다른 점의 오차의 일부입니다. 정하는 좌표 자체의 오차는 관측되지 않습니다.</translation>
     </message>
     <message>
         <source>A bar of calibrated length, measured in many positions and orientations. Its errors of indication give one figure for every coordinate of a measured point.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 길이의 막대를 여러 위치와 방향에서 측정합니다. 그 지시 오차가 측정점의 모든 좌표에 수치 하나를 줍니다.</translation>
     </message>
     <message>
         <source>u² = u_cal² + u_var² + u_T² + b² (Eq 5) with u_T = L α ΔT/√3 (Eq 6).</source>
-        <translation type="unfinished"></translation>
+        <translation>u² = u_cal² + u_var² + u_T² + b² (식 5), u_T = L α ΔT/√3 (식 6).</translation>
     </message>
     <message>
         <source>A length is a difference of two points: dividing by √2 would be consistent; the paper does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>길이는 두 점의 차이므로 √2로 나누는 것이 일관되지만 논문은 그렇게 하지 않습니다.</translation>
     </message>
     <message>
         <source>A sensor that stands somewhere and reads a distance, two angles, or some of them. Its uncertainty: each reading for itself, what all its readings share, and where it stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>어딘가에 서서 거리, 두 각도 또는 그 일부를 읽는 센서. 그 불확도: 각 읽음값 자체의 것, 모든 읽음값이 공유하는 것, 그리고 서 있는 곳.</translation>
     </message>
     <message>
         <source>The distance has the figure a + b L, each angle its own; these are independent from reading to reading. Scale, zero, index, collimation, squareness, beam offset and refraction are shared by all readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 수치는 a + b L, 각도는 각각의 것이며 읽음값마다 독립입니다. 척도, 영점, 지표, 시준, 직각도, 빔 편심, 굴절은 모든 읽음값이 공유합니다.</translation>
     </message>
     <message>
         <source>Only a sensor that reads a distance and both angles can say by itself where a point is.</source>
-        <translation type="unfinished"></translation>
+        <translation>거리와 두 각도를 읽는 센서만이 혼자서 점의 위치를 말할 수 있습니다.</translation>
     </message>
     <message>
         <source>Instruments of the project that measure the same points together. Points measured by the network keep what they share: the scale and the station of each instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>같은 점을 함께 측정하는 프로젝트의 측정기들. 네트워크로 측정한 점은 공유하는 것, 곧 각 측정기의 척도와 스테이션을 유지합니다.</translation>
     </message>
     <message>
         <source>A point&apos;s deviations are the least-squares gain times those of the readings and stations, linearised at the point: exact to first order, and in Monte Carlo as long as the angles&apos; deviations stay below about a milliradian.</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 편차는 최소제곱 이득 × 읽음값과 스테이션의 편차이며 그 점에서 선형화합니다. 일차에서 정확하고, 몬테카를로에서는 각도의 편차가 약 1밀리라디안 미만이면 정확합니다.</translation>
     </message>
     <message>
         <source>All points that an analysis takes from the network are measured from one set-up: none of its instruments is moved or located anew between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>분석이 네트워크에서 가져오는 모든 점은 한 설치에서 측정됩니다. 그 사이에 어떤 측정기도 옮기거나 다시 위치를 정하지 않습니다.</translation>
     </message>
     <message>
         <source>A sensor contributes to a point that is in its range and field of view, and no others.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서는 범위와 시야 안에 있는 점에만 기여합니다.</translation>
     </message>
     <message>
         <source>One figure of a data sheet for all coordinates: a standard uncertainty or a maximum permissible error.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 좌표에 대한 데이터 시트의 수치 하나. 표준불확도 또는 최대허용오차.</translation>
     </message>
     <message>
         <source>A specification taken alike in all directions overestimates, by a factor of 2 to 5 in the paper&apos;s example; an instrument that stands somewhere (spherical instrument) is closer to the truth.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 방향에 같게 본 사양은 논문의 예에서 2~5배 과대평가합니다. 어딘가에 서 있는 측정기(구면 측정기)가 사실에 더 가깝습니다.</translation>
     </message>
     <message>
         <source>Three or more telescopic ballbars that measure the lengths from their supports to one ball at once, and with it where the ball is.</source>
-        <translation type="unfinished"></translation>
+        <translation>받침에서 구 하나까지의 길이를 동시에 측정하는 신축식 볼바 세 개 이상. 그것으로 구의 위치를 알 수 있습니다.</translation>
     </message>
     <message>
         <source>The supports&apos; frame follows from the lengths between them (Eqs 4 to 7), measured once: their deviations are common to all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>받침의 좌표계는 받침 사이의 길이에서 나오며(식 4~7) 한 번 측정합니다. 그 편차는 모든 점에 공통입니다.</translation>
     </message>
     <message>
         <source>Eq 2 as printed has Y_VC3; Y_KS3 is meant. Eq 3 has two roots; the side is a choice here.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 2에 인쇄된 것은 Y_VC3이며 Y_KS3를 뜻합니다. 식 3에는 근이 둘 있으며 여기서 쪽을 고릅니다.</translation>
     </message>
     <message>
         <source>The paper&apos;s supports are called an equilateral triangle of 520 mm; its Table 1 is isosceles, 520 mm and 519.711 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문은 받침을 520 mm의 정삼각형이라고 합니다. 표 1은 520 mm와 519.711 mm의 이등변입니다.</translation>
     </message>
     <message>
         <source>A fourth support and those after it are located by their lengths to the first three at a height that is an input of its own: lengths say nothing about a height above the plane in which all supports lie.</source>
-        <translation type="unfinished"></translation>
+        <translation>네 번째부터의 받침은 처음 세 받침까지의 길이와 별도 입력인 높이로 위치를 정합니다. 길이는 모든 받침이 놓인 평면 위의 높이에 대해 아무것도 말하지 않습니다.</translation>
     </message>
     <message>
         <source>A robot as a source of uncertainty: each time it goes to a pose it misses it by a distance in a random direction, and perhaps by small rotations.</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도의 원천으로서의 로봇. 자세로 갈 때마다 무작위 방향으로 어떤 거리만큼, 또 작은 회전만큼 어긋납니다.</translation>
     </message>
     <message>
         <source>The paper takes the distance as rectangular in [0, r], r being the data sheet&apos;s ± 0.02 mm; u along an axis is then r/3. RP of ISO 9283 is the mean distance plus three standard deviations, which is another figure: for that law RP = 1.366 r, in a ball 1.331 r, on a sphere r, and 3.616 u for normal coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문은 거리를 [0, r]의 직사각형 분포로 보며 r은 데이터 시트의 ± 0.02 mm입니다. 그러면 축 방향의 u는 r/3입니다. ISO 9283의 RP는 평균 거리 + 표준편차의 세 배로 다른 수치입니다. 그 분포에서 RP = 1.366 r, 공 안에서 1.331 r, 구면에서 r, 정규 좌표에서 3.616 u입니다.</translation>
     </message>
     <message>
         <source>The paper leaves the orientation out. A rotation by e moves the tool by about e times its length.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문은 방향을 뺍니다. e만큼의 회전은 공구를 약 e × 길이만큼 움직입니다.</translation>
     </message>
     <message>
         <source>An arm of joints that turn or slide: parameters in a Denavit-Hartenberg convention with one or more components of uncertainty each, their correlation, limits, encoders, base and tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>돌거나 미끄러지는 관절의 팔. Denavit-Hartenberg 규약의 파라미터, 각각 하나 이상의 불확도 성분, 그 상관, 한계, 엔코더, 베이스, 공구.</translation>
     </message>
     <message>
         <source>Eq. 5: T = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta). Where an axis is parallel to the next, beta is a parameter and d is 0 by definition; elsewhere beta is 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 5: T = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta). 축이 다음 축과 평행하면 beta가 파라미터이고 d는 정의에 따라 0이며, 그 밖에는 beta가 0입니다.</translation>
     </message>
     <message>
         <source>alpha and beta of a row turn the axis of the joint into that of the next (the paper&apos;s text shifts them by one joint).</source>
-        <translation type="unfinished"></translation>
+        <translation>한 행의 alpha와 beta는 그 관절의 축을 다음 관절의 축으로 돌립니다(논문의 본문은 한 관절만큼 어긋나 있음).</translation>
     </message>
     <message>
         <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절각은 theta + 읽음값 − 영점 읽음값입니다. 미끄럼 관절은 같은 방법으로 읽음값을 d에 더합니다.</translation>
     </message>
     <message>
         <source>A serial robot whose parameters follow from points measured while one joint after the other turns, with the full covariance of the identification.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절을 하나씩 돌리며 측정한 점에서 파라미터를 구한 직렬 로봇. 식별의 전체 공분산을 가집니다.</translation>
     </message>
     <message>
         <source>The covariance is that of the law of propagation; the analysis &quot;Robot by joint trajectories&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation type="unfinished"></translation>
+        <translation>공분산은 전파 법칙의 것입니다. 설정이 같은 분석 &quot;관절 궤적에 의한 로봇&quot;이 몬테카를로로도 줍니다.</translation>
     </message>
     <message>
         <source>An analysis that uses this robot follows when a point changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>점이 바뀌면 이 로봇을 쓰는 분석이 따라갑니다.</translation>
     </message>
     <message>
         <source>A serial robot whose parameters follow by least squares from measured positions or poses of its tool, with the full covariance of the identification.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 공구 위치나 자세에서 최소제곱으로 파라미터를 구한 직렬 로봇. 식별의 전체 공분산을 가집니다.</translation>
     </message>
     <message>
         <source>The covariance is that of the law of propagation; the analysis &quot;Robot from measured poses&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation type="unfinished"></translation>
+        <translation>공분산은 전파 법칙의 것입니다. 설정이 같은 분석 &quot;측정한 자세에 의한 로봇&quot;이 몬테카를로로도 줍니다.</translation>
     </message>
     <message>
         <source>The robot stands where the fit found its base; its tool is that of the nominal robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇은 맞춤이 구한 베이스에 서 있으며 공구는 공칭 로봇의 것입니다.</translation>
     </message>
     <message>
         <source>An analysis that uses this robot follows when a pose changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>자세가 바뀌면 이 로봇을 쓰는 분석이 따라갑니다.</translation>
     </message>
     <message>
         <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>다축 힘/모멘트 센서에 한 번에 힘이나 모멘트 하나를 가합니다.</translation>
     </message>
     <message>
         <source>The uncertainty of a load is common to all readings under loads on that axis: it does not average out in the calibration matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>하중의 불확도는 그 축의 하중에서 모든 읽음값에 공통입니다. 교정 행렬에서 평균으로 없어지지 않습니다.</translation>
     </message>
     <message>
         <source>Up to three forces and three moments measured at once; calibrated with one load at a time, evaluated from its readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘 최대 셋과 모멘트 최대 셋을 동시에 측정합니다. 한 번에 하중 하나로 교정하고 그 읽음값으로 평가합니다.</translation>
     </message>
     <message>
         <source>Tables 1 to 4 reproduce from raw readings that are consistent with them, to the printed digits, with relative uncertainties of the machine of 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4 and 1.7e-3.</source>
-        <translation type="unfinished"></translation>
+        <translation>표 1~4는 그것과 일치하는 원 읽음값에서 인쇄된 자리까지 재현됩니다. 시험기의 상대불확도는 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4, 1.7e-3입니다.</translation>
     </message>
     <message>
         <source>Type B, Table 3: differs for five of six sensors, because the stated uncertainties of the machine (2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4) give 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V and not 0.27, 0.31, 0.28, 0.41, 0.40, 0.62. The list equals the Type A column in five places: most likely copied there.</source>
-        <translation type="unfinished"></translation>
+        <translation>B형, 표 3: 센서 여섯 중 다섯이 다릅니다. 제시된 시험기의 불확도(2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4)는 0.27, 0.31, 0.28, 0.41, 0.40, 0.62가 아니라 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V를 줍니다. 목록이 다섯 곳에서 A형 열과 같아 그곳에서 옮긴 것으로 보입니다.</translation>
     </message>
     <message>
         <source>Table 4, Mx under Fy: differs, printed 1.55 %, is 0.15 %; the largest for Mx is 1.38 %, and the difference to its U 0.30 %, not 0.13 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>표 4, Fy에서의 Mx: 다름. 1.55 %로 인쇄되었으나 0.15 %입니다. Mx의 최댓값은 1.38 %이며 U와의 차는 0.13 %가 아니라 0.30 %입니다.</translation>
     </message>
     <message>
         <source>Section 2.5 calls e_12 the output of Fy under Fx, but Table 4 divides by the rated output of the row: a row is taken as a sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.5절은 e_12를 Fx에서의 Fy의 출력이라 하지만 표 4는 행의 정격출력으로 나눕니다. 행을 센서로 봅니다.</translation>
     </message>
     <message>
         <source>Eq 12 adds hysteresis and interference, limits that are not standard uncertainties, to an expanded uncertainty: the sum is neither a standard uncertainty nor a coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 12는 표준불확도가 아닌 한계인 히스테리시스와 간섭을 확장불확도에 더합니다. 그 합은 표준불확도도 포함구간도 아닙니다.</translation>
     </message>
     <message>
         <source>The largest values of Type A and Type B need not occur at the same step. Eq 5 takes the rated output at every step. In 2.1.1 &quot;h=2&quot; of My and Mz is a slip.</source>
-        <translation type="unfinished"></translation>
+        <translation>A형과 B형의 최댓값이 같은 단계에서 나타난다는 법은 없습니다. 식 5는 모든 단계에서 정격출력을 씁니다. 2.1.1의 My와 Mz의 &quot;h=2&quot;는 잘못입니다.</translation>
     </message>
     <message>
         <source>A surface from an STL file - the robot cell, the part, the fixture, the room - that is drawn in the scenes of all analyses. It is context only: no number depends on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>STL 파일의 표면(로봇 셀, 부품, 고정구, 방)으로 모든 분석의 장면에 그려집니다. 주변일 뿐 어떤 수도 그것에 따르지 않습니다.</translation>
     </message>
     <message>
         <source>The picture is fitted to what is measured, not to the mesh, which may be a whole hall.</source>
-        <translation type="unfinished"></translation>
+        <translation>그림은 홀 전체일 수 있는 메시가 아니라 측정하는 것에 맞춥니다.</translation>
     </message>
     <message>
         <source>A file that is missing or damaged is warned of; analyses keep their results.</source>
-        <translation type="unfinished"></translation>
+        <translation>없거나 손상된 파일은 경고하며 분석은 결과를 유지합니다.</translation>
     </message>
     <message>
         <source>Of the certificate and the report; what was typed stays as it is.</source>
@@ -6557,11 +6557,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>and %1 more like these</source>
-        <translation type="unfinished"></translation>
+        <translation>그리고 이와 같은 것 %1개 더</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was not written: %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;을(를) 쓰지 못했습니다: %2: %3</translation>
     </message>
     <message>
         <source>it cannot be opened</source>
@@ -6609,19 +6609,19 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;%1&apos; cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;을(를) 읽을 수 없습니다: %2</translation>
     </message>
     <message>
         <source>it is %1, not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>파일이 아니라 %1입니다</translation>
     </message>
     <message>
         <source>it is not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>파일이 아닙니다</translation>
     </message>
     <message>
         <source>it is too large: files of up to %1 MB are read, it has %2 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>너무 큽니다. 파일은 %1 MB까지 읽는데 이 파일은 %2 MB입니다</translation>
     </message>
     <message>
         <source>it is a folder</source>
@@ -6629,7 +6629,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>unit &quot;%1&quot;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>단위 &quot;%1&quot;: %2</translation>
     </message>
     <message>
         <source>a parenthesis is closed that was not opened.</source>
@@ -6669,7 +6669,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the unit is empty: write &quot;1&quot; for a pure number.</source>
-        <translation type="unfinished"></translation>
+        <translation>단위가 비어 있습니다. 무차원수에는 &quot;1&quot;을 적으십시오.</translation>
     </message>
     <message>
         <source> Known units, most of them with the prefixes of the SI: %1.</source>
@@ -6689,11 +6689,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>포함확률은 0과 1 사이여야 합니다.</translation>
     </message>
     <message>
         <source>the effective degrees of freedom must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>유효자유도는 0보다 커야 합니다.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is defined by itself here, directly or through other definitions; an equation that is to be solved is written &apos;solve %1 = 1: ... = ...&apos;, with a starting value</source>
@@ -6705,139 +6705,139 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;%1&apos; is neither defined nor one of the quantities: give it a row in the table of quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 정의되지도 않았고 양도 아닙니다. 양 표에 행을 추가하십시오</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: its unit is K, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 온도 차입니다. 단위는 %2이(가) 아니라 K입니다</translation>
     </message>
     <message>
         <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 온도의 배수입니다. 단위는 %2이(가) 아니라 K입니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 조건이 됩니다. 정의는 수를 주어야 합니다</translation>
     </message>
     <message>
         <source>%1 is %2, %3 is %4: they cannot be equal</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2, %3은(는) %4입니다. 서로 같을 수 없습니다</translation>
     </message>
     <message>
         <source>the equations do not depend on the unknown &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>방정식이 미지수 &apos;%1&apos;에 의존하지 않습니다</translation>
     </message>
     <message>
         <source>this equation does not depend on any unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>이 방정식은 어떤 미지수에도 의존하지 않습니다</translation>
     </message>
     <message>
         <source>this constant has no value (division by zero, or root of a negative number)</source>
-        <translation type="unfinished"></translation>
+        <translation>이 상수에는 값이 없습니다(0으로 나눔 또는 음수의 제곱근)</translation>
     </message>
     <message>
         <source>no equation defines &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;을(를) 정의하는 방정식이 없습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is to be given in %2, but is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) %2(으)로 주어야 하지만 %3입니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2, which has no unit of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) %2이며, 여기에는 고유한 단위가 없습니다</translation>
     </message>
     <message>
         <source>%1 is %2, %3 is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2, %3은(는) %4입니다</translation>
     </message>
     <message>
         <source>they cannot be added</source>
-        <translation type="unfinished"></translation>
+        <translation>서로 더할 수 없습니다</translation>
     </message>
     <message>
         <source>they cannot be subtracted</source>
-        <translation type="unfinished"></translation>
+        <translation>서로 뺄 수 없습니다</translation>
     </message>
     <message>
         <source>%1 is %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2입니다: %3</translation>
     </message>
     <message>
         <source>the exponent %1 is %2: an exponent must be a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>지수 %1은(는) %2입니다. 지수는 무차원수여야 합니다</translation>
     </message>
     <message>
         <source>%1 is %2: its exponent must be a constant, or the dimension would vary</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2입니다. 그 지수는 상수여야 합니다. 그렇지 않으면 차원이 달라집니다</translation>
     </message>
     <message>
         <source>atan2 needs two quantities of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>atan2에는 같은 종류의 두 양이 필요합니다</translation>
     </message>
     <message>
         <source>a function of both needs quantities of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>둘의 함수에는 같은 종류의 양이 필요합니다</translation>
     </message>
     <message>
         <source>sin, cos and tan need an angle or a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>sin, cos, tan에는 각 또는 무차원수가 필요합니다</translation>
     </message>
     <message>
         <source>an inverse function of an angle needs a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>각의 역함수에는 무차원수가 필요합니다</translation>
     </message>
     <message>
         <source>this function needs a pure number: divide by a quantity of the same kind</source>
-        <translation type="unfinished"></translation>
+        <translation>이 함수에는 무차원수가 필요합니다. 같은 종류의 양으로 나누십시오</translation>
     </message>
     <message>
         <source>they cannot be compared</source>
-        <translation type="unfinished"></translation>
+        <translation>서로 비교할 수 없습니다</translation>
     </message>
     <message>
         <source>%1 is not a condition: write a comparison, as in x &gt; 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 조건이 아닙니다. x &gt; 0과 같이 비교를 적으십시오</translation>
     </message>
     <message>
         <source>a condition</source>
-        <translation type="unfinished"></translation>
+        <translation>조건</translation>
     </message>
     <message>
         <source>a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>무차원수</translation>
     </message>
     <message>
         <source>measured in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1(으)로 측정하는 양</translation>
     </message>
     <message>
         <source>%1 is a temperature in degC, %2 a difference of temperatures: give differences in K</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) degC 단위의 온도이고 %2은(는) 온도 차입니다. 차는 K로 주십시오</translation>
     </message>
     <message>
         <source>%1 is a temperature in degC, and 0 has no unit: write 0 [degC], or 0 [K] for absolute zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) degC 단위의 온도이고 0에는 단위가 없습니다. 0 [degC], 절대영도라면 0 [K]로 적으십시오</translation>
     </message>
     <message>
         <source>%1 is a sum of temperatures in degC, which means nothing: give differences in K, or divide the sum by the number of temperatures for their mean</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) degC 단위 온도의 합이며 의미가 없습니다. 차를 K로 주거나, 평균을 구하려면 합을 온도의 개수로 나누십시오</translation>
     </message>
     <message>
         <source>%1 is not a condition: write a comparison, as in if(x &gt; 0, x, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 조건이 아닙니다. if(x &gt; 0, x, 0)과 같이 비교를 적으십시오</translation>
     </message>
     <message>
         <source>both values of &apos;if&apos; must be numbers, not conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;if&apos;의 두 값은 모두 조건이 아니라 수여야 합니다</translation>
     </message>
     <message>
         <source>both values of &apos;if&apos; must be of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;if&apos;의 두 값은 같은 종류여야 합니다</translation>
     </message>
     <message>
         <source>%1 is a condition: use it as the first argument of if(...)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 조건입니다. if(...)의 첫째 인수로 사용하십시오</translation>
     </message>
     <message>
         <source>the end of the equation</source>
@@ -6857,111 +6857,111 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;+&apos; stands here twice</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에 &apos;+&apos;가 두 번 있습니다</translation>
     </message>
     <message>
         <source>the expression is nested more than %1 levels deep: split it into definitions</source>
-        <translation type="unfinished"></translation>
+        <translation>식이 %1단계를 넘어 중첩되어 있습니다. 정의로 나누십시오</translation>
     </message>
     <message>
         <source>a unit in brackets belongs behind a number: 20 [degC]</source>
-        <translation type="unfinished"></translation>
+        <translation>대괄호 안의 단위는 수 뒤에 와야 합니다: 20 [degC]</translation>
     </message>
     <message>
         <source>a number, a name or a parenthesis is expected here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 %1이(가) 아니라 수, 이름 또는 괄호가 필요합니다</translation>
     </message>
     <message>
         <source>this parenthesis is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>이 괄호를 닫지 않았습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a function: its argument follows in parentheses</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 함수입니다. 뒤의 괄호 안에 인수가 필요합니다</translation>
     </message>
     <message>
         <source>the word &apos;%1&apos; is not expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>단어 &apos;%1&apos;은(는) 여기에 올 수 없습니다</translation>
     </message>
     <message>
         <source>an operator, a comma or &apos;)&apos; is expected here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 %1이(가) 아니라 연산자, 쉼표 또는 &apos;)&apos;가 필요합니다</translation>
     </message>
     <message>
         <source>this parenthesis closes nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>이 괄호는 아무것도 닫지 않습니다</translation>
     </message>
     <message>
         <source>an equation defines one name: write &apos;y = ...&apos;; to compare, write &apos;==&apos;; an equation that is to be solved starts with &apos;solve&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>방정식은 이름 하나를 정의합니다: &apos;y = ...&apos;로 적으십시오. 비교하려면 &apos;==&apos;를 적으십시오. 풀어야 할 방정식은 &apos;solve&apos;로 시작합니다</translation>
     </message>
     <message>
         <source>an operator is missing before %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 앞에 연산자가 없습니다</translation>
     </message>
     <message>
         <source>%1 is not expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 여기에 올 수 없습니다</translation>
     </message>
     <message>
         <source>an equation starts with the name that it defines: y = ...</source>
-        <translation type="unfinished"></translation>
+        <translation>방정식은 그것이 정의하는 이름으로 시작합니다: y = ...</translation>
     </message>
     <message>
         <source>a name with its starting value is expected here: y = 1</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 시작값이 있는 이름이 필요합니다: y = 1</translation>
     </message>
     <message>
         <source>a function</source>
-        <translation type="unfinished"></translation>
+        <translation>함수</translation>
     </message>
     <message>
         <source>a word of the language</source>
-        <translation type="unfinished"></translation>
+        <translation>언어의 예약어</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2: choose another name</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) %2입니다. 다른 이름을 선택하십시오</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is defined twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;이(가) 두 번 정의되었습니다</translation>
     </message>
     <message>
         <source>a colon is expected before the equations to be solved: solve y = 1: y^2 = x</source>
-        <translation type="unfinished"></translation>
+        <translation>풀어야 할 방정식 앞에 쌍점이 필요합니다: solve y = 1: y^2 = x</translation>
     </message>
     <message>
         <source>%1 unknowns need as many equations; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>미지수 %1개에는 같은 수의 방정식이 필요합니다. 지금은 %2개입니다</translation>
     </message>
     <message>
         <source>at most six unknowns can be solved together</source>
-        <translation type="unfinished"></translation>
+        <translation>미지수는 최대 6개까지 함께 풀 수 있습니다</translation>
     </message>
     <message>
         <source>an equals sign is expected in an equation to be solved</source>
-        <translation type="unfinished"></translation>
+        <translation>풀어야 할 방정식에는 등호가 필요합니다</translation>
     </message>
     <message>
         <source>line %1, column %2: </source>
-        <translation type="unfinished"></translation>
+        <translation>%1행, %2열: </translation>
     </message>
     <message>
         <source>line %1, columns %2-%3: </source>
-        <translation type="unfinished"></translation>
+        <translation>%1행, %2-%3열: </translation>
     </message>
     <message>
         <source>this number is too large or too small to compute with</source>
-        <translation type="unfinished"></translation>
+        <translation>이 수는 계산하기에 너무 크거나 너무 작습니다</translation>
     </message>
     <message>
         <source>the bracket of a unit is not closed: write &apos;]&apos; behind the unit</source>
-        <translation type="unfinished"></translation>
+        <translation>단위의 대괄호를 닫지 않았습니다. 단위 뒤에 &apos;]&apos;를 적으십시오</translation>
     </message>
     <message>
         <source>the character &apos;%1&apos; does not belong in an equation</source>
-        <translation type="unfinished"></translation>
+        <translation>문자 &apos;%1&apos;은(는) 방정식에 쓸 수 없습니다</translation>
     </message>
     <message>
         <source>the equations have %1 characters; more than %2 are not read: put tables of data into assets or observations</source>
@@ -6969,35 +6969,35 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the coverage factor k must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>포함인자 k는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 100 %</source>
-        <translation type="unfinished"></translation>
+        <translation>포함확률은 0과 100 % 사이여야 합니다</translation>
     </message>
     <message>
         <source>the limits give the estimate: leave the value empty, or state a half-width</source>
-        <translation type="unfinished"></translation>
+        <translation>한계가 추정값을 줍니다. 값을 비워 두거나 반너비를 주십시오</translation>
     </message>
     <message>
         <source>the lower limit is above the upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>하한이 상한보다 큽니다</translation>
     </message>
     <message>
         <source>a relative part of the permissible error needs the value of the quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>허용오차의 상대 부분에는 양의 값이 필요합니다</translation>
     </message>
     <message>
         <source>an exponential distribution needs an estimate greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>지수분포에는 0보다 큰 추정값이 필요합니다</translation>
     </message>
     <message>
         <source>the number of counts must be whole</source>
-        <translation type="unfinished"></translation>
+        <translation>계수 횟수는 정수여야 합니다</translation>
     </message>
     <message>
         <source>the counts give the estimate: leave the value empty</source>
-        <translation type="unfinished"></translation>
+        <translation>계수 횟수가 추정값을 줍니다. 값을 비워 두십시오</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not used by this statement: leave it empty</source>
@@ -7025,7 +7025,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>there is no statement &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>표기 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not understood here</source>
@@ -7089,43 +7089,43 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>a Type A evaluation needs at least two observations.</source>
-        <translation type="unfinished"></translation>
+        <translation>A형 평가에는 관측값이 두 개 이상 필요합니다.</translation>
     </message>
     <message>
         <source>one of the observations is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값 중 하나가 유한한 수가 아닙니다.</translation>
     </message>
     <message>
         <source>there is no series to be pooled.</source>
-        <translation type="unfinished"></translation>
+        <translation>합동할 계열이 없습니다.</translation>
     </message>
     <message>
         <source>the covariance of two means needs observations made in pairs: the series have different lengths.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 평균의 공분산에는 쌍으로 얻은 관측값이 필요합니다. 계열의 길이가 서로 다릅니다.</translation>
     </message>
     <message>
         <source>the covariance of two means needs at least two pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 평균의 공분산에는 쌍이 두 개 이상 필요합니다.</translation>
     </message>
     <message>
         <source>the components %1 and %2 are given two different correlations; a quantity that combines its components arithmetically needs +1 or -1.</source>
-        <translation type="unfinished"></translation>
+        <translation>성분 %1과 %2에 서로 다른 상관이 두 개 주어졌습니다. 성분을 산술적으로 합하는 양에는 +1 또는 -1이 필요합니다.</translation>
     </message>
     <message>
         <source>a correlation refers to component number %1 of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>상관이 %2개 중 %1번째 성분을 참조합니다.</translation>
     </message>
     <message>
         <source>a correlation is given between the component %1 and itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>성분 %1과 그 자신 사이에 상관이 주어졌습니다.</translation>
     </message>
     <message>
         <source>the correlation of the components %1 and %2 must lie between -1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>성분 %1과 %2의 상관은 -1과 1 사이여야 합니다.</translation>
     </message>
     <message>
         <source>the quantity &quot;%1&quot; refers to component number %2 of %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>양 &quot;%1&quot;이(가) %3개 중 %2번째 성분을 참조합니다.</translation>
     </message>
     <message>
         <source>the correlations of the components %1 contradict each other: the smallest eigenvalue of their correlation matrix is %2, it must not be negative.</source>
@@ -7145,107 +7145,107 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the components %1 and %2 cannot have the correlation %3: with these distributions it lies between %4 and %5.</source>
-        <translation type="unfinished"></translation>
+        <translation>성분 %1과 %2의 상관은 %3일 수 없습니다. 이 분포에서는 %4과 %5 사이입니다.</translation>
     </message>
     <message>
         <source>%1 distribution: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 분포: %2</translation>
     </message>
     <message>
         <source>the %1 must be a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 유한한 수여야 합니다.</translation>
     </message>
     <message>
         <source>the %1 is too large (at most 1e150).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 너무 큽니다(최대 1e150).</translation>
     </message>
     <message>
         <source>the %1 must not be negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 음수가 아니어야 합니다.</translation>
     </message>
     <message>
         <source>the %1 must lie between 0.001 and 1000000.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 0.001과 1000000 사이여야 합니다.</translation>
     </message>
     <message>
         <source>the lower limit must not be greater than the upper limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>하한은 상한보다 크지 않아야 합니다.</translation>
     </message>
     <message>
         <source>the degrees of freedom must be at least 0.2 (they may be infinite).</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도는 0.2 이상이어야 합니다(무한대도 가능).</translation>
     </message>
     <message>
         <source>the inexactness of the limits must not exceed half the distance between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>한계의 부정확도는 한계 사이 거리의 절반을 넘지 않아야 합니다.</translation>
     </message>
     <message>
         <source>the ratio beta of top to base must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>윗변과 밑변의 비 beta는 0과 1 사이여야 합니다.</translation>
     </message>
     <message>
         <source>one of the limits excludes every value.</source>
-        <translation type="unfinished"></translation>
+        <translation>한계 중 하나가 모든 값을 배제합니다.</translation>
     </message>
     <message>
         <source>the mean value lies outside the limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>평균값이 한계 밖에 있습니다.</translation>
     </message>
     <message>
         <source>the limits lie so far from the mean value that no probability is left between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>한계가 평균값에서 너무 멀어 그 사이에 확률이 남지 않습니다.</translation>
     </message>
     <message>
         <source>mean value of the logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>로그의 평균값</translation>
     </message>
     <message>
         <source>the parameters of the logarithm are too large: the quantity has no finite variance in numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>로그의 매개변수가 너무 큽니다. 양의 분산이 수로 나타내기에 유한하지 않습니다.</translation>
     </message>
     <message>
         <source>a discrete distribution needs at least one value.</source>
-        <translation type="unfinished"></translation>
+        <translation>이산분포에는 값이 하나 이상 필요합니다.</translation>
     </message>
     <message>
         <source>there must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>확률의 수는 값의 수와 같아야 합니다.</translation>
     </message>
     <message>
         <source>values</source>
-        <translation type="unfinished"></translation>
+        <translation>값</translation>
     </message>
     <message>
         <source>probabilities</source>
-        <translation type="unfinished"></translation>
+        <translation>확률</translation>
     </message>
     <message>
         <source>the probabilities must sum to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>확률의 합은 1이어야 합니다.</translation>
     </message>
     <message>
         <source>discrete distribution: there must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>이산분포: 확률의 수는 값의 수와 같아야 합니다.</translation>
     </message>
     <message>
         <source>%1 distribution: %2 parameters are needed, %3 are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 분포: 매개변수 %2개가 필요한데 %3개가 주어졌습니다.</translation>
     </message>
     <message>
         <source>the distribution &quot;%1&quot; is not known. Known distributions: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>분포 &quot;%1&quot;을(를) 알 수 없습니다. 알려진 분포: %2.</translation>
     </message>
     <message>
         <source>%1 in row %2 of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%3의 %2행에 있는 %1</translation>
     </message>
     <message>
         <source>greater than %1 and at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1보다 크고 %2 이하</translation>
     </message>
     <message>
         <source>between %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1과 %2 사이</translation>
     </message>
     <message>
         <source>greater than %1</source>
@@ -7257,239 +7257,239 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이하</translation>
     </message>
     <message>
         <source>%1 must be a whole number; it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 정수여야 합니다. 지금은 %2입니다</translation>
     </message>
     <message>
         <source>%1 is too large a number: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 너무 큰 수입니다: %2</translation>
     </message>
     <message>
         <source>%1 must be %2; it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2이어야 합니다. 지금은 %3입니다</translation>
     </message>
     <message>
         <source>%1 must be one of %2; it is %3%4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 다음 중 하나여야 합니다: %2. 지금은 %3입니다%4</translation>
     </message>
     <message>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>수</translation>
     </message>
     <message>
         <source>a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>정수</translation>
     </message>
     <message>
         <source>one of its choices</source>
-        <translation type="unfinished"></translation>
+        <translation>선택 항목 중 하나</translation>
     </message>
     <message>
         <source>a text</source>
-        <translation type="unfinished"></translation>
+        <translation>텍스트</translation>
     </message>
     <message>
         <source>true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>true 또는 false</translation>
     </message>
     <message>
         <source>a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈</translation>
     </message>
     <message>
         <source>a table</source>
-        <translation type="unfinished"></translation>
+        <translation>표</translation>
     </message>
     <message>
         <source>the id of an asset</source>
-        <translation type="unfinished"></translation>
+        <translation>에셋의 id</translation>
     </message>
     <message>
         <source>%1 must be %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2이어야 합니다</translation>
     </message>
     <message>
         <source>%1 needs at least 1 row; it has %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 행이 1개 이상 필요합니다. 지금은 %2개입니다</translation>
     </message>
     <message>
         <source>%1 needs at least %2 rows; it has %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 행이 %2개 이상 필요합니다. 지금은 %3개입니다</translation>
     </message>
     <message>
         <source>%1 has %2 columns, but %3 units</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 열은 %2개이지만 단위는 %3개입니다</translation>
     </message>
     <message>
         <source>row %1 of %2 has %3 cells; there are %4 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 행 %1에 셀이 %3개입니다. 열은 %4개입니다</translation>
     </message>
     <message>
         <source>%1 is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 비어 있습니다</translation>
     </message>
     <message>
         <source>%1 must not be empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 비워 둘 수 없습니다</translation>
     </message>
     <message>
         <source>%1 must be given (&apos;%2&apos; is missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 주어야 합니다(&apos;%2&apos;이(가) 없음)</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%1 [%4]&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos;의 열 &apos;%1&apos;은(는) %3입니다. 단위가 없습니다. &quot;%1 [%4]&quot;로 적으십시오</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; &apos;%4&apos; is the unit of %5</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos;의 열 &apos;%1&apos;은(는) %3입니다. &apos;%4&apos;은(는) %5의 단위입니다</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in K, not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos;의 열 &apos;%1&apos;은(는) 온도 차입니다. %3이(가) 아니라 K로 주십시오</translation>
     </message>
     <message>
         <source>there is no field &apos;%1&apos; here%2</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 필드 &apos;%1&apos;이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>a length</source>
-        <translation type="unfinished"></translation>
+        <translation>길이</translation>
     </message>
     <message>
         <source>an area</source>
-        <translation type="unfinished"></translation>
+        <translation>면적</translation>
     </message>
     <message>
         <source>a volume</source>
-        <translation type="unfinished"></translation>
+        <translation>부피</translation>
     </message>
     <message>
         <source>a mass</source>
-        <translation type="unfinished"></translation>
+        <translation>질량</translation>
     </message>
     <message>
         <source>a time</source>
-        <translation type="unfinished"></translation>
+        <translation>시간</translation>
     </message>
     <message>
         <source>a frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>주파수</translation>
     </message>
     <message>
         <source>an electric current</source>
-        <translation type="unfinished"></translation>
+        <translation>전류</translation>
     </message>
     <message>
         <source>a temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>온도</translation>
     </message>
     <message>
         <source>an expansion coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>팽창계수</translation>
     </message>
     <message>
         <source>an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>각도</translation>
     </message>
     <message>
         <source>a velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>속도</translation>
     </message>
     <message>
         <source>an acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>가속도</translation>
     </message>
     <message>
         <source>a force</source>
-        <translation type="unfinished"></translation>
+        <translation>힘</translation>
     </message>
     <message>
         <source>a moment</source>
-        <translation type="unfinished"></translation>
+        <translation>모멘트</translation>
     </message>
     <message>
         <source>a pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>압력</translation>
     </message>
     <message>
         <source>a stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>강성</translation>
     </message>
     <message>
         <source>a voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>전압</translation>
     </message>
     <message>
         <source>an electric resistance</source>
-        <translation type="unfinished"></translation>
+        <translation>전기저항</translation>
     </message>
     <message>
         <source>an electric charge</source>
-        <translation type="unfinished"></translation>
+        <translation>전하</translation>
     </message>
     <message>
         <source>a capacitance</source>
-        <translation type="unfinished"></translation>
+        <translation>전기용량</translation>
     </message>
     <message>
         <source>an inductance</source>
-        <translation type="unfinished"></translation>
+        <translation>인덕턴스</translation>
     </message>
     <message>
         <source>a magnetic flux density</source>
-        <translation type="unfinished"></translation>
+        <translation>자속밀도</translation>
     </message>
     <message>
         <source>a magnetic flux</source>
-        <translation type="unfinished"></translation>
+        <translation>자속</translation>
     </message>
     <message>
         <source>a power</source>
-        <translation type="unfinished"></translation>
+        <translation>일률</translation>
     </message>
     <message>
         <source>an amount of substance</source>
-        <translation type="unfinished"></translation>
+        <translation>물질량</translation>
     </message>
     <message>
         <source>a luminous intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>광도</translation>
     </message>
     <message>
         <source>an angular velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>각속도</translation>
     </message>
     <message>
         <source>a density</source>
-        <translation type="unfinished"></translation>
+        <translation>밀도</translation>
     </message>
     <message>
         <source> (did you mean &apos;%1&apos;?)</source>
-        <translation type="unfinished"></translation>
+        <translation> (&apos;%1&apos;을(를) 뜻하셨습니까?)</translation>
     </message>
     <message>
         <source>%1 must be a finite number; it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 유한한 수여야 합니다. 지금은 %2입니다</translation>
     </message>
     <message>
         <source>%1 is too large to be computed with (at most 1e100): it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 계산하기에 너무 큽니다(최대 1e100). 지금은 %2입니다</translation>
     </message>
     <message>
         <source>%1 is %2; %3 has no unit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2입니다. %3에는 단위가 없습니다</translation>
     </message>
     <message>
         <source>%1 is %2; %3 is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2입니다. %3은(는) %4입니다</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: give it in K, not in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 온도 차입니다. %2이(가) 아니라 K로 주십시오</translation>
     </message>
     <message>
         <source>the result does not represent the measurand: more than 1 % of the trials have no value</source>
@@ -7509,55 +7509,55 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the number of significant digits of the numerical tolerance must be 1, 2, 3 or 4</source>
-        <translation type="unfinished"></translation>
+        <translation>수치 허용차의 유효숫자는 1, 2, 3 또는 4자리여야 합니다</translation>
     </message>
     <message>
         <source>the numerical tolerance must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>수치 허용차는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>the adaptive procedure needs at least two batches</source>
-        <translation type="unfinished"></translation>
+        <translation>적응형 절차에는 배치가 두 개 이상 필요합니다</translation>
     </message>
     <message>
         <source>the adaptive procedure needs at least two batches: allow %1 trials or more</source>
-        <translation type="unfinished"></translation>
+        <translation>적응형 절차에는 배치가 두 개 이상 필요합니다. 시행을 %1회 이상 허용하십시오</translation>
     </message>
     <message>
         <source>a Monte Carlo run needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로 실행에는 시행이 2회 이상 필요합니다</translation>
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>포함확률은 0과 1 사이여야 합니다</translation>
     </message>
     <message>
         <source>the coverage probability is too near to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>포함확률이 1에 너무 가깝습니다</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>포함인자는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>one-at-a-time Monte Carlo needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>한 번에 하나씩의 몬테카를로에는 시행이 2회 이상 필요합니다</translation>
     </message>
     <message>
         <source>Monte Carlo without a contributor needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>기여요인 하나를 뺀 몬테카를로에는 시행이 2회 이상 필요합니다</translation>
     </message>
     <message>
         <source>Sobol indices need at least 100 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>소볼 지수에는 시행이 100회 이상 필요합니다</translation>
     </message>
     <message>
         <source>the evaluation was stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>평가가 중지되었습니다</translation>
     </message>
     <message>
         <source>none of the trials has a value: the measurement model cannot be evaluated within the uncertainties of its inputs; check the standard uncertainties and the geometry</source>
-        <translation type="unfinished"></translation>
+        <translation>값이 있는 시행이 없습니다. 입력의 불확도 안에서 측정 모델을 평가할 수 없습니다. 표준불확도와 기하를 확인하십시오</translation>
     </message>
     <message>
         <source>the linear part explains %1 % of the variance: a gain of %2</source>
@@ -7569,51 +7569,51 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>no trial has a value</source>
-        <translation type="unfinished"></translation>
+        <translation>값이 있는 시행이 없습니다</translation>
     </message>
     <message>
         <source>the measurement model has no sensitivity coefficients near the estimates: second-order terms do not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>추정값 근처에서 측정 모델에 감도계수가 없습니다. 이차항이 존재하지 않습니다</translation>
     </message>
     <message>
         <source>there are too many quantities for them</source>
-        <translation type="unfinished"></translation>
+        <translation>그것을 계산하기에는 양이 너무 많습니다</translation>
     </message>
     <message>
         <source>the degrees of freedom of %1 must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 자유도는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>the degrees of freedom of %1 are too few: there must be at least 0.2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 자유도가 너무 작습니다. 0.2 이상이어야 합니다</translation>
     </message>
     <message>
         <source>the distribution of %1 has no finite mean or standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 분포에 유한한 평균 또는 표준불확도가 없습니다</translation>
     </message>
     <message>
         <source>the estimate of %1 is not a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 추정값이 유한한 수가 아닙니다</translation>
     </message>
     <message>
         <source>quantity %1 refers to a component that does not exist, or with a factor that is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>양 %1이(가) 존재하지 않는 성분을 참조하거나 유한하지 않은 인자로 참조합니다</translation>
     </message>
     <message>
         <source>the measurement model has %1 input quantities, but %2 were given</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 모델의 입력량은 %1개이지만 %2개가 주어졌습니다</translation>
     </message>
     <message>
         <source>the measurement model has no output quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 모델에 출력량이 없습니다</translation>
     </message>
     <message>
         <source>its correlated components are not normally distributed</source>
-        <translation type="unfinished"></translation>
+        <translation>상관된 성분이 정규분포를 따르지 않습니다</translation>
     </message>
     <message>
         <source>its sensitivity coefficients are zero</source>
-        <translation type="unfinished"></translation>
+        <translation>감도계수가 0입니다</translation>
     </message>
     <message>
         <source>no spread</source>
@@ -7645,11 +7645,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>Second-order terms are left out: the formula of JCGM 100 5.1.2 assumes independent components, and some of these are correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>이차항은 생략합니다. JCGM 100 5.1.2의 식은 성분이 독립이라고 가정하지만 여기서는 일부가 상관되어 있습니다.</translation>
     </message>
     <message>
         <source>Second-order terms are left out: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>이차항은 생략합니다: %1.</translation>
     </message>
     <message>
         <source>%1 of %2 trials (%3 %) have no value (the measurement model cannot be evaluated there) and are not part of the statistics.</source>
@@ -7661,11 +7661,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>The adaptive procedure stopped at %1 trials before its results were stable: allow more trials, or ask for fewer significant digits.</source>
-        <translation type="unfinished"></translation>
+        <translation>적응형 절차가 결과가 안정되기 전에 시행 %1회에서 멈췄습니다. 시행을 더 허용하거나 유효숫자를 줄이십시오.</translation>
     </message>
     <message>
         <source>Coverage intervals are interpolated in fine cells: there are too many trials to keep the values of the tails in memory.</source>
-        <translation type="unfinished"></translation>
+        <translation>포함구간을 세밀한 칸에서 보간합니다. 꼬리의 값을 메모리에 보관하기에는 시행이 너무 많습니다.</translation>
     </message>
     <message>
         <source>The correlations stated cannot all hold with these distributions: the nearest that can are drawn, with coefficients that differ by up to %1.</source>
@@ -7673,39 +7673,39 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>The angle %1%2 is hardly determined: its standard uncertainty exceeds 1 rad.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 %1%2이(가) 거의 정해지지 않습니다. 그 표준불확도가 1 rad를 넘습니다.</translation>
     </message>
     <message>
         <source>Nothing is gained by variance reduction, and standard errors are not known: there are fewer than %1 batches of %2 trials.</source>
-        <translation type="unfinished"></translation>
+        <translation>분산 감소로 얻는 것이 없고 표준오차를 알 수 없습니다. 시행 %2회의 배치가 %1개보다 적습니다.</translation>
     </message>
     <message>
         <source>Control variates are not used: the linear part of the trials that have a value has another distribution than that of all trials.</source>
-        <translation type="unfinished"></translation>
+        <translation>제어 변량을 사용하지 않습니다. 값이 있는 시행의 선형 부분이 모든 시행의 것과 다른 분포를 가집니다.</translation>
     </message>
     <message>
         <source>Without control variate: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>제어 변량 없음: %1.</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 does not exist, because a Student t distribution with two degrees of freedom or fewer has no finite standard deviation: it is shown as infinite, and U is half the width of the coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도가 2 이하인 스튜던트 t 분포에는 유한한 표준편차가 없으므로 몬테카를로에 의한 %1의 표준불확도가 존재하지 않습니다. 무한대로 표시하며, U는 포함구간 너비의 절반입니다.</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 cannot stabilise, because Student t distributions with four degrees of freedom or fewer have no finite fourth moment: the adaptive procedure judges by the coverage intervals; use these.</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도가 4 이하인 스튜던트 t 분포에는 유한한 4차 모멘트가 없으므로 몬테카를로에 의한 %1의 표준불확도가 안정될 수 없습니다. 적응형 절차는 포함구간으로 판단합니다. 포함구간을 사용하십시오.</translation>
     </message>
     <message>
         <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 모델이 입력량의 추정값%1에서 값을 갖지 않습니다. 공칭 기하와 입력한 값을 확인하십시오</translation>
     </message>
     <message>
         <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 모델이 입력량의 추정값%1에서 감도계수를 갖지 않습니다. 그곳에서 미분할 수 없습니다(특이 기하)</translation>
     </message>
     <message>
         <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
-        <translation type="unfinished"></translation>
+        <translation>유효자유도는 근사값입니다. Welch-Satterthwaite 식은 성분이 독립이라고 가정하지만 자유도가 유한한 상관된 성분이 기여합니다. 몬테카를로 포함구간이 더 나은 지표입니다.</translation>
     </message>
     <message>
         <source>1 vector of random direction has coordinates with different distributions after editing: they are drawn independently.</source>
@@ -7717,7 +7717,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>The angle %1 is hardly determined: its standard uncertainty by the law of propagation exceeds 1 rad.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 %1이(가) 거의 정해지지 않습니다. 전파 법칙에 의한 표준불확도가 1 rad를 넘습니다.</translation>
     </message>
     <message>
         <source>a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)</source>
@@ -7725,43 +7725,43 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>to correct the bias of coordinate %1, give the number of observations n in its row: the uncertainty of the correction is u_var/sqrt(n)</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 %1의 편의를 보정하려면 그 행에 관측 횟수 n을 주십시오. 보정의 불확도는 u_var/sqrt(n)입니다</translation>
     </message>
     <message>
         <source>there are two points called &apos;%1&apos;; rename one</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;(이)라는 점이 두 개 있습니다. 하나의 이름을 바꾸십시오</translation>
     </message>
     <message>
         <source>there is no calibrated point called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;(이)라는 교정된 점이 없습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must consist of the letters x, y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 글자 x, y, z로 이루어져야 합니다</translation>
     </message>
     <message>
         <source>coordinate %1 has fewer than two observations that do not define the frame: measure more points or runs</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 %1에 좌표계를 정의하지 않는 관측값이 두 개보다 적습니다. 점 또는 회차를 더 측정하십시오</translation>
     </message>
     <message>
         <source>coordinate %1 has %2 rows; it must have one</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 %1의 행이 %2개입니다. 하나여야 합니다</translation>
     </message>
     <message>
         <source>the length standard needs at least two observations</source>
-        <translation type="unfinished"></translation>
+        <translation>길이 표준기에는 관측값이 두 개 이상 필요합니다</translation>
     </message>
     <message>
         <source>the table must have one row; it has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>표에는 행이 하나 있어야 합니다. 지금은 %1개입니다</translation>
     </message>
     <message>
         <source>the analysis has no point called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>분석에 &apos;%1&apos;(이)라는 점이 없습니다</translation>
     </message>
     <message>
         <source>point %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1: %2</translation>
     </message>
     <message>
         <source>it is at the place of the instrument</source>
@@ -7773,23 +7773,23 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>correlated coordinates of a station are combinations of independent deviations, which are normal: leave the distribution normal, or the correlation out</source>
-        <translation type="unfinished"></translation>
+        <translation>상관이 있는 스테이션 좌표는 정규인 독립 편차의 조합입니다. 분포를 정규로 두거나 상관을 빼십시오</translation>
     </message>
     <message>
         <source>a coordinate of the station is correlated with itself; name two different ones</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션의 좌표가 자기 자신과 상관되어 있습니다. 서로 다른 두 개를 지정하십시오</translation>
     </message>
     <message>
         <source>the range ends before it begins: the longest distance must be greater than the shortest</source>
-        <translation type="unfinished"></translation>
+        <translation>범위의 끝이 시작보다 앞에 있습니다. 최대 거리는 최소 거리보다 커야 합니다</translation>
     </message>
     <message>
         <source>the sensor reads nothing: choose a distance or an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>센서가 아무것도 읽지 않습니다. 거리 또는 각을 선택하십시오</translation>
     </message>
     <message>
         <source>these coefficients are not possible together: their matrix has a negative eigenvalue</source>
-        <translation type="unfinished"></translation>
+        <translation>이 계수들은 함께 성립할 수 없습니다. 그 행렬에 음의 고유값이 있습니다</translation>
     </message>
     <message>
         <source>it is at the place of %1</source>
@@ -7805,91 +7805,91 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the readings do not lead to a position of every target: the estimation does not converge from the nominal coordinates; look for exchanged or mistyped readings</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값에서 모든 표적의 위치를 구할 수 없습니다. 추정이 공칭 좌표에서 수렴하지 않습니다. 바뀌었거나 잘못 입력한 읽음값을 찾으십시오</translation>
     </message>
     <message>
         <source>%1 looks away from target %2: its angles point to the opposite side</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 표적 %2의 반대쪽을 봅니다. 각이 반대쪽을 가리킵니다</translation>
     </message>
     <message>
         <source>there is no target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>표적 %1이(가) 없습니다</translation>
     </message>
     <message>
         <source>%1 does not see target %2: it is out of its range or field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 표적 %2이(가) 보이지 않습니다. 측정 범위 또는 시야 밖에 있습니다</translation>
     </message>
     <message>
         <source>%1 does not see %2 of the %3 targets: they are out of its range or field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 표적 %3개 중 %2개가 보이지 않습니다. 측정 범위 또는 시야 밖에 있습니다</translation>
     </message>
     <message>
         <source>the sensor %1 is not listed in the network</source>
-        <translation type="unfinished"></translation>
+        <translation>센서 %1이(가) 센서망의 목록에 없습니다</translation>
     </message>
     <message>
         <source>%1 reads no %2 according to its description</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 그 기술에 따르면 %2을(를) 읽지 않습니다</translation>
     </message>
     <message>
         <source>more than %1 rows for target %2</source>
-        <translation type="unfinished"></translation>
+        <translation>표적 %2의 행이 %1개를 넘습니다</translation>
     </message>
     <message>
         <source>target %1 is at the place of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>표적 %1이(가) %2의 위치에 있습니다</translation>
     </message>
     <message>
         <source>target %1 is behind the camera %2</source>
-        <translation type="unfinished"></translation>
+        <translation>표적 %1이(가) 카메라 %2 뒤에 있습니다</translation>
     </message>
     <message>
         <source>a network has at most %1 sensors; divide it into several analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>센서망의 센서는 최대 %1개입니다. 여러 분석으로 나누십시오</translation>
     </message>
     <message>
         <source>two targets are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>두 표적의 이름이 %1입니다</translation>
     </message>
     <message>
         <source>a distance needs two targets at different places</source>
-        <translation type="unfinished"></translation>
+        <translation>거리에는 서로 다른 위치의 표적 두 개가 필요합니다</translation>
     </message>
     <message>
         <source>a calibrated length needs two targets at different places</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 길이에는 서로 다른 위치의 표적 두 개가 필요합니다</translation>
     </message>
     <message>
         <source>the calibrated length is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 길이가 없습니다</translation>
     </message>
     <message>
         <source>the nominal targets of the %1 are at another distance than its calibrated length; the design takes their distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 공칭 표적 사이 거리가 교정된 길이와 다릅니다. 설계에서는 그 거리를 사용합니다</translation>
     </message>
     <message>
         <source>a calibrated length can be a constraint only of the non-linear estimator with weights from readings and stations</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 길이는 읽음값과 스테이션으로 가중하는 비선형 추정 방법에서만 구속조건이 될 수 있습니다</translation>
     </message>
     <message>
         <source>the targets of the %1 belong to two set-ups, which are estimated one after the other: it can only be a check</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 표적이 차례로 추정되는 두 설치에 속합니다. 확인으로만 사용할 수 있습니다</translation>
     </message>
     <message>
         <source>the targets of an angle must be at three places off one line: at 0° and 180° an angle has no sign and no derivative</source>
-        <translation type="unfinished"></translation>
+        <translation>각의 표적은 한 직선 위에 있지 않은 세 위치에 있어야 합니다. 0°와 180°에서는 각에 부호도 도함수도 없습니다</translation>
     </message>
     <message>
         <source>the name %1 is taken by another frame or a target</source>
-        <translation type="unfinished"></translation>
+        <translation>이름 %1은(는) 다른 좌표계 또는 표적이 이미 사용합니다</translation>
     </message>
     <message>
         <source>the three targets of frame %1 lie on one line: its axes are undefined</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계 %1의 세 표적이 한 직선 위에 있습니다. 축이 정의되지 않습니다</translation>
     </message>
     <message>
         <source>the x-axis of frame %1 is vertical: its Z-Y-X angles are undefined (gimbal lock)</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계 %1의 x축이 수직입니다. Z-Y-X 각이 정의되지 않습니다(짐벌 록)</translation>
     </message>
     <message>
         <source>scale bar %1 – %2</source>
@@ -7897,11 +7897,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the sensor %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>센서 %1이(가) 목록에 두 번 있습니다</translation>
     </message>
     <message>
         <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or figures of the instruments that are too small</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 잔차가 불확도로 허용되는 것보다 큽니다. 불확도에 비해 가장 큰 것은 %2입니다. 잘못 입력하거나 바뀐 읽음값, 또는 측정기의 너무 작은 수치를 찾으십시오</translation>
     </message>
     <message>
         <source>distance of %1 by %2</source>
@@ -7929,59 +7929,59 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>target %1 has no linear equations that localise it (a distance without angles has none): use the non-linear estimator</source>
-        <translation type="unfinished"></translation>
+        <translation>표적 %1에는 위치를 정하는 선형 방정식이 없습니다(각이 없는 거리에는 없음). 비선형 추정 방법을 사용하십시오</translation>
     </message>
     <message>
         <source>target %1 cannot be localised from what %2 read: the readings leave a direction undetermined; add a sensor or a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 읽음값으로 표적 %1의 위치를 정할 수 없습니다. 읽음값으로 정해지지 않는 방향이 있습니다. 센서 또는 읽음값을 추가하십시오</translation>
     </message>
     <message>
         <source>target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m</source>
-        <translation type="unfinished"></translation>
+        <translation>표적 %1의 위치가 거의 정해지지 않습니다. 한 방향에서 거리 %3 m에 u가 %2 m입니다</translation>
     </message>
     <message>
         <source>the stations that measure target %1 lie in one plane and read distances only: its mirror image behind that plane fits as well; the one near the nominal coordinates is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>표적 %1을(를) 측정하는 스테이션이 한 평면에 있고 거리만 읽습니다. 그 평면 뒤의 거울상도 똑같이 맞습니다. 공칭 좌표에 가까운 것을 사용합니다</translation>
     </message>
     <message>
         <source>a calibrated length cannot be a constraint of a set-up with more than %1 readings (this one has %2): make it a check</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값이 %1개를 넘는 설치에서는 교정된 길이가 구속조건이 될 수 없습니다(여기에는 %2개). 확인으로 바꾸십시오</translation>
     </message>
     <message>
         <source>the %1 readings of one set-up are too many to be weighed together: each target is estimated from its own readings, weighted with the stations</source>
-        <translation type="unfinished"></translation>
+        <translation>한 설치의 읽음값 %1개는 함께 가중하기에 너무 많습니다. 각 표적을 그 자체의 읽음값으로 추정하고 스테이션과 함께 가중합니다</translation>
     </message>
     <message>
         <source>the standard uncertainty of a coordinate, %1 mm, is more than a tenth of the distance of point %2 from the x-axis, %3 mm: the law of propagation is not reliable here, look at Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표의 표준불확도 %1 mm가 점 %2의 x축까지 거리 %3 mm의 10분의 1보다 큽니다. 여기서는 전파 법칙을 믿을 수 없으니 몬테카를로를 보십시오</translation>
     </message>
     <message>
         <source>the frame made from these points lies %1 mm and %2° away from the axes in which they are given, so results differ from the table of poses; check the side of point 3 and the shift of the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>이 점들로 만든 좌표계는 점이 주어진 축에서 %1 mm와 %2° 떨어져 있어 결과가 포즈 표와 다릅니다. 점 3의 쪽과 원점의 이동을 확인하십시오</translation>
     </message>
     <message>
         <source>%1: beta is within 2° of ±90°, where Z-Y-X angles are undefined (gimbal lock); state the orientation as a rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: beta가 Z-Y-X 각이 정의되지 않는 ±90°에서 2° 이내입니다(짐벌 록). 방향을 회전 벡터로 주십시오</translation>
     </message>
     <message>
         <source>%1: beta is within 2° of 0° or 180°, where Z-Y-Z angles are undefined (gimbal lock); state the orientation as Z-Y-X angles or a rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: beta가 Z-Y-Z 각이 정의되지 않는 0° 또는 180°에서 2° 이내입니다(짐벌 록). 방향을 Z-Y-X 각 또는 회전 벡터로 주십시오</translation>
     </message>
     <message>
         <source>%1: the rotation is within 4° of half a turn, where the sign of the axis is undefined; state the orientation as angles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 회전이 축의 부호가 정의되지 않는 반 바퀴에서 4° 이내입니다. 방향을 각으로 주십시오</translation>
     </message>
     <message>
         <source>the analysis %1 has no point called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>분석 %1에 &apos;%2&apos;(이)라는 점이 없습니다</translation>
     </message>
     <message>
         <source>point %1 cannot be measured by %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1을(를) %2(으)로 측정할 수 없습니다: %3</translation>
     </message>
     <message>
         <source>the 3-2-1 method uses the first three points; point %1 and those after it are not used: choose least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>3-2-1 방법은 처음 세 점을 사용합니다. 점 %1과 그 뒤의 점은 사용하지 않습니다. 최소제곱을 선택하십시오</translation>
     </message>
     <message>
         <source>the base frame is undefined</source>
@@ -7993,19 +7993,19 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>points %1 and %2 coincide: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1과 %2이(가) 일치합니다: %3</translation>
     </message>
     <message>
         <source>point %1 lies on the line through %2 and %3: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1이(가) %2과(와) %3을(를) 지나는 직선 위에 있습니다: %4</translation>
     </message>
     <message>
         <source>all points lie on one line or coincide: their frame is undefined</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 점이 한 직선 위에 있거나 일치합니다. 그 좌표계가 정의되지 않습니다</translation>
     </message>
     <message>
         <source>not used: the uncertainties come from an artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>사용하지 않음: 불확도는 기준물 또는 측정기에서 옵니다</translation>
     </message>
     <message>
         <source>there are two poses called &apos;%1&apos;; rename one</source>
@@ -8013,19 +8013,19 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>no pose may be called &apos;base&apos;: that names the base among the measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈의 이름은 &apos;base&apos;일 수 없습니다. 측정점에서 베이스를 가리키는 이름입니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is neither &apos;base&apos; nor the name of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) &apos;base&apos;도 포즈의 이름도 아닙니다</translation>
     </message>
     <message>
         <source>there is no point called &apos;%1&apos; in that frame</source>
-        <translation type="unfinished"></translation>
+        <translation>그 좌표계에 &apos;%1&apos;(이)라는 점이 없습니다</translation>
     </message>
     <message>
         <source>point %1 of &apos;%2&apos; was not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos;의 점 %1이(가) 측정되지 않았습니다</translation>
     </message>
     <message>
         <source>the mirrored coordinates leave %1 instead of %2: frame 0 is left-handed, check the signs and the order of its axes</source>
@@ -8053,11 +8053,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the lengths of support %1 do not meet at its height: they miss by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점 %1의 길이가 그 높이에서 만나지 않습니다. %2만큼 어긋납니다</translation>
     </message>
     <message>
         <source>a set has at most %1 supports</source>
-        <translation type="unfinished"></translation>
+        <translation>한 세트의 지지점은 최대 %1개입니다</translation>
     </message>
     <message>
         <source>the rotation about %1</source>
@@ -8065,51 +8065,51 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>%1 has %2 points; a plane needs three, and some more to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 점이 %2개 있습니다. 평면에는 3개가 필요하고, 확인하려면 몇 개가 더 필요합니다</translation>
     </message>
     <message>
         <source>%1 has a span of zero: all its points coincide</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 범위가 0입니다. 모든 점이 일치합니다</translation>
     </message>
     <message>
         <source>the tool centre point lies on the axis of %1 (or the tool has no length): it traces no circle; turn about another axis</source>
-        <translation type="unfinished"></translation>
+        <translation>공구 중심점이 %1의 축 위에 있거나 공구에 길이가 없어 원을 그리지 않습니다. 다른 축 둘레로 회전하십시오</translation>
     </message>
     <message>
         <source>the arc of %1 spans only %2°: uncertainties grow as the inverse square of the span and may be %3 times those of half a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 원호가 %2°에 불과합니다. 불확도는 범위의 제곱에 반비례하여 커지며 반 바퀴일 때의 %3배가 될 수 있습니다</translation>
     </message>
     <message>
         <source>point %1 is %2 mm on the other side of the supports&apos; plane, where the ballbars look for no solution; change their placement or their side</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1이(가) 볼바가 해를 찾지 않는 지지점 평면의 반대쪽 %2 mm에 있습니다. 볼바의 배치나 쪽을 바꾸십시오</translation>
     </message>
     <message>
         <source>point %1 is only %2 mm from the supports&apos; plane, with a standard uncertainty of %3 mm in that direction: in some trials the lengths will not meet (negative root), and u is not to be trusted</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1이(가) 지지점 평면에서 %2 mm밖에 떨어져 있지 않고 그 방향의 표준불확도가 %3 mm입니다. 일부 시행에서 길이가 만나지 않아(음수의 제곱근) u를 믿을 수 없습니다</translation>
     </message>
     <message>
         <source>the measured points determine no sphere and no axes: they lie on one circle, or coincide; check their axes and angles</source>
-        <translation type="unfinished"></translation>
+        <translation>측정점이 구와 축을 정하지 못합니다. 한 원 위에 있거나 일치합니다. 축과 각을 확인하십시오</translation>
     </message>
     <message>
         <source>a procedure has at most %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>한 절차의 점은 최대 %1개입니다</translation>
     </message>
     <message>
         <source>two points are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>두 점의 이름이 %1입니다</translation>
     </message>
     <message>
         <source>the flange turns about %1 in two rotations; put their points into one</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지가 두 회전에서 %1 둘레로 회전합니다. 그 점들을 한 회전으로 합치십시오</translation>
     </message>
     <message>
         <source>one rotation traces one circle, which leaves the centre of the flange and its axes undetermined: add a rotation about another axis</source>
-        <translation type="unfinished"></translation>
+        <translation>회전 하나는 원 하나를 그리므로 플랜지의 중심과 축이 정해지지 않습니다. 다른 축 둘레의 회전을 추가하십시오</translation>
     </message>
     <message>
         <source>no rotation measures axis %1: choose another way to make the axes, or add the rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>축 %1을(를) 측정하는 회전이 없습니다. 축을 만드는 다른 방법을 선택하거나 회전을 추가하십시오</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not offer &apos;%2&apos;</source>
@@ -8137,15 +8137,15 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>no joint leads to a link called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1(이)라는 링크로 이어지는 관절이 없습니다</translation>
     </message>
     <message>
         <source>no moving joint leads to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1(으)로 이어지는 움직이는 관절이 없습니다</translation>
     </message>
     <message>
         <source>the links form a ring; URDF describes trees</source>
-        <translation type="unfinished"></translation>
+        <translation>링크가 고리를 이룹니다. URDF는 트리를 기술합니다</translation>
     </message>
     <message>
         <source>joint %1 on the way to %2 is of the type %3: freeze it, --freeze %1=0</source>
@@ -8185,11 +8185,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the file has no moving joint</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 움직이는 관절이 없습니다</translation>
     </message>
     <message>
         <source>the file has several arms of equal length, ending at %1 and %2: name the tip link of the one to import</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 길이가 같은 로봇 팔이 여러 개 있으며 %1과(와) %2에서 끝납니다. 가져올 로봇 팔의 끝 링크를 지정하십시오</translation>
     </message>
     <message>
         <source>frozen: %1</source>
@@ -8197,47 +8197,47 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;%1&apos; is not three numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 수 세 개가 아닙니다</translation>
     </message>
     <message>
         <source>joint %1 does not say which links it joins</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1에 어떤 링크를 잇는지 적혀 있지 않습니다</translation>
     </message>
     <message>
         <source>joint %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1: %2</translation>
     </message>
     <message>
         <source>joint %1: its axis has no direction</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1: 축에 방향이 없습니다</translation>
     </message>
     <message>
         <source>not readable as XML: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>XML로 읽을 수 없음: %1</translation>
     </message>
     <message>
         <source>no URDF: its root element &lt;robot&gt; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>URDF가 아닙니다. 루트 요소 &lt;robot&gt;이 없습니다</translation>
     </message>
     <message>
         <source>the file has xacro macros: expand them first (xacro FILE &gt; arm.urdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 xacro 매크로가 있습니다. 먼저 펼치십시오(xacro FILE &gt; arm.urdf)</translation>
     </message>
     <message>
         <source>link %1 hangs on two joints; URDF describes trees</source>
-        <translation type="unfinished"></translation>
+        <translation>링크 %1이(가) 두 관절에 달려 있습니다. URDF는 트리를 기술합니다</translation>
     </message>
     <message>
         <source>there is no joint %1 to freeze%2</source>
-        <translation type="unfinished"></translation>
+        <translation>고정할 관절 %1이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>joint %1 does not move, or is frozen twice</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1은(는) 움직이지 않거나 두 번 고정되었습니다</translation>
     </message>
     <message>
         <source>joint %1 is of the type %2: it can be frozen at 0 only</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1의 유형은 %2입니다. 0에서만 고정할 수 있습니다</translation>
     </message>
     <message>
         <source>frozen at %1, beyond its limits</source>
@@ -8249,7 +8249,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>an arm has at most %1 joints here</source>
-        <translation type="unfinished"></translation>
+        <translation>여기서 로봇 팔의 관절은 최대 %1개입니다</translation>
     </message>
     <message>
         <source>joint %1 slides: state its readings as lengths, in the columns of s</source>
@@ -8265,59 +8265,59 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>only the convention with Ry(beta) has a beta; leave it empty for %1, or choose that convention</source>
-        <translation type="unfinished"></translation>
+        <translation>Ry(beta)가 있는 규약에만 beta가 있습니다. %1에는 비워 두거나 그 규약을 선택하십시오</translation>
     </message>
     <message>
         <source>d and beta of %1 describe the same place of a parallel axis: where beta is given, d is 0 by definition</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 d와 beta는 평행한 축의 같은 위치를 기술합니다. beta가 있으면 d는 정의상 0입니다</translation>
     </message>
     <message>
         <source>the lowest reading of %1 is not below its highest</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 최소 읽음값이 최대 읽음값보다 작지 않습니다</translation>
     </message>
     <message>
         <source>the robot has no joint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇에 관절 %1이(가) 없습니다</translation>
     </message>
     <message>
         <source>%1 is 0 by definition, because the axis is parallel to the next</source>
-        <translation type="unfinished"></translation>
+        <translation>축이 다음 축과 평행하므로 %1은(는) 정의상 0입니다</translation>
     </message>
     <message>
         <source>%1 is no parameter of this robot: give beta in the table of joints where axes are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 이 로봇의 매개변수가 아닙니다. 축이 평행하면 관절 표에 beta를 주십시오</translation>
     </message>
     <message>
         <source>a parameter is correlated with itself; name two different ones</source>
-        <translation type="unfinished"></translation>
+        <translation>매개변수가 자기 자신과 상관되어 있습니다. 서로 다른 두 개를 지정하십시오</translation>
     </message>
     <message>
         <source>there is no parameter &apos;%1&apos; with an uncertainty; write its symbol, such as d_3</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도가 있는 매개변수 &apos;%1&apos;이(가) 없습니다. d_3처럼 그 기호를 적으십시오</translation>
     </message>
     <message>
         <source>%1 has several components of uncertainty: give it one, the combined, so that it can be correlated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 불확도 성분이 여러 개 있습니다. 상관을 줄 수 있도록 합성한 성분 하나만 주십시오</translation>
     </message>
     <message>
         <source>there is no pose: give joint readings or a place of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈가 없습니다. 관절 읽음값 또는 공구의 위치를 주십시오</translation>
     </message>
     <message>
         <source>two poses are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>두 포즈의 이름이 %1입니다</translation>
     </message>
     <message>
         <source>pose %1: reading %2 of joint %3 is beyond its limits, %4 to %5</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1: 관절 %3의 읽음값 %2이(가) 한계 %4~%5을(를) 벗어납니다</translation>
     </message>
     <message>
         <source>pose %1: the orientation is within 2° of one that %2 cannot state (gimbal lock, half turn); state it otherwise</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1: 방향이 %2(으)로 나타낼 수 없는 방향에서 2° 이내입니다(짐벌 록, 반 바퀴). 다른 방식으로 주십시오</translation>
     </message>
     <message>
         <source>%1 has only %2 joints; leave %3 empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 관절은 %2개뿐입니다. %3을(를) 비워 두십시오</translation>
     </message>
     <message>
         <source>joint %1 of %2 slides: its reading is %3</source>
@@ -8329,7 +8329,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>pose %1: give all three angles or none</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1: 세 각을 모두 주거나 모두 비워 두십시오</translation>
     </message>
     <message>
         <source>pose %1: no readings within the limits of the joints bring the tool there; the nearest attempt misses the place by %2 but not the orientation</source>
@@ -8377,55 +8377,55 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the chain to %1 has %2 moving joints; an arm has at most %3 here: freeze those before the arm, --freeze %4=0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1까지의 사슬에 움직이는 관절이 %2개 있습니다. 여기서 로봇 팔의 관절은 최대 %3개입니다. 로봇 팔 앞의 관절을 고정하십시오, --freeze %4=0</translation>
     </message>
     <message>
         <source>pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). Look at this pose first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1: %2의 잔차가 표준불확도의 %3배입니다(한계 %4). 이 포즈를 먼저 살펴보고, use = check로 맞춤에서 제외하십시오</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the uncertainties of points and readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
-        <translation type="unfinished"></translation>
+        <translation>잔차가 점과 읽음값의 불확도로 설명되는 것의 %1배입니다. 이보다 더한 것(관절의 탄성, 온도, 이상값)이 있으며, 매개변수의 불확도가 너무 작게 제시됩니다</translation>
     </message>
     <message>
         <source>these poses hardly tell %1 apart (condition %2): turn more joints further, or hold one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>이 포즈들로는 %1을(를) 거의 구별할 수 없습니다(조건수 %2). 더 많은 관절을 더 크게 돌리거나, 그중 하나를 고정하십시오</translation>
     </message>
     <message>
         <source>no parameter of the arm can be told from these poses: every one of them is coupled with others or held</source>
-        <translation type="unfinished"></translation>
+        <translation>이 포즈들로는 로봇 팔의 어떤 매개변수도 알 수 없습니다. 모두 다른 매개변수와 결합되어 있거나 고정되어 있습니다</translation>
     </message>
     <message>
         <source>the poses of the fit give %1 coordinates, no more than there are unknowns to find: measure more poses, or hold parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤의 포즈가 주는 좌표는 %1개로, 구할 미지수보다 많지 않습니다. 포즈를 더 측정하거나 매개변수를 고정하십시오</translation>
     </message>
     <message>
         <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, and for a nominal robot that is another arm</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤이 수렴하지 않습니다. 바뀐 포즈, 부호나 단위가 틀린 읽음값, 다른 로봇 팔인 공칭 로봇이 없는지 찾으십시오</translation>
     </message>
     <message>
         <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
-        <translation type="unfinished"></translation>
+        <translation>해에서 미지수들을 구별할 수 없습니다. 관측 가능성 표에 있는 것 중 하나를 고정하십시오</translation>
     </message>
     <message>
         <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1은(는) 직선 관절입니다. 회전 관절만 있는 로봇 팔만 식별합니다. 측정하는 동안의 상태로 그 관절을 뺀 로봇 팔을 사용하십시오</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤에 포즈가 %1개 있습니다. 3개 이상이 필요하고, 모든 매개변수를 알려면 약 20개가 필요합니다</translation>
     </message>
     <message>
         <source>the robot has only %1 joints; leave %2 empty</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 관절은 %1개뿐입니다. %2을(를) 비워 두십시오</translation>
     </message>
     <message>
         <source>pose %1: its orientation is missing; give alpha, beta and gamma of every pose, or fit positions alone</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1: 방향이 없습니다. 모든 포즈의 alpha, beta, gamma를 주거나 위치만으로 맞추십시오</translation>
     </message>
     <message>
         <source>the robot has no parameter &apos;%1&apos; to hold; write its symbol, such as d_3</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇에는 고정할 매개변수 &apos;%1&apos;이(가) 없습니다. d_3처럼 그 기호를 적으십시오</translation>
     </message>
     <message>
         <source>rotation about %1</source>
@@ -8441,11 +8441,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the points do not lead to parameters of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>점들에서 로봇 팔의 매개변수를 구할 수 없습니다</translation>
     </message>
     <message>
         <source>the points of %1 run against the positive direction of the joint: reverse their order, or give its readings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 점들이 관절의 양의 방향과 반대로 진행합니다. 순서를 뒤집거나 관절의 읽음값을 주십시오</translation>
     </message>
     <message>
         <source>the axes of joints %1 and %2</source>
@@ -8453,211 +8453,211 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>%1 are nearly parallel (%2): they are described by beta with d = 0, because the place of their common perpendicular is hardly determined</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 거의 평행합니다(%2). 공통 수선의 위치가 거의 정해지지 않으므로 d = 0과 beta로 기술합니다</translation>
     </message>
     <message>
         <source>%1 are %2 apart: they are described by d without beta, although the nominal robot has beta</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) %2만큼 떨어져 있습니다. 공칭 로봇에는 beta가 있지만 beta 없이 d로 기술합니다</translation>
     </message>
     <message>
         <source>the axes of joints %1 and %2 are the same line: nothing tells their frames apart</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1과 %2의 축이 같은 직선입니다. 두 좌표계를 구별할 수 없습니다</translation>
     </message>
     <message>
         <source>parameters are identified by Eq 5: describe the nominal robot in that convention, not in Craig&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>매개변수는 식 5로 식별합니다. 공칭 로봇을 Craig 규약이 아니라 그 규약으로 기술하십시오</translation>
     </message>
     <message>
         <source>joint %1 slides and draws no circle: take an arm without it, as it stands during the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1은(는) 직선 관절이라 원을 그리지 않습니다. 측정하는 동안의 상태로 그 관절을 뺀 로봇 팔을 사용하십시오</translation>
     </message>
     <message>
         <source>an arm of one joint has no parameters between two axes</source>
-        <translation type="unfinished"></translation>
+        <translation>관절이 하나인 로봇 팔에는 두 축 사이의 매개변수가 없습니다</translation>
     </message>
     <message>
         <source>the robot has no %1</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇에 %1이(가) 없습니다</translation>
     </message>
     <message>
         <source>%1 has %2 points; a circle needs three or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 점이 %2개 있습니다. 원에는 3개 이상이 필요합니다</translation>
     </message>
     <message>
         <source>the ball hardly moves while %1 turns: it lies on the axis of that joint and draws no circle. Fix the ball off the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 회전하는 동안 볼이 거의 움직이지 않습니다. 볼이 그 관절의 축 위에 있어 원을 그리지 않습니다. 볼을 축에서 벗어나게 고정하십시오</translation>
     </message>
     <message>
         <source>the points of %1 lie on a straight line, as far as their uncertainty lets it be seen: no circle goes through them. Turn the joint further</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 점들이 불확도로 알 수 있는 한 한 직선 위에 있습니다. 이 점들을 지나는 원이 없습니다. 관절을 더 크게 돌리십시오</translation>
     </message>
     <message>
         <source>the arc of %1 over %2 is short for the uncertainty of its points: its axis will be known poorly</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 %2 원호가 점의 불확도에 비해 짧습니다. 축이 부정확하게 구해집니다</translation>
     </message>
     <message>
         <source>the plane of %1 passes the origin at %2: Eq 1 excludes planes through the origin and fails near it. Use total least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 평면이 원점에서 %2 떨어져 지나갑니다. 식 1은 원점을 지나는 평면을 제외하고 그 근처에서 실패합니다. 전최소제곱을 사용하십시오</translation>
     </message>
     <message>
         <source>no circle fits the points of %1; look for exchanged points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 점에 맞는 원이 없습니다. 바뀐 점을 찾으십시오</translation>
     </message>
     <message>
         <source>the calibration matrix is singular: the channels answer to loads on %1 alike, so these cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 행렬이 특이합니다. 채널들이 %1의 하중에 똑같이 반응하여 이들을 구별할 수 없습니다</translation>
     </message>
     <message>
         <source>the calibration matrix has the condition number %1: loads on %2 are hardly told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 행렬의 조건수가 %1입니다. %2의 하중을 거의 구별할 수 없습니다</translation>
     </message>
     <message>
         <source>add a row of loads to be evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>평가할 하중의 행을 추가하십시오</translation>
     </message>
     <message>
         <source>add a row of readings to be decoupled</source>
-        <translation type="unfinished"></translation>
+        <translation>간섭을 보상할 읽음값의 행을 추가하십시오</translation>
     </message>
     <message>
         <source>two cases are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>두 경우의 이름이 &apos;%1&apos;입니다</translation>
     </message>
     <message>
         <source>channel %1 has no reading: all channels are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>채널 %1에 읽음값이 없습니다. 모든 채널이 필요합니다</translation>
     </message>
     <message>
         <source>the sensor has no channel %1</source>
-        <translation type="unfinished"></translation>
+        <translation>센서에 채널 %1이(가) 없습니다</translation>
     </message>
     <message>
         <source>no load gives these readings by the calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 행렬로 이 읽음값을 주는 하중이 없습니다</translation>
     </message>
     <message>
         <source>the load on %1 is %2 % of its rated load: the calibration says nothing about it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 하중이 정격하중의 %2 %입니다. 교정에는 이에 대한 정보가 없습니다</translation>
     </message>
     <message>
         <source>loads on %1 are too few for this calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>이 교정 행렬에는 %1의 하중이 너무 적습니다</translation>
     </message>
     <message>
         <source>the interference of %1 is known without signs: it cannot be compensated. Give raw readings, or a table with signs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 간섭에 부호가 알려져 있지 않아 보상할 수 없습니다. 원시 읽음값 또는 부호가 있는 표를 주십시오</translation>
     </message>
     <message>
         <source>quadratic terms need raw readings; %1 has a summary only</source>
-        <translation type="unfinished"></translation>
+        <translation>이차항에는 원시 읽음값이 필요합니다. %1에는 요약만 있습니다</translation>
     </message>
     <message>
         <source>channel %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>채널 %1이(가) 목록에 두 번 있습니다</translation>
     </message>
     <message>
         <source>moment</source>
-        <translation type="unfinished"></translation>
+        <translation>모멘트</translation>
     </message>
     <message>
         <source>force</source>
-        <translation type="unfinished"></translation>
+        <translation>힘</translation>
     </message>
     <message>
         <source>channel %1 needs its rated load, a %2</source>
-        <translation type="unfinished"></translation>
+        <translation>채널 %1에 정격하중(%2)이 필요합니다</translation>
     </message>
     <message>
         <source>%1 states no uncertainty of its load on %2: add it to its certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 %2의 하중 불확도가 없습니다. 성적서에 추가하십시오</translation>
     </message>
     <message>
         <source>increasing loads</source>
-        <translation type="unfinished"></translation>
+        <translation>증가 하중</translation>
     </message>
     <message>
         <source>unloaded reading before</source>
-        <translation type="unfinished"></translation>
+        <translation>사전 무하중 읽음값</translation>
     </message>
     <message>
         <source>run %1 of %2 has no %3: it is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 회차 %1에 %3이(가) 없어 제외합니다</translation>
     </message>
     <message>
         <source>%1 was not calibrated: there are no runs with its axis loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 교정되지 않았습니다. 그 축에 하중을 가한 회차가 없습니다</translation>
     </message>
     <message>
         <source>%1 has one run only: its repeatability needs two or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 회차가 하나뿐입니다. 반복성에는 2회 이상이 필요합니다</translation>
     </message>
     <message>
         <source>%1 has %2 runs, %3 are planned: its means have %4 degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 회차는 %2회이고 계획은 %3회입니다. 평균의 자유도는 %4입니다</translation>
     </message>
     <message>
         <source>%1 has %2 preloads, %3 are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 예비하중은 %2회이고 계획은 %3회입니다</translation>
     </message>
     <message>
         <source>, and it says nothing about repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>, 반복성에 대해서는 알 수 없습니다</translation>
     </message>
     <message>
         <source>step %1 of %2 is missing in %3 of %4 runs: its mean is that of %5%6</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 단계 %1이(가) %4회 중 %3회에 없습니다. 평균은 %5회의 평균입니다%6</translation>
     </message>
     <message>
         <source>%1 was loaded in %2 steps, %3 are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 %2단계로 하중을 가했고 계획은 %3단계입니다</translation>
     </message>
     <message>
         <source>the largest load on %1 is %2; the rated output needs the rated load, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 최대 하중이 %2입니다. 정격출력에는 정격하중 %3이(가) 필요합니다</translation>
     </message>
     <message>
         <source>%1 has the same reading in all runs: its repeatability is evaluated as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 읽음값이 모든 회차에서 같습니다. 반복성을 0으로 평가합니다</translation>
     </message>
     <message>
         <source>%1 has no unloaded readings after a run: its non-zero error is taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 회차 후의 무하중 읽음값이 없습니다. 영점 오차를 0으로 봅니다</translation>
     </message>
     <message>
         <source>%1 has no decreasing loads: its hysteresis is not known and is taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 감소 하중이 없습니다. 히스테리시스를 알 수 없어 0으로 봅니다</translation>
     </message>
     <message>
         <source>run %1 of %2 reads the same at steps %3 and %4 although the load rises: the indicator is saturated or the channel is stuck</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 회차 %1에서 하중이 커지는데도 단계 %3과 %4의 읽음값이 같습니다. 지시계가 포화되었거나 채널이 멈췄습니다</translation>
     </message>
     <message>
         <source>run %1 of %2: only %3 s between steps %4 and %5, %6 s are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 회차 %1: 단계 %4과 %5 사이가 %3 s뿐이며 계획은 %6 s입니다</translation>
     </message>
     <message>
         <source>run %1 of %2 begins %3 s after the one before was unloaded, %4 s are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 회차 %1이(가) 앞 회차의 하중을 제거한 지 %3 s 뒤에 시작하며 계획은 %4 s입니다</translation>
     </message>
     <message>
         <source>channel %1 does not respond to its load: %2 at the rated load; look at its cable and its column</source>
-        <translation type="unfinished"></translation>
+        <translation>채널 %1이(가) 하중에 반응하지 않습니다. 정격하중에서 %2입니다. 케이블과 열을 살펴보십시오</translation>
     </message>
     <message>
         <source>channel %1 responds to %2 more than to its own load: are columns exchanged?</source>
-        <translation type="unfinished"></translation>
+        <translation>채널 %1이(가) 자체 하중보다 %2에 더 크게 반응합니다. 열이 바뀌지 않았습니까?</translation>
     </message>
     <message>
         <source>there are no readings: import them from a CSV file, or choose summary tables</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값이 없습니다. CSV 파일에서 가져오거나 요약표를 선택하십시오</translation>
     </message>
     <message>
         <source>the sensor has no channel %1: list it among its channels</source>
-        <translation type="unfinished"></translation>
+        <translation>센서에 채널 %1이(가) 없습니다. 채널 목록에 추가하십시오</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no unit of a load: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 하중의 단위가 아닙니다: %2</translation>
     </message>
     <message>
         <source>%1 is a moment, but its load is in %2: are forces and moments, or their units, exchanged?</source>
@@ -8669,83 +8669,83 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>a load of %1 is more than 1.2 times the rated load of %2, %3: is its unit right?</source>
-        <translation type="unfinished"></translation>
+        <translation>하중 %1이(가) %2의 정격하중 %3의 1.2배를 넘습니다. 단위가 맞습니까?</translation>
     </message>
     <message>
         <source>channel %1 has no reading in this row</source>
-        <translation type="unfinished"></translation>
+        <translation>이 행에 채널 %1의 읽음값이 없습니다</translation>
     </message>
     <message>
         <source>channel %1 indicates %2 mV/V, which is the end of the indicator&apos;s range: the reading is saturated</source>
-        <translation type="unfinished"></translation>
+        <translation>채널 %1의 지시값이 지시계 범위의 끝인 %2 mV/V입니다. 읽음값이 포화되었습니다</translation>
     </message>
     <message>
         <source>this run has its unloaded reading already</source>
-        <translation type="unfinished"></translation>
+        <translation>이 회차에는 무하중 읽음값이 이미 있습니다</translation>
     </message>
     <message>
         <source>step %1 of this run is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>이 회차의 단계 %1이(가) 두 번 주어졌습니다</translation>
     </message>
     <message>
         <source>channel %1 has no row in the summary</source>
-        <translation type="unfinished"></translation>
+        <translation>요약에 채널 %1의 행이 없습니다</translation>
     </message>
     <message>
         <source>%1 has no row in the table of interference: taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>간섭 표에 %1의 행이 없습니다. 0으로 봅니다</translation>
     </message>
     <message>
         <source>axis %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>축 %1이(가) 목록에 두 번 있습니다</translation>
     </message>
     <message>
         <source>the sensor&apos;s calibration is a summary: there are no steps to pool over, so the largest standard deviation is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>센서의 교정이 요약입니다. 합동할 단계가 없으므로 가장 큰 표준편차를 사용합니다</translation>
     </message>
     <message>
         <source>the name is one of a function or a word of the equations; choose another</source>
-        <translation type="unfinished"></translation>
+        <translation>함수의 이름이거나 방정식에 쓰이는 단어입니다. 다른 이름을 선택하십시오</translation>
     </message>
     <message>
         <source>a symbol is made of letters, Greek ones too, digits and &apos;_&apos;, a letter first</source>
-        <translation type="unfinished"></translation>
+        <translation>기호는 글자(그리스 문자 포함), 숫자, &apos;_&apos;로 이루어지며 글자로 시작합니다</translation>
     </message>
     <message>
         <source>only the first row of a symbol has a value; further rows add components</source>
-        <translation type="unfinished"></translation>
+        <translation>기호의 첫 행에만 값이 있습니다. 이후의 행은 성분을 추가합니다</translation>
     </message>
     <message>
         <source>the component is in %1, the quantity in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>성분의 단위는 %1, 양의 단위는 %2입니다</translation>
     </message>
     <message>
         <source>a further row states a component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>추가 행은 불확도 성분을 제시합니다</translation>
     </message>
     <message>
         <source>the instrument of the project is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트의 측정기가 없습니다</translation>
     </message>
     <message>
         <source>the reading of an instrument needs a value</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 읽음값에는 값이 필요합니다</translation>
     </message>
     <message>
         <source>an instrument reads distances here; the unit must be one of length</source>
-        <translation type="unfinished"></translation>
+        <translation>여기서 측정기는 거리를 읽습니다. 단위는 길이의 단위여야 합니다</translation>
     </message>
     <message>
         <source>%1 reads no distances</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 거리를 읽지 않습니다</translation>
     </message>
     <message>
         <source>the value is missing, and no statement gives it</source>
-        <translation type="unfinished"></translation>
+        <translation>값이 없고, 값을 주는 표기도 없습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has observations and no row in the table of quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;에는 관측값이 있지만 양 표에 행이 없습니다</translation>
     </message>
     <message>
         <source>Newton&apos;s method finds no solution of this equation from the starting value, at the estimates of the quantities</source>
@@ -8757,15 +8757,15 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>it has several series: leave out the name of the one that is measured now</source>
-        <translation type="unfinished"></translation>
+        <translation>계열이 여러 개 있습니다. 지금 측정한 계열의 이름은 비워 두십시오</translation>
     </message>
     <message>
         <source>the table of observations has no rows for it</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값 표에 그 행이 없습니다</translation>
     </message>
     <message>
         <source>&apos;a&apos; is missing: number of observations of which the value is the mean</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;a&apos;가 없습니다: 값이 몇 개의 관측값의 평균인지 나타내는 수</translation>
     </message>
     <message>
         <source>there is no equation: write one, y = x_1 + x_2</source>
@@ -8773,71 +8773,71 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;%1&apos; is defined by an equation: it cannot be a quantity too</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 방정식으로 정의됩니다. 동시에 양일 수 없습니다</translation>
     </message>
     <message>
         <source>no equation uses &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;을(를) 사용하는 방정식이 없습니다</translation>
     </message>
     <message>
         <source>no equation defines &apos;%1&apos;%2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;을(를) 정의하는 방정식이 없습니다%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;이(가) 목록에 두 번 있습니다</translation>
     </message>
     <message>
         <source>group &apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹 &apos;%1&apos;: %2</translation>
     </message>
     <message>
         <source>an analysis of variance needs at least two groups</source>
-        <translation type="unfinished"></translation>
+        <translation>분산분석에는 그룹이 두 개 이상 필요합니다</translation>
     </message>
     <message>
         <source>no group has more than one observation: nothing tells the scatter within the groups from that between them</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값이 두 개 이상인 그룹이 없습니다. 그룹 안의 산포와 그룹 사이의 산포를 구별할 수 없습니다</translation>
     </message>
     <message>
         <source>the curve does not reach %1</source>
-        <translation type="unfinished"></translation>
+        <translation>곡선이 %1에 도달하지 않습니다</translation>
     </message>
     <message>
         <source>, outside of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>, 점들의 범위 밖</translation>
     </message>
     <message>
         <source>the curve reaches %1 at x = %2%3: say in &apos;near&apos; which of them is meant</source>
-        <translation type="unfinished"></translation>
+        <translation>곡선이 x = %2에서 %1에 도달합니다%3. 그중 어느 것인지 &apos;near&apos;에 지정하십시오</translation>
     </message>
     <message>
         <source>no curve of this degree was found: the iteration for the uncertainties of x does not settle on these points</source>
-        <translation type="unfinished"></translation>
+        <translation>이 차수의 곡선을 찾지 못했습니다. x의 불확도에 대한 반복 계산이 이 점들에서 수렴하지 않습니다</translation>
     </message>
     <message>
         <source>the points do not determine a curve of this degree</source>
-        <translation type="unfinished"></translation>
+        <translation>점들로 이 차수의 곡선을 정할 수 없습니다</translation>
     </message>
     <message>
         <source>the x of y = %1 lies outside of the points of the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>y = %1의 x가 교정점의 범위 밖에 있습니다</translation>
     </message>
     <message>
         <source>the standard uncertainty of y is missing in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행에 y의 표준불확도가 없습니다</translation>
     </message>
     <message>
         <source>the standard uncertainty of y must be greater than zero in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행의 y의 표준불확도는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>readings have the scatter of the residuals, which stated uncertainties do not use: give u_y in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값에는 잔차의 산포가 있지만 제시된 불확도는 그것을 사용하지 않습니다. %1행에 u_y를 주십시오</translation>
     </message>
     <message>
         <source>a curve through the origin needs differences: give y in K</source>
-        <translation type="unfinished"></translation>
+        <translation>원점을 지나는 곡선에는 차가 필요합니다. y를 K로 주십시오</translation>
     </message>
     <message>
         <source>a polynomial of this degree needs points at %1 different places or more beside the origin</source>
@@ -8849,7 +8849,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>residuals say nothing about the uncertainty unless there are more points than coefficients: add points, or state u_y</source>
-        <translation type="unfinished"></translation>
+        <translation>점이 계수보다 많지 않으면 잔차로 불확도를 알 수 없습니다. 점을 추가하거나 u_y를 주십시오</translation>
     </message>
     <message>
         <source>line %1, %2</source>
@@ -8901,35 +8901,35 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>target uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>목표 불확도</translation>
     </message>
     <message>
         <source>mean of the prior</source>
-        <translation type="unfinished"></translation>
+        <translation>사전분포의 평균</translation>
     </message>
     <message>
         <source>standard deviation of the prior</source>
-        <translation type="unfinished"></translation>
+        <translation>사전분포의 표준편차</translation>
     </message>
     <message>
         <source>the %1 must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>the %1 must be above the lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 하한보다 커야 합니다</translation>
     </message>
     <message>
         <source>the guard factor of %1 must lie between -10 and 10; 1 is a guard band of U, 0 simple acceptance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 보호 계수는 -10과 10 사이여야 합니다. 1은 U의 보호대역, 0은 단순 수용입니다</translation>
     </message>
     <message>
         <source>the prior of %1 needs both a mean and a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 사전분포에는 평균과 표준편차가 모두 필요합니다</translation>
     </message>
     <message>
         <source>the prior of %1 is of use only with a tolerance: give a limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 사전분포는 허용오차가 있을 때만 쓸모가 있습니다. 한계를 제시하십시오</translation>
     </message>
     <message>
         <source> in %1</source>
@@ -8937,67 +8937,67 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the model has no output quantity %1%2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>모델에 출력량 %1이(가) 없습니다%2%3</translation>
     </message>
     <message>
         <source>the id %1 is used twice</source>
-        <translation type="unfinished"></translation>
+        <translation>id %1이(가) 두 번 쓰였습니다</translation>
     </message>
     <message>
         <source>an axis needs at least two values</source>
-        <translation type="unfinished"></translation>
+        <translation>축에는 값이 둘 이상 필요합니다</translation>
     </message>
     <message>
         <source>&apos;from&apos; and &apos;to&apos; must be two different numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;from&apos;과 &apos;to&apos;는 서로 다른 두 수여야 합니다</translation>
     </message>
     <message>
         <source>with logarithmic spacing both ends must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>로그 간격이면 양 끝이 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes whole numbers: there are fewer than %2 between the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 정수를 받습니다. 양 끝 사이에 %2개보다 적습니다</translation>
     </message>
     <message>
         <source>the id %1 must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>id %1은(는) 문자, 숫자, &apos;-&apos;, &apos;_&apos;로 이루어져야 합니다</translation>
     </message>
     <message>
         <source>a study has one to three axes; this one has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디의 축은 하나에서 셋입니다. 현재 %1개</translation>
     </message>
     <message>
         <source>%1 is varied by two axes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 두 축으로 변합니다</translation>
     </message>
     <message>
         <source>Monte Carlo needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로에는 시행이 2회 이상 필요합니다</translation>
     </message>
     <message>
         <source>the grid has %1 points; a study may have %2</source>
-        <translation type="unfinished"></translation>
+        <translation>격자의 점이 %1개입니다. 스터디는 %2개까지 가능합니다</translation>
     </message>
     <message>
         <source>the uncertainty of an input quantity can be varied by a factor only</source>
-        <translation type="unfinished"></translation>
+        <translation>입력량의 불확도는 배율로만 바꿀 수 있습니다</translation>
     </message>
     <message>
         <source>a factor has no unit</source>
-        <translation type="unfinished"></translation>
+        <translation>배율에는 단위가 없습니다</translation>
     </message>
     <message>
         <source>a factor of an uncertainty must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도의 배율은 음수일 수 없습니다</translation>
     </message>
     <message>
         <source>a temperature in %1 cannot be multiplied; add to it, or give its values</source>
-        <translation type="unfinished"></translation>
+        <translation>%1(으)로 된 온도는 곱할 수 없습니다. 더하거나 값을 제시하십시오</translation>
     </message>
     <message>
         <source>a difference of temperatures is given in K</source>
-        <translation type="unfinished"></translation>
+        <translation>온도 차는 K로 제시합니다</translation>
     </message>
     <message>
         <source>a number that varies</source>
@@ -9017,103 +9017,103 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>only numbers of the set-up of an asset can be varied</source>
-        <translation type="unfinished"></translation>
+        <translation>에셋의 측정 구성의 수만 바꿀 수 있습니다</translation>
     </message>
     <message>
         <source>a target is written as &quot;/setup/KEY&quot;, &quot;/setup/KEY/rows/0/COLUMN&quot;, &quot;/inputs/SYMBOL/estimate&quot; or &quot;/inputs/SYMBOL/components&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>대상은 &quot;/setup/KEY&quot;, &quot;/setup/KEY/rows/0/COLUMN&quot;, &quot;/inputs/SYMBOL/estimate&quot; 또는 &quot;/inputs/SYMBOL/components&quot;로 씁니다</translation>
     </message>
     <message>
         <source>%1 cannot be varied: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 바꿀 수 없습니다: %2</translation>
     </message>
     <message>
         <source>there is no asset %1</source>
-        <translation type="unfinished"></translation>
+        <translation>에셋 %1이(가) 없습니다</translation>
     </message>
     <message>
         <source>the set-up has no schema</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 구성에 스키마가 없습니다</translation>
     </message>
     <message>
         <source>the set-up has no field %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 구성에 필드 %1이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not used with the present choices of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 구성의 현재 선택에서는 &apos;%1&apos;을(를) 쓰지 않습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 수가 아닙니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not given, so there is nothing to change</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;이(가) 없어 바꿀 것이 없습니다</translation>
     </message>
     <message>
         <source>a coordinate of the pose &apos;%1&apos; is written as &quot;/setup/%2/position/0&quot; or &quot;/setup/%3/angles/2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>자세 &apos;%1&apos;의 좌표는 &quot;/setup/%2/position/0&quot; 또는 &quot;/setup/%3/angles/2&quot;로 씁니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not given</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>a number of the table &apos;%1&apos; is written as &quot;/setup/%2/rows/0/COLUMN&quot; or &quot;/setup/%3/columns/COLUMN&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>표 &apos;%1&apos;의 수는 &quot;/setup/%2/rows/0/COLUMN&quot; 또는 &quot;/setup/%3/columns/COLUMN&quot;으로 씁니다</translation>
     </message>
     <message>
         <source>the table &apos;%1&apos; has no column %2</source>
-        <translation type="unfinished"></translation>
+        <translation>표 &apos;%1&apos;에 열 %2이(가) 없습니다</translation>
     </message>
     <message>
         <source>the column %1 does not hold numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>열 %1에 수가 없습니다</translation>
     </message>
     <message>
         <source>the table &apos;%1&apos; is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>표 &apos;%1&apos;이(가) 비어 있습니다</translation>
     </message>
     <message>
         <source>the table &apos;%1&apos; has %2 rows, counted from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>표 &apos;%1&apos;의 행은 %2개이며 0부터 셉니다</translation>
     </message>
     <message>
         <source>the cell is empty, so there is nothing to change</source>
-        <translation type="unfinished"></translation>
+        <translation>셀이 비어 있어 바꿀 것이 없습니다</translation>
     </message>
     <message>
         <source>the column is empty, so there is nothing to change</source>
-        <translation type="unfinished"></translation>
+        <translation>열이 비어 있어 바꿀 것이 없습니다</translation>
     </message>
     <message>
         <source>of an input quantity, &quot;estimate&quot; or &quot;components&quot; can be varied</source>
-        <translation type="unfinished"></translation>
+        <translation>입력량에서는 &quot;estimate&quot; 또는 &quot;components&quot;를 바꿀 수 있습니다</translation>
     </message>
     <message>
         <source>the model has no input quantity %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>모델에 입력량 %1이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>there is no component %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>성분 %1이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; has no unit; it is not a measured number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos;의 열 &apos;%1&apos;에는 단위가 없습니다. 측정한 수가 아닙니다</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos;의 열 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no column &apos;%2&apos;%3; its columns are %4</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;에 열 &apos;%2&apos;이(가) 없습니다%3. 있는 열: %4</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos;의 열 &apos;%1&apos;이(가) 두 번 있습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be one of %2; it is &apos;%3&apos;%4</source>
@@ -9125,15 +9125,15 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>a unit is needed here, such as &quot;mm&quot;, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 %1이(가) 아니라 &quot;mm&quot; 같은 단위가 필요합니다</translation>
     </message>
     <message>
         <source>a unit with a dimension is needed here, not &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 &apos;%1&apos;이(가) 아니라 차원이 있는 단위가 필요합니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is of the same dimension as a unit before it; give one of each</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;의 차원이 앞의 단위와 같습니다. 하나씩 제시하십시오</translation>
     </message>
     <message>
         <source>what the project states for results</source>
@@ -9141,19 +9141,19 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;digits&apos;는 1 또는 2여야 합니다 (JCGM 100 7.2.6)</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>포함인자는 0보다 커야 합니다. 없으면 k는 자유도나 포함구간에서 나옵니다</translation>
     </message>
     <message>
         <source>a report has no chapter %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서에 장 %1이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>there is no analysis %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>분석 %1이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>the contents of the report</source>
@@ -9165,15 +9165,15 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>a unit of length is needed here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 %1이(가) 아니라 길이 단위가 필요합니다</translation>
     </message>
     <message>
         <source>the size of a view must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>보기의 크기는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>&apos;direction&apos; and &apos;up&apos; must be two different directions, not of length zero</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;direction&apos;과 &apos;up&apos;은 길이가 0이 아닌 서로 다른 두 방향이어야 합니다</translation>
     </message>
     <message>
         <source>a view</source>
@@ -9181,63 +9181,63 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>%1 is the name of a standard view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 표준 보기의 이름입니다</translation>
     </message>
     <message>
         <source>the name %1 is used twice</source>
-        <translation type="unfinished"></translation>
+        <translation>이름 %1이(가) 두 번 쓰였습니다</translation>
     </message>
     <message>
         <source>there is no single value here, but a list or a group</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 값 하나가 아니라 목록이나 그룹이 있습니다</translation>
     </message>
     <message>
         <source>there is nothing called &apos;%1&apos; to set</source>
-        <translation type="unfinished"></translation>
+        <translation>설정할 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>there is nothing called &apos;%1&apos; to set%2</source>
-        <translation type="unfinished"></translation>
+        <translation>설정할 &apos;%1&apos;이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not of the form /PLACE/IN/THE/PROJECT=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) /PLACE/IN/THE/PROJECT=VALUE 형식이 아닙니다</translation>
     </message>
     <message>
         <source>%1 is a table: it needs &quot;columns&quot; and &quot;rows&quot;, or the name of a &quot;csv&quot; file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 표입니다. &quot;columns&quot;와 &quot;rows&quot; 또는 &quot;csv&quot; 파일의 이름이 필요합니다</translation>
     </message>
     <message>
         <source>the columns of %1 must be texts in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 열은 따옴표 안의 텍스트여야 합니다</translation>
     </message>
     <message>
         <source>row %1 of %2 must be a list in brackets, not %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 행 %1은(는) %3이(가) 아니라 대괄호 안의 목록이어야 합니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%3의 행 %2의 &apos;%1&apos;은(는) %5이(가) 아니라 %4여야 합니다</translation>
     </message>
     <message>
         <source>a text in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>따옴표 안의 텍스트</translation>
     </message>
     <message>
         <source>the columns of the CSV file of %1 must be an object in braces: a header of the file and the column it stands for</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 CSV 파일의 열은 중괄호 안의 객체여야 합니다. 파일의 머리글과 그것이 나타내는 열</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must stand for a column of %2 (a text), or for none (an empty text)</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) %2의 열(텍스트)을 나타내거나 아무것도(빈 텍스트) 나타내지 않아야 합니다</translation>
     </message>
     <message>
         <source>the CSV file &apos;%1&apos; of %2 must be named relative to the project&apos;s folder and lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 CSV 파일 &apos;%1&apos;은(는) 프로젝트 폴더를 기준으로 이름을 쓰고 그 안에 있어야 합니다</translation>
     </message>
     <message>
         <source>the CSV file of %1 does not exist: looked for &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 CSV 파일이 없습니다. 찾은 것: &apos;%2&apos;</translation>
     </message>
     <message>
         <source>CSV file of %1: %2</source>
@@ -9245,31 +9245,31 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>%1 must be a whole number, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2이(가) 아니라 정수여야 합니다</translation>
     </message>
     <message>
         <source>%1 is %2; its unit is missing: write {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;}</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2입니다. 단위가 없습니다. {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;}(으)로 쓰십시오</translation>
     </message>
     <message>
         <source>%1 must be a number, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2이(가) 아니라 수여야 합니다</translation>
     </message>
     <message>
         <source>%1 must be a text in quotes, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2이(가) 아니라 따옴표 안의 텍스트여야 합니다</translation>
     </message>
     <message>
         <source>the lines of %1 must be texts in quotes, each one line</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 줄은 각각 한 줄인 따옴표 안의 텍스트여야 합니다</translation>
     </message>
     <message>
         <source>%1 must be true or false, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2이(가) 아니라 true 또는 false여야 합니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; of %2 must be a list of three numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 &apos;%1&apos;은(는) 수 세 개의 목록이어야 합니다</translation>
     </message>
     <message>
         <source>this set-up</source>
@@ -9277,19 +9277,19 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;%1&apos; must be three numbers: x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 세 수여야 합니다: x, y, z</translation>
     </message>
     <message>
         <source>a text is needed here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 %1이(가) 아니라 텍스트가 필요합니다</translation>
     </message>
     <message>
         <source>the file is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>파일이 비어 있습니다</translation>
     </message>
     <message>
         <source>the project ends before this: nothing may follow its closing &apos;}&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트가 이 앞에서 끝납니다. 마지막 &apos;}&apos; 뒤에는 아무것도 올 수 없습니다</translation>
     </message>
     <message>
         <source>%1 (column %2)</source>
@@ -9301,7 +9301,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>lists and objects are nested too deeply</source>
-        <translation type="unfinished"></translation>
+        <translation>목록과 객체가 너무 깊이 중첩되어 있습니다</translation>
     </message>
     <message>
         <source>where a value is expected</source>
@@ -9309,7 +9309,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;%1&apos; is too large a number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 너무 큰 수입니다</translation>
     </message>
     <message>
         <source>in the middle of a value</source>
@@ -9317,19 +9317,19 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>a value is expected here (a number, a text in quotes, a list or an object), not &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 &apos;%1&apos;이(가) 아니라 값(수, 따옴표 안의 텍스트, 목록, 객체)이 와야 합니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a number that a project file can hold: give a finite number, or null where infinity is meant</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 프로젝트 파일이 담을 수 있는 수가 아닙니다. 유한한 수를 쓰고 무한대이면 null을 쓰십시오</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a value: texts stand in double quotes, numbers are written like -12.5e-3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 값이 아닙니다. 텍스트는 큰따옴표 안에, 수는 -12.5e-3처럼 씁니다</translation>
     </message>
     <message>
         <source>the text that begins here is not closed by a double quote on its line</source>
-        <translation type="unfinished"></translation>
+        <translation>여기서 시작하는 텍스트가 그 줄에서 큰따옴표로 닫히지 않았습니다</translation>
     </message>
     <message>
         <source>in the middle of a text</source>
@@ -9341,7 +9341,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;,&apos; or &apos;%1&apos; is expected here, inside %2, not &apos;%3&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 안에서 여기에는 &apos;%3&apos;이(가) 아니라 &apos;,&apos; 또는 &apos;%1&apos;이(가) 와야 합니다</translation>
     </message>
     <message>
         <source>an object</source>
@@ -9349,11 +9349,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>a key in double quotes is expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 큰따옴표 안의 키가 와야 합니다</translation>
     </message>
     <message>
         <source>the key before this is not a valid text</source>
-        <translation type="unfinished"></translation>
+        <translation>이 앞의 키가 올바른 텍스트가 아닙니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is given twice in the same object</source>
@@ -9365,7 +9365,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;:&apos; is expected after the key &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>키 &apos;%1&apos; 다음에 &apos;:&apos;이 와야 합니다</translation>
     </message>
     <message>
         <source>a list</source>
@@ -9373,15 +9373,15 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>there is no kind of asset &apos;%1&apos;%2; known are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>에셋 종류 &apos;%1&apos;이(가) 없습니다%2. 알려진 것: %3</translation>
     </message>
     <message>
         <source>there is no measurement model &apos;%1&apos;%2; known are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 모델 &apos;%1&apos;이(가) 없습니다%2. 알려진 것: %3</translation>
     </message>
     <message>
         <source>%1 is taken from another analysis, with all its uncertainty: remove either this or the link</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 모든 불확도와 함께 다른 분석에서 가져옵니다. 이것이나 연결 중 하나를 없애십시오</translation>
     </message>
     <message>
         <source>the analysis %1 has errors of its own: %2</source>
@@ -9393,39 +9393,39 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the component %1 is not stated alike (held, or edited) by all analyses of the chain: they are taken as independent</source>
-        <translation type="unfinished"></translation>
+        <translation>성분 %1이(가) 사슬의 모든 분석에서 같게 제시되지 않습니다(고정 또는 편집). 독립으로 봅니다</translation>
     </message>
     <message>
         <source>%1 is linked twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 두 번 연결되었습니다</translation>
     </message>
     <message>
         <source>%1 is %2; %3 of %4 is %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2. %4의 %3: %5</translation>
     </message>
     <message>
         <source>the analysis %1 would be made of itself: %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>분석 %1이(가) 자기 자신으로 이루어지게 됩니다: %2%3</translation>
     </message>
     <message>
         <source>more than %1 analyses feed each other in a row</source>
-        <translation type="unfinished"></translation>
+        <translation>연이어 서로 입력이 되는 분석이 %1개를 넘습니다</translation>
     </message>
     <message>
         <source>the analysis %1 has no output %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>분석 %1에 출력 %2이(가) 없습니다%3</translation>
     </message>
     <message>
         <source>&apos;schemaVersion&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;schemaVersion&apos;이 없습니다</translation>
     </message>
     <message>
         <source>&apos;schemaVersion&apos; must be a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;schemaVersion&apos;은 정수여야 합니다</translation>
     </message>
     <message>
         <source>written by a newer version of Covaria (schema %1, this program reads up to %2); nothing was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>더 새로운 Covaria가 기록했습니다(스키마 %1, 이 프로그램은 %2까지 읽음). 아무것도 바꾸지 않았습니다</translation>
     </message>
     <message>
         <source>the text &apos;%1&apos;</source>
@@ -9437,15 +9437,15 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>%1 must be an object in braces, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2이(가) 아니라 중괄호 안의 객체여야 합니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2에 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be %2, not %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) %3이(가) 아니라 %2여야 합니다</translation>
     </message>
     <message>
         <source>a list in brackets</source>
@@ -9453,31 +9453,31 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>there is no &apos;%1&apos; in %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>%2에 &apos;%1&apos;은(는) 없습니다%3</translation>
     </message>
     <message>
         <source>a number with its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>단위가 있는 수</translation>
     </message>
     <message>
         <source>a whole number from 0 to 18446744073709551615, in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>따옴표 안의 0부터 18446744073709551615까지의 정수</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be %2; it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 조건: %2. 현재 %3</translation>
     </message>
     <message>
         <source>one of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 중 하나</translation>
     </message>
     <message>
         <source>a whole number that is not negative</source>
-        <translation type="unfinished"></translation>
+        <translation>음이 아닌 정수</translation>
     </message>
     <message>
         <source>a text here is not valid UTF-8 or has a wrong \ sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>여기의 텍스트가 올바른 UTF-8이 아니거나 잘못된 \ 표기가 있습니다</translation>
     </message>
     <message>
         <source>the project</source>
@@ -9485,27 +9485,27 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>an asset</source>
-        <translation type="unfinished"></translation>
+        <translation>에셋</translation>
     </message>
     <message>
         <source>an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>분석</translation>
     </message>
     <message>
         <source>this is not a project of Covaria: it does not begin with &quot;format&quot;: &quot;covaria&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria의 프로젝트가 아닙니다. &quot;format&quot;: &quot;covaria&quot;로 시작하지 않습니다</translation>
     </message>
     <message>
         <source>it has %1 MB, and projects of up to %2 MB are read: put its long tables into CSV files beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 MB이며 %2 MB까지의 프로젝트를 읽습니다. 긴 표를 옆의 CSV 파일에 넣으십시오</translation>
     </message>
     <message>
         <source>the project was not saved: it holds a number that is not finite, or fields that belong to no known kind of asset or model</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트를 저장하지 않았습니다. 유한하지 않은 수, 또는 알려진 에셋 종류나 모델에 속하지 않는 필드가 있습니다</translation>
     </message>
     <message>
         <source>the project was not saved: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트를 저장하지 않았습니다: %1</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be two capital letters, such as DE; it is &apos;%2&apos;</source>
@@ -9537,63 +9537,63 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;%1&apos;%2 must be stated (ISO/IEC 17025 %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;%2을(를) 제시해야 합니다 (ISO/IEC 17025 %3)</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be stated (Digital Calibration Certificate)</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;을(를) 제시해야 합니다 (디지털 교정 성적서)</translation>
     </message>
     <message>
         <source>the certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서</translation>
     </message>
     <message>
         <source>%1 has more than 2 MB, too much for a logo</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 2 MB를 넘어 로고로는 너무 큽니다</translation>
     </message>
     <message>
         <source>%1 is neither a PNG nor a JPEG picture</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) PNG도 JPEG도 아닙니다</translation>
     </message>
     <message>
         <source>The certificate has no logo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서에 로고가 없습니다: %1</translation>
     </message>
     <message>
         <source>more than %1 columns are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>열 %1개를 넘으면 읽지 않습니다</translation>
     </message>
     <message>
         <source>the quote that begins here is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>여기서 시작하는 따옴표를 닫지 않았습니다</translation>
     </message>
     <message>
         <source>text follows the closing quote of a cell; write a quote inside a quoted cell twice</source>
-        <translation type="unfinished"></translation>
+        <translation>셀의 닫는 따옴표 뒤에 텍스트가 있습니다. 따옴표로 묶은 셀 안의 따옴표는 두 번 쓰십시오</translation>
     </message>
     <message>
         <source>the text is encoded as UTF-16; save it as UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>텍스트가 UTF-16으로 되어 있습니다. UTF-8로 저장하십시오</translation>
     </message>
     <message>
         <source>the text is not encoded as UTF-8; save it as UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>텍스트가 UTF-8이 아닙니다. UTF-8로 저장하십시오</translation>
     </message>
     <message>
         <source>this row has %1 cells; there are %2 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>이 행에 셀이 %1개입니다. 열은 %2개입니다</translation>
     </message>
     <message>
         <source>column &apos;%1&apos;: &apos;%2&apos; is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>열 &apos;%1&apos;: &apos;%2&apos;은(는) 수가 아닙니다</translation>
     </message>
     <message>
         <source>column &apos;%1&apos;: &apos;%2&apos; is neither true nor false</source>
-        <translation type="unfinished"></translation>
+        <translation>열 &apos;%1&apos;: &apos;%2&apos;은(는) true도 false도 아닙니다</translation>
     </message>
     <message>
         <source>the file has no column &apos;%1&apos;%2; its columns are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 열 &apos;%1&apos;이(가) 없습니다%2. 있는 열: %3</translation>
     </message>
     <message>
         <source>there is no row with the names of the columns</source>
@@ -9605,71 +9605,71 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>a table to choose from is written as &quot;/setup/KEY/rows&quot;; it is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>고를 표는 &quot;/setup/KEY/rows&quot;로 씁니다. 현재 %1</translation>
     </message>
     <message>
         <source>a design needs &apos;variables&apos;, a table to &apos;choose&apos; from, or &apos;reductions&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>설계에는 &apos;variables&apos;, &apos;choose&apos;할 표, 또는 &apos;reductions&apos;가 필요합니다</translation>
     </message>
     <message>
         <source>the cheapest reductions are a design of their own, without variables and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>가장 저렴한 감소는 변수와 행이 없는 별도의 설계입니다</translation>
     </message>
     <message>
         <source>a design has at most %1 reductions</source>
-        <translation type="unfinished"></translation>
+        <translation>설계의 감소는 최대 %1개입니다</translation>
     </message>
     <message>
         <source>a design has at most %1 variables</source>
-        <translation type="unfinished"></translation>
+        <translation>설계의 변수는 최대 %1개입니다</translation>
     </message>
     <message>
         <source>the cost is that of rows with &apos;prices&apos;: it needs a table to choose from, and no variables</source>
-        <translation type="unfinished"></translation>
+        <translation>비용은 &apos;prices&apos;가 있는 행의 비용입니다. 고를 표가 필요하고 변수는 없어야 합니다</translation>
     </message>
     <message>
         <source>a tolerance must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>허용오차는 음수일 수 없습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes whole numbers: a study shows what each of them gives</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 정수를 받습니다. 스터디가 각각의 결과를 보여 줍니다</translation>
     </message>
     <message>
         <source>%1 is chosen by two variables</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 두 변수가 고릅니다</translation>
     </message>
     <message>
         <source>the smallest factor is between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>가장 작은 배율은 0과 1 사이입니다</translation>
     </message>
     <message>
         <source>a price must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>가격은 음수일 수 없습니다</translation>
     </message>
     <message>
         <source>%1 is reduced twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 두 번 줄입니다</translation>
     </message>
     <message>
         <source>of %1 rows, %2 to %3 can be kept; it is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>행 %1개 중 %2~%3개를 남길 수 있습니다. 현재 %4</translation>
     </message>
     <message>
         <source>there are %1 rows, counted from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>행은 %1개이며 0부터 셉니다</translation>
     </message>
     <message>
         <source>row %1 is fixed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>행 %1이(가) 두 번 고정되었습니다</translation>
     </message>
     <message>
         <source>more rows are fixed than kept</source>
-        <translation type="unfinished"></translation>
+        <translation>남기는 것보다 많은 행이 고정되었습니다</translation>
     </message>
     <message>
         <source>there is one price for all rows, or one for each of the %1; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>가격은 모든 행에 하나이거나 행 %1개에 하나씩입니다. 현재 %2개</translation>
     </message>
     <message>
         <source>a box</source>
@@ -9677,7 +9677,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>every coordinate of &apos;to&apos; must be greater than that of &apos;from&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;to&apos;의 모든 좌표는 &apos;from&apos;의 좌표보다 커야 합니다</translation>
     </message>
     <message>
         <source>the least distance</source>
@@ -9685,23 +9685,23 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the least distance must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 거리는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>there are 1 to %1 starts</source>
-        <translation type="unfinished"></translation>
+        <translation>시작은 1개에서 %1개입니다</translation>
     </message>
     <message>
         <source>at least one evaluation is needed</source>
-        <translation type="unfinished"></translation>
+        <translation>평가가 한 번 이상 필요합니다</translation>
     </message>
     <message>
         <source>the set-up has no table %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 구성에 표 %1이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be %2; it is &apos;%3&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 조건: %2. 현재 &apos;%3&apos;</translation>
     </message>
     <message>
         <source>a variable of a design</source>
@@ -9729,7 +9729,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;%1&apos; must be a list of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 수의 목록이어야 합니다</translation>
     </message>
     <message>
         <source>the parameters of &apos;%1&apos;</source>
@@ -9741,11 +9741,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>there is no distribution &apos;%1&apos;%2; known are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>분포 &apos;%1&apos;이(가) 없습니다%2. 알려진 것: %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing in a component</source>
-        <translation type="unfinished"></translation>
+        <translation>성분에 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>a component</source>
@@ -9777,43 +9777,43 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>%1 is %2; the unit %3 of %4 is the unit of %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2. %4의 단위 %3은(는) %5의 단위입니다</translation>
     </message>
     <message>
         <source>%1: the degrees of freedom must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 자유도는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>%1 is a component, not an input quantity: it can be held, but not be edited otherwise</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 입력량이 아니라 성분입니다. 고정할 수는 있지만 달리 편집할 수 없습니다</translation>
     </message>
     <message>
         <source>%1 has no uncertainty to be correlated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 상관될 불확도가 없습니다</translation>
     </message>
     <message>
         <source>there is no component or quantity %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>성분이나 양 %1이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>%1 cannot be correlated with itself</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 자기 자신과 상관될 수 없습니다</translation>
     </message>
     <message>
         <source>a correlation coefficient must lie between -1 and 1; it is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>상관계수는 -1과 1 사이여야 합니다. 현재 %1</translation>
     </message>
     <message>
         <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
-        <translation type="unfinished"></translation>
+        <translation>%1과(와) %2은(는) 성분 %3을(를) 공유하여 상관됩니다. 대신 다른 성분의 상관을 제시하십시오</translation>
     </message>
     <message>
         <source>%1 is edited twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 두 번 편집되었습니다</translation>
     </message>
     <message>
         <source>the correlation of %1 and %2 is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1과(와) %2의 상관이 두 번 주어졌습니다</translation>
     </message>
     <message>
         <source>a number is needed here; it is %1</source>
@@ -9825,27 +9825,27 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>the frame of %1 is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 좌표계가 없습니다</translation>
     </message>
     <message>
         <source>no calibration of a robot: &apos;kinematics&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 교정이 아닙니다. &apos;kinematics&apos;가 없습니다</translation>
     </message>
     <message>
         <source>calibration %1</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 %1</translation>
     </message>
     <message>
         <source>lengths in m, angles in rad, about fixed axes as in URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>길이는 m, 각은 rad, URDF처럼 고정축 둘레</translation>
     </message>
     <message>
         <source>%1 is called %2 here</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 여기서 %2(이)라고 합니다</translation>
     </message>
     <message>
         <source>an input without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>이름이 없는 입력</translation>
     </message>
     <message>
         <source>its %1 must be a number</source>
@@ -9873,7 +9873,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>more than %1 observations are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값은 %1개까지만 읽습니다</translation>
     </message>
     <message>
         <source>numnewmeas must be a number from 1</source>
@@ -9885,7 +9885,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>%1 %2 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2은(는) 수가 아닙니다</translation>
     </message>
     <message>
         <source>%1 %2 is %3</source>
@@ -9897,599 +9897,599 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>; it has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>; 있는 것: %1</translation>
     </message>
     <message>
         <source>the file has no calculation of mode &apos;uncertainty&apos; or &apos;system&apos;%1</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 모드가 &apos;uncertainty&apos; 또는 &apos;system&apos;인 계산이 없습니다%1</translation>
     </message>
     <message>
         <source>%1: %2 quantities, %3 results</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 양 %2개, 결과 %3개</translation>
     </message>
     <message>
         <source>the calculation has no inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>계산에 입력이 없습니다</translation>
     </message>
     <message>
         <source>the calculation has no functions</source>
-        <translation type="unfinished"></translation>
+        <translation>계산에 함수가 없습니다</translation>
     </message>
     <message>
         <source>the system has no quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>시스템에 양이 없습니다</translation>
     </message>
     <message>
         <source>quantities of type %1 are not read; those that are: direct, indirect</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 유형의 양은 읽지 않습니다. 읽는 유형: direct, indirect</translation>
     </message>
     <message>
         <source>the system has no direct quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>시스템에 direct 유형의 양이 없습니다</translation>
     </message>
     <message>
         <source>more than %1 inputs are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>입력은 %1개까지만 읽습니다</translation>
     </message>
     <message>
         <source>more than %1 functions are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>함수는 %1개까지만 읽습니다</translation>
     </message>
     <message>
         <source>a function has the name of an input or of another function</source>
-        <translation type="unfinished"></translation>
+        <translation>함수의 이름이 입력 또는 다른 함수의 이름과 같습니다</translation>
     </message>
     <message>
         <source>%1: in %2 instead of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %3 대신 %2 단위로</translation>
     </message>
     <message>
         <source>%1: no starting value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 시작값 없음</translation>
     </message>
     <message>
         <source>%1: state the unit of what is solved for under &apos;units&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 푸는 값의 단위를 &apos;units&apos;에 적으십시오</translation>
     </message>
     <message>
         <source>a correlation needs var1 and var2, two inputs, and cor, a number between -1 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>상관에는 두 입력 var1과 var2, 그리고 -1과 1 사이의 수 cor가 필요합니다</translation>
     </message>
     <message>
         <source>no unit can be stated for %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 단위를 지정할 수 없습니다%2</translation>
     </message>
     <message>
         <source>the file has no Excel workbook in it</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 안에 Excel 통합 문서가 없습니다</translation>
     </message>
     <message>
         <source>the file has no sheet with cells</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 셀이 있는 시트가 없습니다</translation>
     </message>
     <message>
         <source>%1: %2 is no place of a cell</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2은(는) 셀의 위치가 아닙니다</translation>
     </message>
     <message>
         <source>%1: more than %2 cells are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 셀은 %2개까지만 읽습니다</translation>
     </message>
     <message>
         <source>its text is missing from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>텍스트가 파일에 없습니다</translation>
     </message>
     <message>
         <source>the file has a password or the old format .xls: save it as .xlsx without a password</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 암호가 있거나 이전 형식 .xls입니다. 암호 없이 .xlsx로 저장하십시오</translation>
     </message>
     <message>
         <source>XML of more than %1 MB is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 MB를 넘는 XML은 읽지 않습니다</translation>
     </message>
     <message>
         <source>a document type declaration: files that declare entities are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>문서 유형 선언: 엔티티를 선언하는 파일은 읽지 않습니다</translation>
     </message>
     <message>
         <source>an alias (*name): write out what it stands for, aliases are not expanded</source>
-        <translation type="unfinished"></translation>
+        <translation>별칭(*name): 가리키는 것을 풀어서 적으십시오. 별칭은 펼치지 않습니다</translation>
     </message>
     <message>
         <source>more than %1 entries are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>항목은 %1개까지만 읽습니다</translation>
     </message>
     <message>
         <source>more than %1 levels are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>수준은 %1단계까지만 읽습니다</translation>
     </message>
     <message>
         <source>a key must be a word</source>
-        <translation type="unfinished"></translation>
+        <translation>키는 단어여야 합니다</translation>
     </message>
     <message>
         <source>the key %1 stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>키 %1이(가) 두 번 있습니다</translation>
     </message>
     <message>
         <source>more than 1000 keys are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>키는 1000개까지만 읽습니다</translation>
     </message>
     <message>
         <source>YAML of more than %1 kB is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kB를 넘는 YAML은 읽지 않습니다</translation>
     </message>
     <message>
         <source>the file has no YAML document</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 YAML 문서가 없습니다</translation>
     </message>
     <message>
         <source>not readable as YAML: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>YAML로 읽을 수 없음: %1</translation>
     </message>
     <message>
         <source>the file has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 문제: %1</translation>
     </message>
     <message>
         <source>no readable zip archive in it (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>읽을 수 있는 zip 아카이브가 없음(%1)</translation>
     </message>
     <message>
         <source>more than %1 parts, which are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>파트가 %1개를 넘어 읽지 않음</translation>
     </message>
     <message>
         <source>no part %1</source>
-        <translation type="unfinished"></translation>
+        <translation>파트 %1 없음</translation>
     </message>
     <message>
         <source>a part %1 that cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>파트 %1을(를) 읽을 수 없음</translation>
     </message>
     <message>
         <source>an encrypted part %1: save it without a password</source>
-        <translation type="unfinished"></translation>
+        <translation>파트 %1이(가) 암호화됨: 암호 없이 저장하십시오</translation>
     </message>
     <message>
         <source>a part %1 that cannot be unpacked</source>
-        <translation type="unfinished"></translation>
+        <translation>파트 %1의 압축을 풀 수 없음</translation>
     </message>
     <message>
         <source>a damaged part %1</source>
-        <translation type="unfinished"></translation>
+        <translation>파트 %1이(가) 손상됨</translation>
     </message>
     <message>
         <source>parts that unpack to more than %1 MB (at %2), which are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>압축을 풀면 파트가 %1 MB를 넘어(%2에서) 읽지 않음</translation>
     </message>
     <message>
         <source>no network of GNU Gama: &lt;gama-local&gt; with a &lt;network&gt; is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>GNU Gama의 망이 아닙니다. &lt;network&gt;가 있는 &lt;gama-local&gt;이 와야 합니다</translation>
     </message>
     <message>
         <source>the stated unit of lengths: coordinates of Gama are in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>지정한 길이 단위: Gama의 좌표는 미터 단위입니다</translation>
     </message>
     <message>
         <source>&lt;parameters&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;parameters&gt;</translation>
     </message>
     <message>
         <source>%1 &lt;%2&gt; with observations</source>
-        <translation type="unfinished"></translation>
+        <translation>관측이 있는 &lt;%2&gt; %1개</translation>
     </message>
     <message>
         <source>%1 points without x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>x와 y가 없는 점 %1개</translation>
     </message>
     <message>
         <source>%1 points have no z: it is taken as 0</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개에 z가 없음: 0으로 봅니다</translation>
     </message>
     <message>
         <source>the network has no points with coordinates x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>망에 좌표 x와 y가 있는 점이 없습니다</translation>
     </message>
     <message>
         <source>%1 points are to be adjusted: their coordinates are approximate ones</source>
-        <translation type="unfinished"></translation>
+        <translation>조정할 점 %1개: 그 좌표는 근사값입니다</translation>
     </message>
     <message>
         <source>: a left-handed frame; x and y are taken as they stand</source>
-        <translation type="unfinished"></translation>
+        <translation>: 왼손 좌표계. x와 y를 그대로 씁니다</translation>
     </message>
     <message>
         <source>coordinates in metres, axes-xy = %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>미터 단위의 좌표, axes-xy = %1%2</translation>
     </message>
     <message>
         <source>%1 = %2 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2은(는) 수가 아닙니다</translation>
     </message>
     <message>
         <source>too many points: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>점이 너무 많습니다. 파일을 나누십시오</translation>
     </message>
     <message>
         <source>&lt;coordinates&gt;: point %1 has no x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;coordinates&gt;: 점 %1에 x와 y가 없습니다</translation>
     </message>
     <message>
         <source>a covariance matrix of more than %1 coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 %1개를 넘는 공분산 행렬</translation>
     </message>
     <message>
         <source>the file has no adjusted coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 조정된 좌표가 없습니다</translation>
     </message>
     <message>
         <source>point %1 has no x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1에 x와 y가 없습니다</translation>
     </message>
     <message>
         <source>adjusted coordinates in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>미터 단위의 조정된 좌표</translation>
     </message>
     <message>
         <source>uncertainties: the file has no &lt;cov-mat&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도: 파일에 &lt;cov-mat&gt;이 없습니다</translation>
     </message>
     <message>
         <source>residuals and orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>잔차와 표정</translation>
     </message>
     <message>
         <source>its dim must be at least the %1 adjusted coordinates, its band less than it</source>
-        <translation type="unfinished"></translation>
+        <translation>dim은 조정된 좌표 %1개 이상, band는 그보다 작아야 합니다</translation>
     </message>
     <message>
         <source>element %1, %2 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>요소 %1, %2은(는) 수가 아닙니다</translation>
     </message>
     <message>
         <source>its dim must be the %1 %2, its band less than that</source>
-        <translation type="unfinished"></translation>
+        <translation>dim은 %2 %1개, band는 그보다 작아야 합니다</translation>
     </message>
     <message>
         <source>element %1, %2: %3 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>요소 %1, %2: %3은(는) 수가 아닙니다</translation>
     </message>
     <message>
         <source>a covariance matrix of observations that are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>제외된 관측의 공분산 행렬</translation>
     </message>
     <message>
         <source>the standard deviation %1 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>표준편차 %1은(는) 수가 아닙니다</translation>
     </message>
     <message>
         <source>the standard deviation %1 must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>표준편차 %1은(는) 음수일 수 없습니다</translation>
     </message>
     <message>
         <source>, %1 of them without a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>, 그중 %1개에 표준편차 없음</translation>
     </message>
     <message>
         <source>, %1 correlations</source>
-        <translation type="unfinished"></translation>
+        <translation>, 상관 %1개</translation>
     </message>
     <message>
         <source>%1 observations%2%3; each is its own result: write the equations of what you measure with them</source>
-        <translation type="unfinished"></translation>
+        <translation>관측 %1개%2%3. 각각이 그 자체의 결과입니다. 이들로 측정하는 것의 식을 쓰십시오</translation>
     </message>
     <message>
         <source>%1 observations: more than %2</source>
-        <translation type="unfinished"></translation>
+        <translation>관측 %1개: %2개 초과</translation>
     </message>
     <message>
         <source>the stated unit of lengths: words of GSI state theirs</source>
-        <translation type="unfinished"></translation>
+        <translation>지정한 길이 단위: GSI의 워드는 자체 단위를 밝힙니다</translation>
     </message>
     <message>
         <source>words %1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>워드 %1 (%2)</translation>
     </message>
     <message>
         <source>%1 readings of reflectors above their points: the targets are the reflectors</source>
-        <translation type="unfinished"></translation>
+        <translation>점 위의 반사경에 대한 읽음값 %1개: 표적은 반사경입니다</translation>
     </message>
     <message>
         <source>the file has neither coordinates nor readings with a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 좌표도 거리가 있는 읽음값도 없습니다</translation>
     </message>
     <message>
         <source>the reading of %1: angles and a distance are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 읽음값: 각도와 거리가 필요합니다</translation>
     </message>
     <message>
         <source>coordinates E, N, H become x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 E, N, H는 x, y, z가 됩니다</translation>
     </message>
     <message>
         <source>%1: more than %2 set-ups; divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 설치가 %2개를 넘습니다. 파일을 나누십시오</translation>
     </message>
     <message>
         <source>%1: its coordinates are not in the file: 0, 0, 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 좌표가 파일에 없음: 0, 0, 0</translation>
     </message>
     <message>
         <source>%1: readings of points that have coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 좌표가 있는 점의 읽음값</translation>
     </message>
     <message>
         <source>%1: readings do not repeat, or are too far apart for it, and say nothing of their uncertainty: points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 읽음값이 반복되지 않거나 너무 떨어져 있어 불확도에 대해 아무것도 말하지 않습니다. 점</translation>
     </message>
     <message>
         <source>no word of GSI: index, information, sign and data are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>GSI의 워드가 아닙니다. 색인, 정보, 부호, 데이터가 있어야 합니다</translation>
     </message>
     <message>
         <source>more than %1 blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>블록 %1개 초과</translation>
     </message>
     <message>
         <source>a block begins with the word 11 or 41</source>
-        <translation type="unfinished"></translation>
+        <translation>블록은 워드 11 또는 41로 시작합니다</translation>
     </message>
     <message>
         <source>the data of a word must be digits</source>
-        <translation type="unfinished"></translation>
+        <translation>워드의 데이터는 숫자여야 합니다</translation>
     </message>
     <message>
         <source>the unit &apos;%1&apos; is none of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>단위 &apos;%1&apos;은(는) %2 중 하나가 아닙니다</translation>
     </message>
     <message>
         <source>the file has no blocks of GSI</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 GSI의 블록이 없습니다</translation>
     </message>
     <message>
         <source>more than %1 lines are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>행 %1개를 넘으면 읽지 않습니다</translation>
     </message>
     <message>
         <source>the name of a section is not closed by &apos;]&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>섹션의 이름이 &apos;]&apos;로 닫히지 않았습니다</translation>
     </message>
     <message>
         <source>the section %1 stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>섹션 %1이(가) 두 번 있습니다</translation>
     </message>
     <message>
         <source>neither a section [...] nor a line name=value of one</source>
-        <translation type="unfinished"></translation>
+        <translation>섹션 [...]도 그 안의 줄 이름=값도 아닙니다</translation>
     </message>
     <message>
         <source>no quantity with a value and an uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>값과 불확도가 있는 양이 없습니다</translation>
     </message>
     <message>
         <source>the file has no equation (Model[1]=)</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 식이 없습니다 (Model[1]=)</translation>
     </message>
     <message>
         <source>log may be the natural or the decimal logarithm: write ln or log10</source>
-        <translation type="unfinished"></translation>
+        <translation>log는 자연로그일 수도 상용로그일 수도 있습니다. ln 또는 log10으로 쓰십시오</translation>
     </message>
     <message>
         <source>no file of GUM Workbench: the section [Components] is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM Workbench의 파일이 아닙니다. 섹션 [Components]가 없습니다</translation>
     </message>
     <message>
         <source>the section [COMP %1] is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>섹션 [COMP %1]이(가) 없습니다</translation>
     </message>
     <message>
         <source>more than %1 quantities are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>양 %1개를 넘으면 읽지 않습니다</translation>
     </message>
     <message>
         <source>%1= is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1=이(가) 없습니다</translation>
     </message>
     <message>
         <source>quantities of type %1 are not known; those that are: Result, TypBNormal, TypBRectang, TypAPooled</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 유형의 양을 알 수 없습니다. 아는 것: Result, TypBNormal, TypBRectang, TypAPooled</translation>
     </message>
     <message>
         <source>result %1 as the file states it: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 적힌 결과 %1: %2</translation>
     </message>
     <message>
         <source>section [%1]</source>
-        <translation type="unfinished"></translation>
+        <translation>섹션 [%1]</translation>
     </message>
     <message>
         <source>1 point</source>
-        <translation type="unfinished"></translation>
+        <translation>점 1개</translation>
     </message>
     <message>
         <source>%1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개</translation>
     </message>
     <message>
         <source>1 name occur again and have got a number: first %1</source>
-        <translation type="unfinished"></translation>
+        <translation>이름 1개가 다시 나와 번호를 붙임: 첫째 %1</translation>
     </message>
     <message>
         <source>%1 names occur again and have got a number: first %2</source>
-        <translation type="unfinished"></translation>
+        <translation>이름 %1개가 다시 나와 번호를 붙임: 첫째 %2</translation>
     </message>
     <message>
         <source>%1 groups in one artefact: their names stand before those of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>표준기 하나에 그룹 %1개: 그룹의 이름이 점의 이름 앞에 옵니다</translation>
     </message>
     <message>
         <source>no uncertainties are stated: u_cal is 0 until you state it</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도가 제시되지 않음: 제시할 때까지 u_cal은 0입니다</translation>
     </message>
     <message>
         <source>u_cal is the largest of the stated standard uncertainties: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>u_cal은 제시된 표준불확도 중 가장 큰 것입니다: %1</translation>
     </message>
     <message>
         <source>u_cal as stated: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 u_cal: %1</translation>
     </message>
     <message>
         <source>%1 without a stated one</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 것이 없는 %1</translation>
     </message>
     <message>
         <source>the uncertainty of each point by itself, and correlations: only up to %1 have an analysis of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>각 점 자체의 불확도와 상관: %1까지만 자체 분석이 있습니다</translation>
     </message>
     <message>
         <source> and 1 correlation coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation> 및 상관계수 1개</translation>
     </message>
     <message>
         <source> and %1 correlation coefficients</source>
-        <translation type="unfinished"></translation>
+        <translation> 및 상관계수 %1개</translation>
     </message>
     <message>
         <source>analysis &apos;Points as stated&apos;: every coordinate with its own uncertainty%1</source>
-        <translation type="unfinished"></translation>
+        <translation>분석 &apos;Points as stated&apos;: 모든 좌표가 자체 불확도를 가짐%1</translation>
     </message>
     <message>
         <source>the file has no points</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 점이 없습니다</translation>
     </message>
     <message>
         <source>the file has no line &apos;Frame,Time (Seconds),...&apos; with data below</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 아래에 데이터가 있는 줄 &apos;Frame,Time (Seconds),...&apos;이 없습니다</translation>
     </message>
     <message>
         <source>the file must begin with &apos;Format Version,&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>파일은 &apos;Format Version,&apos;으로 시작해야 합니다</translation>
     </message>
     <message>
         <source>rotations of type %1 are not read: export the take with quaternions</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 유형의 회전은 읽지 않습니다. take를 사원수로 내보내십시오</translation>
     </message>
     <message>
         <source>the file does not state its unit of lengths; state it</source>
-        <translation type="unfinished"></translation>
+        <translation>파일이 길이 단위를 밝히지 않습니다. 지정하십시오</translation>
     </message>
     <message>
         <source>take %1, lengths in %2, coordinate space %3</source>
-        <translation type="unfinished"></translation>
+        <translation>take %1, 길이 %2, 좌표 공간 %3</translation>
     </message>
     <message>
         <source>%1 columns of markers</source>
-        <translation type="unfinished"></translation>
+        <translation>마커의 열 %1개</translation>
     </message>
     <message>
         <source>more than %1 rigid bodies are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>강체 %1개를 넘으면 읽지 않습니다</translation>
     </message>
     <message>
         <source>rigid body %1: columns of its rotation (X, Y, Z, W) or position (X, Y, Z) are missing</source>
-        <translation type="unfinished"></translation>
+        <translation>강체 %1: 회전 (X, Y, Z, W) 또는 위치 (X, Y, Z)의 열이 없습니다</translation>
     </message>
     <message>
         <source>the take has no rigid body</source>
-        <translation type="unfinished"></translation>
+        <translation>take에 강체가 없습니다</translation>
     </message>
     <message>
         <source>%1 is not a number of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 자세의 수가 아닙니다</translation>
     </message>
     <message>
         <source>the quaternion of %1 has not the length 1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 사원수의 길이가 1이 아닙니다</translation>
     </message>
     <message>
         <source>the angles about z and x of %1 are not determined: turned by 90 degrees about y. Turn the axes of the body in Motive by 90 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 z와 x 둘레의 각이 정해지지 않습니다. y 둘레로 90도 돌아 있습니다. Motive에서 강체의 축을 90도 돌리십시오</translation>
     </message>
     <message>
         <source>%1: %2 frames in which it was not seen</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 보이지 않은 프레임 %2개</translation>
     </message>
     <message>
         <source>rigid body %1: at least two frames in which it is seen are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>강체 %1: 보이는 프레임이 둘 이상 필요합니다</translation>
     </message>
     <message>
         <source>rigid body %1: mean pose of %2 frames, Type A with covariance; the body must not have moved, and the frames are taken as independent</source>
-        <translation type="unfinished"></translation>
+        <translation>강체 %1: 프레임 %2개의 평균 자세, 공분산이 있는 A형. 강체가 움직이지 않았어야 하며 프레임을 독립으로 봅니다</translation>
     </message>
     <message>
         <source>unit &quot;%1&quot;: write it without parentheses</source>
-        <translation type="unfinished"></translation>
+        <translation>단위 &quot;%1&quot;: 괄호 없이 쓰십시오</translation>
     </message>
     <message>
         <source>the exponents are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>지수가 너무 큽니다</translation>
     </message>
     <message>
         <source>%1; state the columns: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. 열을 지정하십시오: %2</translation>
     </message>
     <message>
         <source>there is no column %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>열 %1이(가) 없습니다%2</translation>
     </message>
     <message>
         <source>more than %1 points: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개 초과: 파일을 나누십시오</translation>
     </message>
     <message>
         <source> is empty</source>
-        <translation type="unfinished"></translation>
+        <translation> 비어 있음</translation>
     </message>
     <message>
         <source> is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation> 수가 아님</translation>
     </message>
     <message>
         <source>: an uncertainty must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>: 불확도는 음수일 수 없습니다</translation>
     </message>
     <message>
         <source> is too large</source>
-        <translation type="unfinished"></translation>
+        <translation> 너무 큼</translation>
     </message>
     <message>
         <source>the line has %1 columns instead of %2; put names that contain blanks into quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>행의 열이 %2개가 아니라 %1개입니다. 빈칸이 있는 이름은 따옴표로 묶으십시오</translation>
     </message>
     <message>
         <source>what stands behind column %1</source>
-        <translation type="unfinished"></translation>
+        <translation>열 %1 뒤의 내용</translation>
     </message>
     <message>
         <source>lengths are taken as mm: the file does not say its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>길이를 mm로 봅니다. 파일이 단위를 밝히지 않습니다</translation>
     </message>
     <message>
         <source>column %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>열 %1%2</translation>
     </message>
     <message>
         <source>%1 lines above the headers</source>
-        <translation type="unfinished"></translation>
+        <translation>머리글 위의 %1줄</translation>
     </message>
     <message>
         <source>%1 lines of comment</source>
-        <translation type="unfinished"></translation>
+        <translation>주석 %1줄</translation>
     </message>
     <message>
         <source>the table has no line of headers; state the columns: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>표에 머리글 줄이 없습니다. 열을 지정하십시오: %1</translation>
     </message>
     <message>
         <source>its columns may mean several things (names that are numbers, offsets, weights, tolerances, notes); state the columns: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>열이 여러 가지를 뜻할 수 있습니다(수인 이름, 오프셋, 가중치, 허용오차, 비고). 열을 지정하십시오: %1</translation>
     </message>
     <message>
         <source>six numbers may be X Y Z Ux Uy Uz, but also X Y Z with weights, a vector or the angles of a frame: name the reader if they are uncertainties, or state the columns: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>수 여섯 개는 X Y Z Ux Uy Uz일 수도, X Y Z와 가중치, 벡터 또는 좌표계의 각도일 수도 있습니다. 불확도이면 읽기 형식을 지정하거나 열을 지정하십시오: %1</translation>
     </message>
     <message>
         <source>read as %1 (%2)</source>
@@ -10521,207 +10521,207 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>no reader recognises the file; name the one to read it with</source>
-        <translation type="unfinished"></translation>
+        <translation>파일을 알아보는 읽기 형식이 없습니다. 읽을 형식을 지정하십시오</translation>
     </message>
     <message>
         <source>several readers recognise the file: %1; name one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>여러 읽기 형식이 파일을 알아봅니다: %1. 그중 하나를 지정하십시오</translation>
     </message>
     <message>
         <source>a column cannot be %1; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>열은 %1일 수 없습니다. 현재 %2개</translation>
     </message>
     <message>
         <source>the columns %1 and %2 mean the same; state the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>열 %1과(와) %2이(가) 같은 것을 뜻합니다. 열을 지정하십시오</translation>
     </message>
     <message>
         <source>a budget needs columns for the quantity or its name, for an uncertainty (u, U or limits) and one more; state the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표에는 양이나 그 이름, 불확도(u, U 또는 한계), 그리고 또 하나의 열이 필요합니다. 열을 지정하십시오</translation>
     </message>
     <message>
         <source>the distribution %1 is not known; there are normal, rectangular, triangular, U-shaped</source>
-        <translation type="unfinished"></translation>
+        <translation>분포 %1을(를) 알 수 없습니다. 있는 것: normal, rectangular, triangular, U-shaped</translation>
     </message>
     <message>
         <source>the divisor must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>제수는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>an uncertainty must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도는 음수일 수 없습니다</translation>
     </message>
     <message>
         <source>no uncertainty is stated</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도가 제시되지 않았습니다</translation>
     </message>
     <message>
         <source>neither divisor, k nor distribution says what the uncertainty %1 is</source>
-        <translation type="unfinished"></translation>
+        <translation>제수, k, 분포 어느 것도 불확도 %1이(가) 무엇인지 말하지 않습니다</translation>
     </message>
     <message>
         <source>a normal distribution needs a divisor or k for the uncertainty %1</source>
-        <translation type="unfinished"></translation>
+        <translation>정규분포이면 불확도 %1에 제수나 k가 필요합니다</translation>
     </message>
     <message>
         <source>no row has a number in the stated columns</source>
-        <translation type="unfinished"></translation>
+        <translation>지정한 열에 수가 있는 행이 없습니다</translation>
     </message>
     <message>
         <source>there is no sheet %1 with cells; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>셀이 있는 시트 %1이(가) 없습니다. 있는 시트: %2</translation>
     </message>
     <message>
         <source>the workbook has several sheets, %1: name the sheet whose columns are stated</source>
-        <translation type="unfinished"></translation>
+        <translation>통합 문서에 시트가 여러 개 있습니다(%1). 열을 지정한 시트의 이름을 지정하십시오</translation>
     </message>
     <message>
         <source>no row of headers of a budget was found; state the columns (quantity, value, unit, U, divisor ...)</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표의 머리글 행을 찾지 못했습니다. 열을 지정하십시오(양, 값, 단위, U, 나눗수 ...)</translation>
     </message>
     <message>
         <source>several sheets have a budget: %1; name one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>여러 시트에 총괄표가 있습니다(%1). 그중 하나를 지정하십시오</translation>
     </message>
     <message>
         <source>a file that it includes: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>포함하는 파일: %1</translation>
     </message>
     <message>
         <source>the code of a point is expected, a digit</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 코드(숫자 하나)가 필요합니다</translation>
     </message>
     <message>
         <source>a point that is not to be used: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>사용하지 않을 점: %1</translation>
     </message>
     <message>
         <source>code, name, x, y, z, three standard deviations and two deflections of the vertical are expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>코드, 이름, x, y, z, 표준편차 세 개, 연직선 편차 두 개가 필요한데 열이 %1개 있습니다</translation>
     </message>
     <message>
         <source>none of their coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표를 하나도 구속하지 않음</translation>
     </message>
     <message>
         <source>%1 only</source>
-        <translation type="unfinished"></translation>
+        <translation>%1만</translation>
     </message>
     <message>
         <source>standard deviations of %1 points of code %2: it constrains %3</source>
-        <translation type="unfinished"></translation>
+        <translation>코드 %2인 점 %1개의 표준편차: 구속하는 좌표: %3</translation>
     </message>
     <message>
         <source>deflections of the vertical of %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개의 연직선 편차</translation>
     </message>
     <message>
         <source>%1 points are not constrained: their coordinates are approximate ones for the adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개는 구속되지 않습니다. 그 좌표는 조정을 위한 근사 좌표입니다</translation>
     </message>
     <message>
         <source>%1 comments</source>
-        <translation type="unfinished"></translation>
+        <translation>주석 %1개</translation>
     </message>
     <message>
         <source>%1 is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 수가 아닙니다</translation>
     </message>
     <message>
         <source>%1: the constraint of %2, which is switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 꺼져 있는 %2의 구속조건</translation>
     </message>
     <message>
         <source>coordinates in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>미터 단위의 좌표</translation>
     </message>
     <message>
         <source>the stated unit of lengths: coordinates of Comp3D are in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>지정한 길이의 단위: Comp3D의 좌표는 미터 단위입니다</translation>
     </message>
     <message>
         <source>the code of an observation is expected, a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값의 코드(정수)가 필요합니다</translation>
     </message>
     <message>
         <source>an observation of code %1</source>
-        <translation type="unfinished"></translation>
+        <translation>코드 %1의 관측값</translation>
     </message>
     <message>
         <source>code, two points, value, one or two standard deviations and two heights are expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>코드, 점 두 개, 값, 표준편차 하나 또는 두 개, 높이 두 개가 필요한데 열이 %1개 있습니다</translation>
     </message>
     <message>
         <source>%1 %2: it is switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2: 꺼져 있음</translation>
     </message>
     <message>
         <source>the file has no observation that is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 가져올 관측값이 없습니다</translation>
     </message>
     <message>
         <source>%1 observations, lengths in metres; each is its own result: write the equations of what you measure with them</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값 %1개, 길이는 미터 단위. 각 관측값이 그대로 결과가 됩니다. 이 값들로 측정 대상의 방정식을 작성하십시오</translation>
     </message>
     <message>
         <source>the unit of angles must be one of an angle: gon, deg, rad</source>
-        <translation type="unfinished"></translation>
+        <translation>각의 단위는 각도 단위여야 합니다: gon, deg, rad</translation>
     </message>
     <message>
         <source>%1 %2: the part of its standard deviation that depends on the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2: 거리에 따라 달라지는 표준편차 부분</translation>
     </message>
     <message>
         <source>%1: it is switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 꺼져 있음</translation>
     </message>
     <message>
         <source>a variance of its covariance matrix is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>공분산 행렬의 분산 하나가 음수입니다</translation>
     </message>
     <message>
         <source>its covariance matrix is not symmetric</source>
-        <translation type="unfinished"></translation>
+        <translation>공분산 행렬이 대칭이 아닙니다</translation>
     </message>
     <message>
         <source>its matrix is no covariance matrix: a variance of some combination is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>행렬이 공분산 행렬이 아닙니다. 어떤 조합의 분산이 음수입니다</translation>
     </message>
     <message>
         <source>no Digital Calibration Certificate: its root is &lt;%1&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>디지털 교정성적서(Digital Calibration Certificate)가 아닙니다. 루트 요소가 &lt;%1&gt;입니다</translation>
     </message>
     <message>
         <source>the certificate has no results with numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서에 수치가 있는 결과가 없습니다</translation>
     </message>
     <message>
         <source>schema version %1</source>
-        <translation type="unfinished"></translation>
+        <translation>스키마 버전 %1</translation>
     </message>
     <message>
         <source>what this version of the schema has beyond version 3</source>
-        <translation type="unfinished"></translation>
+        <translation>스키마의 이 버전이 버전 3을 넘어서 담고 있는 것</translation>
     </message>
     <message>
         <source>the stated unit of lengths: a certificate states its units</source>
-        <translation type="unfinished"></translation>
+        <translation>지정한 길이의 단위: 성적서에 단위가 적혀 있습니다</translation>
     </message>
     <message>
         <source>%1: &lt;measurementMetaData&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: &lt;measurementMetaData&gt;</translation>
     </message>
     <message>
         <source>a quantity: more than %1 values</source>
-        <translation type="unfinished"></translation>
+        <translation>한 양: 값이 %1개를 넘음</translation>
     </message>
     <message>
         <source>%1 as a length standard: more than %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 길이 표준기로서: %2개를 넘음</translation>
     </message>
     <message>
         <source>the signature: it is not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>서명: 검증하지 않음</translation>
     </message>
     <message>
         <source>%1 values, %2 of them with an uncertainty</source>
@@ -10733,175 +10733,175 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>length standard %1: delete it where the length is no standard</source>
-        <translation type="unfinished"></translation>
+        <translation>길이 표준기 %1: 그 길이가 표준이 아니면 삭제하십시오</translation>
     </message>
     <message>
         <source>a value as &lt;%1&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;%1&gt;로 적힌 값</translation>
     </message>
     <message>
         <source>its relative uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>상대불확도</translation>
     </message>
     <message>
         <source>the same in other units (%1 is taken)</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 단위로 적힌 같은 값(%1 사용)</translation>
     </message>
     <message>
         <source>its lists have different lengths than the %1 values</source>
-        <translation type="unfinished"></translation>
+        <translation>목록의 길이가 값 %1개와 다릅니다</translation>
     </message>
     <message>
         <source>its covariance matrix: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>공분산 행렬: %1</translation>
     </message>
     <message>
         <source>its covariance matrix has not %1 x %2 elements</source>
-        <translation type="unfinished"></translation>
+        <translation>공분산 행렬의 요소가 %1 x %2개가 아닙니다</translation>
     </message>
     <message>
         <source>p must be between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>p는 0과 1 사이여야 합니다</translation>
     </message>
     <message>
         <source>k must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>k는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>its uncertainty is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도가 음수입니다</translation>
     </message>
     <message>
         <source>it does not begin with \</source>
-        <translation type="unfinished"></translation>
+        <translation>\로 시작하지 않습니다</translation>
     </message>
     <message>
         <source>a brace is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>중괄호를 닫지 않았습니다</translation>
     </message>
     <message>
         <source>its power &apos;%1&apos; is no small integer</source>
-        <translation type="unfinished"></translation>
+        <translation>거듭제곱 &apos;%1&apos;은(는) 작은 정수가 아닙니다</translation>
     </message>
     <message>
         <source>&apos;\%1&apos; is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;\%1&apos;은(는) 알 수 없습니다</translation>
     </message>
     <message>
         <source>it ends too early</source>
-        <translation type="unfinished"></translation>
+        <translation>너무 일찍 끝납니다</translation>
     </message>
     <message>
         <source>the unit %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>단위 %1: %2</translation>
     </message>
     <message>
         <source>sheet %1, columns: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>시트 %1, 열: %2</translation>
     </message>
     <message>
         <source>%1 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 수가 아닙니다</translation>
     </message>
     <message>
         <source>its unit differs from that of the other uncertainty of the row</source>
-        <translation type="unfinished"></translation>
+        <translation>단위가 행의 다른 불확도의 단위와 다릅니다</translation>
     </message>
     <message>
         <source>%1 is no divisor</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 나눗수가 아닙니다</translation>
     </message>
     <message>
         <source>degrees of freedom must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도는 0보다 커야 합니다</translation>
     </message>
     <message>
         <source>row %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행: %2</translation>
     </message>
     <message>
         <source>the contribution %1: c and u give %2</source>
-        <translation type="unfinished"></translation>
+        <translation>기여 %1: c와 u로 계산하면 %2</translation>
     </message>
     <message>
         <source>the contribution does not follow from c and u in any unit; state the unit behind the coefficient (&apos;-575 nm/K&apos;)</source>
-        <translation type="unfinished"></translation>
+        <translation>기여가 어떤 단위에서도 c와 u에서 나오지 않습니다. 계수 뒤에 단위를 적으십시오(&apos;-575 nm/K&apos;)</translation>
     </message>
     <message>
         <source>its unit makes no coefficient of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>단위가 결과의 감도계수에 맞지 않습니다</translation>
     </message>
     <message>
         <source>its unit may be %1 or %2: state it behind the coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>단위는 %1 또는 %2일 수 있습니다. 계수 뒤에 적으십시오</translation>
     </message>
     <message>
         <source>what stands below the budget, to row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표 아래 %1행까지에 있는 것</translation>
     </message>
     <message>
         <source>there is no quantity with an uncertainty below</source>
-        <translation type="unfinished"></translation>
+        <translation>아래에 불확도가 있는 양이 없습니다</translation>
     </message>
     <message>
         <source>row without a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>양이 없는 행</translation>
     </message>
     <message>
         <source>row %1 without figures</source>
-        <translation type="unfinished"></translation>
+        <translation>수치가 없는 행 %1</translation>
     </message>
     <message>
         <source>the quantity has no name</source>
-        <translation type="unfinished"></translation>
+        <translation>양에 이름이 없습니다</translation>
     </message>
     <message>
         <source>row %1: computed anew</source>
-        <translation type="unfinished"></translation>
+        <translation>행 %1: 다시 계산함</translation>
     </message>
     <message>
         <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>결과의 단위가 없습니다. 결과에 별도의 행을 주거나, 기여의 머리글 뒤에 단위를 넣거나, &apos;result&apos;의 단위로 지정하십시오</translation>
     </message>
     <message>
         <source>the result is not the sum of c x: %1 is the difference</source>
-        <translation type="unfinished"></translation>
+        <translation>결과가 c x의 합이 아닙니다. 그 차이는 %1입니다</translation>
     </message>
     <message>
         <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
-        <translation type="unfinished"></translation>
+        <translation>모델: %1. 시트에는 감도계수만 있습니다. 방정식이 있으면 대신 그것을 적으십시오</translation>
     </message>
     <message>
         <source>%1 quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>양 %1개</translation>
     </message>
     <message>
         <source>sheet %1</source>
-        <translation type="unfinished"></translation>
+        <translation>시트 %1</translation>
     </message>
     <message>
         <source>no input quantity has an uncertainty, so that U is 0 everywhere: state the uncertainties of what the analysis uses</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도가 있는 입력량이 없어 U가 모두 0입니다. 분석이 쓰는 것의 불확도를 제시하십시오</translation>
     </message>
     <message>
         <source>%1; the run is to end at %2 trials and will not be stable then. Choose a larger tolerance or fewer digits</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. 실행은 시행 %2회에서 끝나며 그때 안정되지 않습니다. 허용오차를 크게 하거나 자릿수를 줄이십시오</translation>
     </message>
     <message>
         <source>it cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>읽을 수 없습니다</translation>
     </message>
     <message>
         <source>%1 has no analysis &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 분석 &quot;%2&quot;이(가) 없습니다</translation>
     </message>
     <message>
         <source>%1 refers to other assets of the project and cannot be kept alone</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 프로젝트의 다른 에셋을 참조하므로 단독으로 보관할 수 없습니다</translation>
     </message>
     <message>
         <source>%1 has errors; open it and repair it before adding to it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 오류가 있습니다. 추가하기 전에 열어서 고치십시오</translation>
     </message>
     <message>
         <source>asset %1: %2</source>
@@ -10917,35 +10917,35 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>%1, which does not offer %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2을(를) 제공하지 않음</translation>
     </message>
     <message>
         <source>it cannot be made</source>
-        <translation type="unfinished"></translation>
+        <translation>만들 수 없습니다</translation>
     </message>
     <message>
         <source>the analysis &apos;%1&apos; has errors of its own: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>분석 &apos;%1&apos;에 자체 오류가 있습니다: %2</translation>
     </message>
     <message>
         <source>%1, which has errors of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 자체 오류가 있음</translation>
     </message>
     <message>
         <source>%1, which is of the kind &apos;%2&apos; and does not offer %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 종류가 &apos;%2&apos;이며 %3을(를) 제공하지 않음</translation>
     </message>
     <message>
         <source>%1, which refers back to this one: %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 이것을 다시 참조함: %2%3</translation>
     </message>
     <message>
         <source>%1: only analyses take something from analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 분석만이 분석에서 가져올 수 있습니다</translation>
     </message>
     <message>
         <source>%1, which does not exist%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 존재하지 않음%2</translation>
     </message>
     <message>
         <source>the values given lead to a %1</source>
@@ -11717,35 +11717,35 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>there are no results for the certificate to state</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서에 기재할 결과가 없습니다</translation>
     </message>
     <message>
         <source>the standard uncertainty of %1 is not finite; a Digital Calibration Certificate has no place for that</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 표준불확도가 유한하지 않습니다. 디지털 교정성적서(Digital Calibration Certificate)에는 그것을 적을 곳이 없습니다</translation>
     </message>
     <message>
         <source>there is no robot to write: no analysis uses or finds one</source>
-        <translation type="unfinished"></translation>
+        <translation>쓸 로봇이 없습니다. 로봇을 사용하거나 구하는 분석이 없습니다</translation>
     </message>
     <message>
         <source>the file is of one robot, and there are %1: choose an analysis that uses or finds the one to write (--analysis)</source>
-        <translation type="unfinished"></translation>
+        <translation>파일은 로봇 하나에 대한 것인데 %1개가 있습니다. 쓸 로봇을 사용하거나 구하는 분석을 선택하십시오(--analysis)</translation>
     </message>
     <message>
         <source>there are no points to write: no analysis has a result with coordinates x, y, z of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>쓸 점이 없습니다. 점의 좌표 x, y, z를 결과로 갖는 분석이 없습니다</translation>
     </message>
     <message>
         <source>robot %1: the file is of six joints that turn (shoulder to wrist_3); write it as URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇 %1: 파일은 회전 관절 여섯 개(shoulder~wrist_3)에 대한 것입니다. URDF로 쓰십시오</translation>
     </message>
     <message>
         <source>there are no results to write</source>
-        <translation type="unfinished"></translation>
+        <translation>쓸 결과가 없습니다</translation>
     </message>
     <message>
         <source>the workbook cannot be made in the folder for temporary files</source>
-        <translation type="unfinished"></translation>
+        <translation>임시 파일 폴더에 통합 문서를 만들 수 없습니다</translation>
     </message>
     <message>
         <source>the report carries no results to compare with (results.json)</source>

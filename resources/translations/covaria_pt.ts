@@ -6053,39 +6053,39 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Eq 19 is corrected: o_p − o_b must be expressed in the base frame. As printed, the pose does not depend on the orientation of the base, and U(x) of all poses is the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>A eq. 19 é corrigida: o_p − o_b deve ser expresso no sistema da base. Como impressa, a pose não depende da orientação da base, e U(x) de todas as poses é o mesmo.</translation>
     </message>
     <message>
         <source>Eq 20 is corrected: R = R_bᵀ R_p. The printed R_p R_bᵀ is the same rotation expressed in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>A eq. 20 é corrigida: R = R_bᵀ R_p. O R_p R_bᵀ impresso é a mesma rotação expressa no sistema 0.</translation>
     </message>
     <message>
         <source>Eqs 21-23 are corrected: as printed they are Z-Y-Z angles, undefined without tilt; the text and Table 3 use Z-Y-X angles, R = Rz(γ) Ry(β) Rx(α).</source>
-        <translation type="unfinished"></translation>
+        <translation>As eqs. 21-23 são corrigidas: como impressas são ângulos Z-Y-Z, indefinidos sem inclinação; o texto e a Tabela 3 usam ângulos Z-Y-X, R = Rz(γ) Ry(β) Rx(α).</translation>
     </message>
     <message>
         <source>b₃ lies at negative y of its frame (Eq 10) and p₃ at positive y of its own (Eq 14); other arrangements can be chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>b₃ está no y negativo de seu sistema (eq. 10) e p₃ no y positivo do seu (eq. 14); outras disposições podem ser escolhidas.</translation>
     </message>
     <message>
         <source>Typed uncertainties lie along the axes of the frame that the points define (those of the moving frame along the base&apos;s on request) and are turned into frame 0; those of an instrument lie along and across its line of sight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezas digitadas seguem os eixos do sistema que os pontos definem (as do sistema móvel, a pedido, os da base) e são giradas para o sistema 0; as de um instrumento ficam ao longo e através de sua linha de visada.</translation>
     </message>
     <message>
         <source>Measured points of a least-squares frame are tested against their nominal coordinates: residuals, redundancy, chi-square with the full covariance of the stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pontos medidos de um sistema de mínimos quadrados são testados contra suas coordenadas nominais: resíduos, redundância, qui-quadrado com a covariância completa das incertezas declaradas.</translation>
     </message>
     <message>
         <source>All poses of an analysis share one measurement of the base, so their results are correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas as poses de uma análise compartilham uma medição da base, de modo que seus resultados são correlacionados.</translation>
     </message>
     <message>
         <source>The uncertainty of the mean of repeated measurements (a posteriori) is taken as that of one measurement, as in the paper: the systematic part does not average out.</source>
-        <translation type="unfinished"></translation>
+        <translation>A incerteza da média de medições repetidas (a posteriori) é tomada como a de uma medição, como no artigo: a parte sistemática não se anula na média.</translation>
     </message>
     <message>
         <source>Angles are undefined in gimbal lock; the set-up then warns. Rotation vector and quaternion are free of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os ângulos são indefinidos em gimbal lock; a configuração então avisa. Vetor de rotação e quatérnio estão livres disso.</translation>
     </message>
     <message>
         <source>Coordinates of targets and distances between them, measured by any mix of trackers, total stations, cameras and distance meters placed in space.</source>
@@ -6093,39 +6093,39 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>The uncertainty of the stations does not contribute marginally to the position of a target, as the paper says: only distances within one set-up are nearly free of it. Eq 5 is the precision of the readings; it is shown beside the total, never as the uncertainty of a position.</source>
-        <translation type="unfinished"></translation>
+        <translation>A incerteza das estações não contribui apenas marginalmente para a posição de um alvo, como diz o artigo: só as distâncias dentro de um estacionamento estão quase livres dela. A eq. 5 é a precisão das leituras; é mostrada ao lado do total, nunca como incerteza de uma posição.</translation>
     </message>
     <message>
         <source>Weights from the readings alone, as in the paper, are inefficient for positions; those with the stations are the default.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pesos só das leituras, como no artigo, são ineficientes para posições; os que incluem as estações são o padrão.</translation>
     </message>
     <message>
         <source>Eq 2 is corrected: D holds equations by readings; as printed it is transposed.</source>
-        <translation type="unfinished"></translation>
+        <translation>A eq. 2 é corrigida: D contém equações por leituras; como impressa está transposta.</translation>
     </message>
     <message>
         <source>The linearised equations have the measured angles in M: their estimate shrinks towards the sensors, the non-linear one moves outwards by half as much. It matters beyond a milliradian (3.5 mrad, cameras alone: −6.9 mm against +3.3 mm) and not for the paper&apos;s network.</source>
-        <translation type="unfinished"></translation>
+        <translation>As equações linearizadas têm os ângulos medidos em M: sua estimativa encolhe em direção aos sensores, a não linear move-se para fora a metade disso. Importa além de um milirradiano (3,5 mrad, só câmeras: −6,9 mm contra +3,3 mm) e não para a rede do artigo.</translation>
     </message>
     <message>
         <source>Stations are located once for a set-up: all its targets share their deviations. &quot;New set-up&quot; at a target draws them anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>As estações são localizadas uma vez por estacionamento: todos os seus alvos compartilham seus desvios. &quot;Novo estacionamento&quot; num alvo sorteia-os de novo.</translation>
     </message>
     <message>
         <source>A distance without angles has no linear equation; the non-linear estimator uses it, from the nominal coordinates as start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma distância sem ângulos não tem equação linear; o estimador não linear a usa, com as coordenadas nominais como início.</translation>
     </message>
     <message>
         <source>A calibrated length as a check is not used in the estimation: its difference is to be judged by its uncertainty. As a constraint it carries its own uncertainty; a scale that the instruments share is corrected by it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um comprimento calibrado como verificação não é usado na estimação: sua diferença deve ser julgada por sua incerteza. Como restrição traz sua própria incerteza; uma escala que os instrumentos compartilham é corrigida por ele.</translation>
     </message>
     <message>
         <source>With more than 600 readings in one set-up each target is estimated by itself, weighted with the stations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Com mais de 600 leituras num estacionamento cada alvo é estimado por si, ponderado com as estações.</translation>
     </message>
     <message>
         <source>Azimuths may be given with any number of whole turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimutes podem ser dados com qualquer número de voltas inteiras.</translation>
     </message>
     <message>
         <source>The tool centre point of a robot: the flange turns about its own axes, telescopic ballbars measure where the ball at the tool goes, and planes and a sphere give the flange&apos;s axes and centre.</source>
@@ -6133,39 +6133,39 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>The paper states neither the tool, nor the flange&apos;s orientation, start angles, how the frame is made, nor how the points are averaged. With a tool of (0, 0, 100) mm, the flange pointing down, arcs from -60° to 140° and from -90° to 90° and u(L) = 1.55 µm, the published values reproduce within 1.5 % (root mean square).</source>
-        <translation type="unfinished"></translation>
+        <translation>O artigo não declara a ferramenta, nem a orientação do flange, nem os ângulos iniciais, nem como o sistema é construído, nem como os pontos são ponderados na média. Com uma ferramenta de (0, 0, 100) mm, o flange apontando para baixo, arcos de -60° a 140° e de -90° a 90° e u(L) = 1,55 µm, os valores publicados se reproduzem dentro de 1,5 % (valor quadrático médio).</translation>
     </message>
     <message>
         <source>U(TCP): published 8.2, 11.1, 5.1 µm; here 8.16, 10.92, 5.00 µm: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>U(TCP): publicado 8,2, 11,1, 5,1 µm; aqui 8,16, 10,92, 5,00 µm: reproduz.</translation>
     </message>
     <message>
         <source>U(TCP) with an ideal robot: published 2.8, 3.7, 1.6 µm; here 2.77, 3.61, 1.57 µm: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>U(TCP) com um robô ideal: publicado 2,8, 3,7, 1,6 µm; aqui 2,77, 3,61, 1,57 µm: reproduz.</translation>
     </message>
     <message>
         <source>U of the axes&apos; angles XY, XZ, YX, YZ: published 79, 87, 59, 123 µrad; here 78.3, 87.2, 58.5, 120.6 µrad: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>U dos ângulos dos eixos XY, XZ, YX, YZ: publicado 79, 87, 59, 123 µrad; aqui 78,3, 87,2, 58,5, 120,6 µrad: reproduz.</translation>
     </message>
     <message>
         <source>Largest U of a point measured by the ballbars alone: published 5.7, 5.7, 2.4 µm; here 5.83, 5.72, 2.38 µm: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maior U de um ponto medido só pelas ballbars: publicado 5,7, 5,7, 2,4 µm; aqui 5,83, 5,72, 2,38 µm: reproduz.</translation>
     </message>
     <message>
         <source>With the stated U(L) = 4 µm the same geometry gives U(TCP) 8.46, 11.31, 5.16 µm and points up to 7.53, 7.37, 3.07 µm: differs, because the stated 4 µm and the published points cannot both hold. U(z) of a point at most 577 mm above the supports is 2.4 µm only for U(L) near 3.1 µm; all six figures of the instrument alone are 0.78 of what 4 µm gives.</source>
-        <translation type="unfinished"></translation>
+        <translation>Com o U(L) = 4 µm declarado a mesma geometria dá U(TCP) 8,46, 11,31, 5,16 µm e pontos de até 7,53, 7,37, 3,07 µm: difere, porque os 4 µm declarados e os pontos publicados não podem valer ambos. U(z) de um ponto no máximo 577 mm acima dos apoios só é 2,4 µm para U(L) perto de 3,1 µm; os seis números do instrumento sozinho são 0,78 do que 4 µm dá.</translation>
     </message>
     <message>
         <source>The centre of the sphere is the centre of the flange, not the tool centre point as section 4 says: its U is 5.96, 7.42, 6.94 µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>O centro da esfera é o centro do flange, não o ponto central da ferramenta como diz a seção 4: seu U é 5,96, 7,42, 6,94 µm.</translation>
     </message>
     <message>
         <source>Eq 8 needs perpendicular axes, which two measured normals are not: U(x) of the tool is 8.16, 8.37 or 8.66 µm with y first, symmetric or x first.</source>
-        <translation type="unfinished"></translation>
+        <translation>A eq. 8 precisa de eixos perpendiculares, o que duas normais medidas não são: U(x) da ferramenta é 8,16, 8,37 ou 8,66 µm com y primeiro, simétrico ou x primeiro.</translation>
     </message>
     <message>
         <source>A trial whose lengths do not meet (negative root of Eq 3) has no value: it is counted and reported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um ensaio cujos comprimentos não se encontram (raiz negativa da eq. 3) não tem valor: é contado e relatado.</translation>
     </message>
     <message>
         <source>Position and orientation of the tool of a serial robot from its geometric parameters and joint readings.</source>
@@ -6173,23 +6173,23 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>The paper calls the model highly non-linear. At the uncertainties of its Table 1 it is not: the law of propagation and Monte Carlo agree to 4e-5 mm in u, and the laws are normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>O artigo chama o modelo de altamente não linear. Com as incertezas de sua Tabela 1 não é: a lei de propagação e Monte Carlo concordam a 4e-5 mm em u, e as leis são normais.</translation>
     </message>
     <message>
         <source>The tolerance 0.0001 of the paper has no unit. In millimetres it would need 5e9 trials; in metres it is 0.1 mm, and 20 000 trials do.</source>
-        <translation type="unfinished"></translation>
+        <translation>A tolerância 0,0001 do artigo não tem unidade. Em milímetros precisaria de 5e9 ensaios; em metros é 0,1 mm, e 20 000 ensaios bastam.</translation>
     </message>
     <message>
         <source>The paper takes the parameters as uncorrelated. Parameters identified together are strongly correlated; an identified robot carries their full covariance into this analysis, which lowers u by up to a factor of 12.</source>
-        <translation type="unfinished"></translation>
+        <translation>O artigo toma os parâmetros como não correlacionados. Parâmetros identificados juntos são fortemente correlacionados; um robô identificado traz sua covariância completa a esta análise, o que reduz u por um fator de até 12.</translation>
     </message>
     <message>
         <source>Of two readings of section 4.1 (0.01 rad for theta alone, or for all angles) both are reproduced; that theta matters more than alpha holds only where its standard deviation is ten times larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das duas leituras da seção 4.1 (0,01 rad só para theta, ou para todos os ângulos) ambas são reproduzidas; que theta importe mais que alpha só vale onde seu desvio-padrão é dez vezes maior.</translation>
     </message>
     <message>
         <source>Readings of the joints deviate anew at each pose; parameters and tool are the same for all poses of an analysis.</source>
-        <translation type="unfinished"></translation>
+        <translation>As leituras das juntas desviam-se de novo em cada pose; parâmetros e ferramenta são os mesmos para todas as poses de uma análise.</translation>
     </message>
     <message>
         <source>Geometric parameters of a serial robot from points measured while one joint after the other turns (circle point analysis).</source>
@@ -6197,39 +6197,39 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Eq 4 is corrected: without the square its derivative by R gives R = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>A eq. 4 é corrigida: sem o quadrado sua derivada por R dá R = 0.</translation>
     </message>
     <message>
         <source>2.1.3 is corrected: x_i = z_i × y_i is left-handed.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.1.3 é corrigido: x_i = z_i × y_i é levogiro.</translation>
     </message>
     <message>
         <source>2.1.4 is corrected: alpha_i and beta_i turn z_{i−1} into z_i.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.1.4 é corrigido: alpha_i e beta_i giram z_{i−1} para z_i.</translation>
     </message>
     <message>
         <source>The auxiliary plane of Figure 2 is not defined in the paper; it must pass through O_{i−1} with the normal z_{i−1}, or d_i = 0 is impossible.</source>
-        <translation type="unfinished"></translation>
+        <translation>O plano auxiliar da Figura 2 não é definido no artigo; deve passar por O_{i−1} com a normal z_{i−1}, ou d_i = 0 é impossível.</translation>
     </message>
     <message>
         <source>Eq 1 has no plane through the origin and fails near it; total least squares is the default.</source>
-        <translation type="unfinished"></translation>
+        <translation>A eq. 1 não tem plano pela origem e falha perto dela; mínimos quadrados totais são o padrão.</translation>
     </message>
     <message>
         <source>Eq 8 is a standard deviation of the mean of repeats. The paper applies it to different ranges and numbers of points, which are no repeats: the ±10° run dominates, and the noise is counted three times. Here the covariance is that of the chosen experiment.</source>
-        <translation type="unfinished"></translation>
+        <translation>A eq. 8 é um desvio-padrão da média de repetições. O artigo a aplica a faixas e números de pontos diferentes, que não são repetições: a série de ±10° domina, e o ruído é contado três vezes. Aqui a covariância é a do experimento escolhido.</translation>
     </message>
     <message>
         <source>The standard deviation falls with the square of the range (factor 30 from ±10° to ±60°) and with the root of the number of points.</source>
-        <translation type="unfinished"></translation>
+        <translation>O desvio-padrão cai com o quadrado da faixa (fator 30 de ±10° a ±60°) e com a raiz do número de pontos.</translation>
     </message>
     <message>
         <source>Parameters are strongly correlated (d_3 and alpha_3: −0.99): use their full covariance, as an identified robot does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os parâmetros são fortemente correlacionados (d_3 e alpha_3: −0,99): use sua covariância completa, como faz um robô identificado.</translation>
     </message>
     <message>
         <source>Every joint needs a ball off its axis; at the paper&apos;s flange origin joint 6 draws no circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada junta precisa de uma esfera fora de seu eixo; na origem do flange do artigo a junta 6 não traça círculo.</translation>
     </message>
     <message>
         <source>Geometric parameters of a serial robot by least squares from measured positions or poses of its tool, with observability, residuals and validation.</source>
@@ -6237,23 +6237,23 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>The paper identifies parameters by joint trajectories; least squares on measured positions or poses is the other usual way, with the same model of the arm (Eq 5).</source>
-        <translation type="unfinished"></translation>
+        <translation>O artigo identifica parâmetros por trajetórias de juntas; mínimos quadrados sobre posições ou poses medidas é a outra forma usual, com o mesmo modelo do braço (eq. 5).</translation>
     </message>
     <message>
         <source>Parameters that the poses cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, then ball or tool, then joint by joint) stays nominal and is named with its partners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parâmetros que as poses não podem distinguir são encontrados por suas colunas da jacobiana: cada um que é combinação dos anteriores (base, depois esfera ou ferramenta, depois junta por junta) fica nominal e é nomeado com seus parceiros.</translation>
     </message>
     <message>
         <source>Weights are the inverse variances of the measured coordinates. Shared deviations of an instrument and the readings of the joints do not change the weights, but are propagated in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os pesos são as variâncias inversas das coordenadas medidas. Desvios comuns de um instrumento e as leituras das juntas não mudam os pesos, mas são propagados por inteiro.</translation>
     </message>
     <message>
         <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature, below 1e-9 m here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Em cada ensaio usa-se o ganho das estimativas. Difere de um ajuste completo por resíduo vezes curvatura, aqui abaixo de 1e-9 m.</translation>
     </message>
     <message>
         <source>Position alone does not tell the last joint&apos;s parameters from the place of the ball; a known base and a known ball leave more to find.</source>
-        <translation type="unfinished"></translation>
+        <translation>Só a posição não distingue os parâmetros da última junta do lugar da esfera; uma base conhecida e uma esfera conhecida deixam mais a encontrar.</translation>
     </message>
     <message>
         <source>The uncertainty of each channel of a multi-axis force/moment sensor, used alone or while unknown loads act on its other axes; by the GUM, with the paper&apos;s evaluation beside it.</source>
@@ -6261,27 +6261,27 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>U of the paper: 0.91, 1.22, 1.67, 1.68, 2.78, 1.20 % of rated output: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>U do artigo: 0,91, 1,22, 1,67, 1,68, 2,78, 1,20 % da saída nominal: reproduz.</translation>
     </message>
     <message>
         <source>By the GUM (k = 2) with unknown loads on the other five axes: 1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %. With all others at rated load interference alone reaches 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %, more than U of the paper for all six: its linear sum is no bound.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pelo GUM (k = 2) com cargas desconhecidas nos outros cinco eixos: 1,446, 1,425, 2,123, 2,637, 2,990, 1,388 %. Com todos os outros em carga nominal só a interferência alcança 2,70, 2,12, 3,33, 4,59, 3,70, 2,27 %, mais que o U do artigo para os seis: sua soma linear não é um limite.</translation>
     </message>
     <message>
         <source>Monte Carlo intervals are a little shorter than k = 2 because a few rectangular loads dominate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os intervalos de Monte Carlo são um pouco mais curtos que k = 2 porque umas poucas cargas retangulares dominam.</translation>
     </message>
     <message>
         <source>The load on an axis is one quantity in the equations of all channels, which correlates them.</source>
-        <translation type="unfinished"></translation>
+        <translation>A carga num eixo é uma só grandeza nas equações de todos os canais, o que os correlaciona.</translation>
     </message>
     <message>
         <source>With n = 3 a standard deviation has two degrees of freedom. Used alone a channel has effective degrees of freedom between 20 and 140, because its repeatability is a small part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Com n = 3 um desvio-padrão tem dois graus de liberdade. Usado sozinho um canal tem graus de liberdade efetivos entre 20 e 140, porque sua repetibilidade é uma parte pequena.</translation>
     </message>
     <message>
         <source>Not covered: misalignment of the loads, creep, temperature, remounting.</source>
-        <translation type="unfinished"></translation>
+        <translation>Não incluído: desalinhamento das cargas, fluência, temperatura, remontagem.</translation>
     </message>
     <message>
         <source>Forces and moments that act together, from the readings of all channels of a multi-axis sensor: the calibration matrix takes the interference between them away.</source>
@@ -6289,27 +6289,27 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Kim prints no signs of the interference: nothing can be compensated from the paper. The readings of the example have signs of their own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kim não imprime sinais da interferência: nada pode ser compensado a partir do artigo. As leituras do exemplo têm sinais próprios.</translation>
     </message>
     <message>
         <source>U (k = 2) in % of rated load with all six axes at rated load: 0.184, 0.192, 0.152, 0.226, 0.219, 0.261; without load 0.149, 0.159, 0.144, 0.188, 0.179, 0.180. Compensation lowers the uncertainty under combined loads by a factor of 5 to 13 against U of the paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>U (k = 2) em % da carga nominal com os seis eixos em carga nominal: 0,184, 0,192, 0,152, 0,226, 0,219, 0,261; sem carga 0,149, 0,159, 0,144, 0,188, 0,179, 0,180. A compensação reduz a incerteza sob cargas combinadas por um fator de 5 a 13 em relação ao U do artigo.</translation>
     </message>
     <message>
         <source>Without compensation the same loads are told wrong by -0.73, +2.05, -1.42, -2.72, +2.90, -1.54 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sem compensação as mesmas cargas são indicadas com erro de -0,73, +2,05, -1,42, -2,72, +2,90, -1,54 %.</translation>
     </message>
     <message>
         <source>The machine&apos;s deviation is common to all readings under one load: a column of the matrix, and so a scale of the load on that axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>O desvio da máquina é comum a todas as leituras sob uma carga: uma coluna da matriz, e assim uma escala da carga nesse eixo.</translation>
     </message>
     <message>
         <source>Repeatability is that of one reading, the largest of the steps; hysteresis is rectangular over the loop, in proportion to the load.</source>
-        <translation type="unfinished"></translation>
+        <translation>A repetibilidade é a de uma leitura, a maior dos degraus; a histerese é retangular ao longo do laço, proporcional à carga.</translation>
     </message>
     <message>
         <source>Not covered: products of loads in the interference, misalignment of loads, creep, temperature, remounting.</source>
-        <translation type="unfinished"></translation>
+        <translation>Não incluído: produtos de cargas na interferência, desalinhamento de cargas, fluência, temperatura, remontagem.</translation>
     </message>
     <message>
         <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
@@ -6317,19 +6317,19 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>As dimensões são conferidas onde as equações são lidas; o ângulo plano conta como número, porque o radiano é um no SI. Temperaturas em °C são tomadas como temperaturas termodinâmicas; uma diferença de temperaturas é dada em K.</translation>
     </message>
     <message>
         <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os coeficientes de sensibilidade são exatos (derivação automática); os de incógnitas que equações definem implicitamente seguem a JCGM 102 6.3.</translation>
     </message>
     <message>
         <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma média de n observações é sorteada de uma distribuição t com n − 1 graus de liberdade (JCGM 101 6.4.9). Médias de observações simultâneas são correlacionadas por uma cópula gaussiana; a distribuição t multivariada da JCGM 102 5.3.2 não tem covariância para n − N ≤ 2 e não é oferecida.</translation>
     </message>
     <message>
         <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 H.1, H.2 e JCGM 101 9.2 a 9.5, JCGM 102 9.2 a 9.4 são exemplos em projects/gum: covaria verify os confronta com seus valores publicados.</translation>
     </message>
     <message>
         <source>A straight line or polynomial through the points of a calibration by least squares, with uncertainties in y and in x: the covariance of its coefficients, its values, and the x that belong to observed y, with their uncertainties.</source>
@@ -6337,15 +6337,15 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Computed with polynomials that are orthonormal over the points, so results do not depend on the origin, up to degree 10. From the residuals their coefficients are drawn from a multivariate t distribution: one estimate of the scatter, n - p degrees of freedom for every result.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calculado com polinômios ortonormais sobre os pontos, de modo que os resultados não dependem da origem, até o grau 10. A partir dos resíduos seus coeficientes são sorteados de uma distribuição t multivariada: uma estimativa da dispersão, n - p graus de liberdade para cada resultado.</translation>
     </message>
     <message>
         <source>JCGM 100 H.3, published y₁ = −0.1712 °C, y₂ = 0.002 18, u(y₁) = 0.0029 °C, u(y₂) = 0.000 67, b(30 °C) = −0.1494 °C with u = 0.0041 °C: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 H.3, publicado y₁ = −0,1712 °C, y₂ = 0,002 18, u(y₁) = 0,0029 °C, u(y₂) = 0,000 67, b(30 °C) = −0,1494 °C com u = 0,0041 °C: reproduz.</translation>
     </message>
     <message>
         <source>The uncertainty of b(x) is that of the curve: the scatter of a further observation is not part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>A incerteza de b(x) é a da curva: a dispersão de uma observação adicional não faz parte dela.</translation>
     </message>
     <message>
         <source>The mean of observations made on several days, with several instruments or by several operators, and an analysis of variance that says whether these have an effect.</source>
@@ -6353,199 +6353,199 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Groups may have different numbers of observations; n_0 = (N − Σ n_j²/N)/(J − 1) is then their size in the components of variance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os grupos podem ter números diferentes de observações; n_0 = (N − Σ n_j²/N)/(J − 1) é então seu tamanho nas componentes de variância.</translation>
     </message>
     <message>
         <source>JCGM 100 H.5, published V̄ = 10.000 097 V, s(V̄_j) = 57 µV, s_b = 85 µV, u(V̄) = 18 µV with nine degrees of freedom, or 13 µV with 49 without an effect of the days: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 H.5, publicado V̄ = 10,000 097 V, s(V̄_j) = 57 µV, s_b = 85 µV, u(V̄) = 18 µV com nove graus de liberdade, ou 13 µV com 49 sem efeito dos dias: reproduz.</translation>
     </message>
     <message>
         <source>A plate or frame with calibrated nests, measured repeatedly where the real points will be. Its errors of indication give the uncertainty of each coordinate of a measured point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma placa ou armação com assentos calibrados, medida repetidamente onde estarão os pontos reais. Seus erros de indicação dão a incerteza de cada coordenada de um ponto medido.</translation>
     </message>
     <message>
         <source>u_i² = u_cal² + u_var,i² + u_T,i² + b_i² (Eq 2) with u_T = L_max α ΔT/√3 (Eq 3).</source>
-        <translation type="unfinished"></translation>
+        <translation>u_i² = u_cal² + u_var,i² + u_T,i² + b_i² (eq. 2) com u_T = L_max α ΔT/√3 (eq. 3).</translation>
     </message>
     <message>
         <source>The paper draws all parts independently for each point; calibration, temperature and bias are in truth common to all points, which can be chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>O artigo sorteia todas as partes independentemente para cada ponto; calibração, temperatura e tendência são na verdade comuns a todos os pontos, o que pode ser escolhido.</translation>
     </message>
     <message>
         <source>The noise of the three points that define the artefact&apos;s frame is part of the errors of the others; the errors of the defining coordinates themselves are never observed.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ruído dos três pontos que definem o sistema do padrão faz parte dos erros dos outros; os erros das próprias coordenadas que o definem nunca são observados.</translation>
     </message>
     <message>
         <source>A bar of calibrated length, measured in many positions and orientations. Its errors of indication give one figure for every coordinate of a measured point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma barra de comprimento calibrado, medida em muitas posições e orientações. Seus erros de indicação dão um número para cada coordenada de um ponto medido.</translation>
     </message>
     <message>
         <source>u² = u_cal² + u_var² + u_T² + b² (Eq 5) with u_T = L α ΔT/√3 (Eq 6).</source>
-        <translation type="unfinished"></translation>
+        <translation>u² = u_cal² + u_var² + u_T² + b² (eq. 5) com u_T = L α ΔT/√3 (eq. 6).</translation>
     </message>
     <message>
         <source>A length is a difference of two points: dividing by √2 would be consistent; the paper does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um comprimento é uma diferença de dois pontos: dividir por √2 seria coerente; o artigo não o faz.</translation>
     </message>
     <message>
         <source>A sensor that stands somewhere and reads a distance, two angles, or some of them. Its uncertainty: each reading for itself, what all its readings share, and where it stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um sensor que está em algum lugar e lê uma distância, dois ângulos, ou alguns deles. Sua incerteza: cada leitura por si, o que todas as suas leituras compartilham, e onde ele está.</translation>
     </message>
     <message>
         <source>The distance has the figure a + b L, each angle its own; these are independent from reading to reading. Scale, zero, index, collimation, squareness, beam offset and refraction are shared by all readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>A distância tem o número a + b L, cada ângulo o seu; estes são independentes de leitura a leitura. Escala, zero, índice, colimação, perpendicularidade, desvio do feixe e refração são compartilhados por todas as leituras.</translation>
     </message>
     <message>
         <source>Only a sensor that reads a distance and both angles can say by itself where a point is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Só um sensor que lê uma distância e os dois ângulos pode dizer sozinho onde está um ponto.</translation>
     </message>
     <message>
         <source>Instruments of the project that measure the same points together. Points measured by the network keep what they share: the scale and the station of each instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>Instrumentos do projeto que medem juntos os mesmos pontos. Pontos medidos pela rede mantêm o que compartilham: a escala e a estação de cada instrumento.</translation>
     </message>
     <message>
         <source>A point&apos;s deviations are the least-squares gain times those of the readings and stations, linearised at the point: exact to first order, and in Monte Carlo as long as the angles&apos; deviations stay below about a milliradian.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os desvios de um ponto são o ganho de mínimos quadrados vezes os das leituras e estações, linearizado no ponto: exato em primeira ordem, e em Monte Carlo enquanto os desvios dos ângulos ficarem abaixo de cerca de um milirradiano.</translation>
     </message>
     <message>
         <source>All points that an analysis takes from the network are measured from one set-up: none of its instruments is moved or located anew between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos os pontos que uma análise toma da rede são medidos de um só estacionamento: nenhum de seus instrumentos é movido ou localizado de novo entre eles.</translation>
     </message>
     <message>
         <source>A sensor contributes to a point that is in its range and field of view, and no others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um sensor contribui para um ponto que está em seu alcance e campo de visão, e para nenhum outro.</translation>
     </message>
     <message>
         <source>One figure of a data sheet for all coordinates: a standard uncertainty or a maximum permissible error.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um número de uma folha de dados para todas as coordenadas: uma incerteza-padrão ou um erro máximo permitido.</translation>
     </message>
     <message>
         <source>A specification taken alike in all directions overestimates, by a factor of 2 to 5 in the paper&apos;s example; an instrument that stands somewhere (spherical instrument) is closer to the truth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma especificação tomada igual em todas as direções superestima, por um fator de 2 a 5 no exemplo do artigo; um instrumento que está em algum lugar (instrumento esférico) está mais perto da verdade.</translation>
     </message>
     <message>
         <source>Three or more telescopic ballbars that measure the lengths from their supports to one ball at once, and with it where the ball is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Três ou mais ballbars telescópicas que medem ao mesmo tempo os comprimentos de seus apoios a uma esfera, e com isso onde está a esfera.</translation>
     </message>
     <message>
         <source>The supports&apos; frame follows from the lengths between them (Eqs 4 to 7), measured once: their deviations are common to all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>O sistema dos apoios decorre dos comprimentos entre eles (eqs. 4 a 7), medidos uma vez: seus desvios são comuns a todos os pontos.</translation>
     </message>
     <message>
         <source>Eq 2 as printed has Y_VC3; Y_KS3 is meant. Eq 3 has two roots; the side is a choice here.</source>
-        <translation type="unfinished"></translation>
+        <translation>A eq. 2 como impressa tem Y_VC3; quer-se dizer Y_KS3. A eq. 3 tem duas raízes; o lado é uma escolha aqui.</translation>
     </message>
     <message>
         <source>The paper&apos;s supports are called an equilateral triangle of 520 mm; its Table 1 is isosceles, 520 mm and 519.711 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os apoios do artigo são chamados de triângulo equilátero de 520 mm; sua Tabela 1 é isósceles, 520 mm e 519,711 mm.</translation>
     </message>
     <message>
         <source>A fourth support and those after it are located by their lengths to the first three at a height that is an input of its own: lengths say nothing about a height above the plane in which all supports lie.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um quarto apoio e os seguintes são localizados por seus comprimentos aos três primeiros a uma altura que é uma entrada própria: os comprimentos nada dizem sobre uma altura acima do plano em que estão todos os apoios.</translation>
     </message>
     <message>
         <source>A robot as a source of uncertainty: each time it goes to a pose it misses it by a distance in a random direction, and perhaps by small rotations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um robô como fonte de incerteza: cada vez que vai a uma pose erra-a por uma distância numa direção aleatória, e talvez por pequenas rotações.</translation>
     </message>
     <message>
         <source>The paper takes the distance as rectangular in [0, r], r being the data sheet&apos;s ± 0.02 mm; u along an axis is then r/3. RP of ISO 9283 is the mean distance plus three standard deviations, which is another figure: for that law RP = 1.366 r, in a ball 1.331 r, on a sphere r, and 3.616 u for normal coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>O artigo toma a distância como retangular em [0, r], sendo r os ± 0,02 mm da folha de dados; u ao longo de um eixo é então r/3. RP da ISO 9283 é a distância média mais três desvios-padrão, que é outro número: para essa lei RP = 1,366 r, numa bola 1,331 r, numa esfera r, e 3,616 u para coordenadas normais.</translation>
     </message>
     <message>
         <source>The paper leaves the orientation out. A rotation by e moves the tool by about e times its length.</source>
-        <translation type="unfinished"></translation>
+        <translation>O artigo deixa de fora a orientação. Uma rotação de e move a ferramenta cerca de e vezes seu comprimento.</translation>
     </message>
     <message>
         <source>An arm of joints that turn or slide: parameters in a Denavit-Hartenberg convention with one or more components of uncertainty each, their correlation, limits, encoders, base and tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um braço de juntas que giram ou deslizam: parâmetros numa convenção de Denavit-Hartenberg com uma ou mais componentes de incerteza cada um, sua correlação, limites, encoders, base e ferramenta.</translation>
     </message>
     <message>
         <source>Eq. 5: T = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta). Where an axis is parallel to the next, beta is a parameter and d is 0 by definition; elsewhere beta is 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eq. 5: T = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta). Onde um eixo é paralelo ao seguinte, beta é um parâmetro e d é 0 por definição; nos demais casos beta é 0.</translation>
     </message>
     <message>
         <source>alpha and beta of a row turn the axis of the joint into that of the next (the paper&apos;s text shifts them by one joint).</source>
-        <translation type="unfinished"></translation>
+        <translation>alpha e beta de uma linha giram o eixo da junta para o da seguinte (o texto do artigo os desloca de uma junta).</translation>
     </message>
     <message>
         <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ângulo da junta é theta mais a leitura menos a leitura de zero; uma junta deslizante soma sua leitura a d do mesmo modo.</translation>
     </message>
     <message>
         <source>A serial robot whose parameters follow from points measured while one joint after the other turns, with the full covariance of the identification.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um robô serial cujos parâmetros decorrem de pontos medidos enquanto uma junta após a outra gira, com a covariância completa da identificação.</translation>
     </message>
     <message>
         <source>The covariance is that of the law of propagation; the analysis &quot;Robot by joint trajectories&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation type="unfinished"></translation>
+        <translation>A covariância é a da lei de propagação; a análise &quot;Robô por trajetórias de juntas&quot; com os mesmos ajustes a dá também por Monte Carlo.</translation>
     </message>
     <message>
         <source>An analysis that uses this robot follows when a point changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma análise que usa este robô acompanha quando um ponto muda.</translation>
     </message>
     <message>
         <source>A serial robot whose parameters follow by least squares from measured positions or poses of its tool, with the full covariance of the identification.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um robô serial cujos parâmetros decorrem por mínimos quadrados de posições ou poses medidas de sua ferramenta, com a covariância completa da identificação.</translation>
     </message>
     <message>
         <source>The covariance is that of the law of propagation; the analysis &quot;Robot from measured poses&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation type="unfinished"></translation>
+        <translation>A covariância é a da lei de propagação; a análise &quot;Robô a partir de poses medidas&quot; com os mesmos ajustes a dá também por Monte Carlo.</translation>
     </message>
     <message>
         <source>The robot stands where the fit found its base; its tool is that of the nominal robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>O robô está onde o ajuste encontrou sua base; sua ferramenta é a do robô nominal.</translation>
     </message>
     <message>
         <source>An analysis that uses this robot follows when a pose changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma análise que usa este robô acompanha quando uma pose muda.</translation>
     </message>
     <message>
         <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Carrega um sensor multieixo de força e momento com uma força ou um momento de cada vez.</translation>
     </message>
     <message>
         <source>The uncertainty of a load is common to all readings under loads on that axis: it does not average out in the calibration matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>A incerteza de uma carga é comum a todas as leituras sob cargas nesse eixo: não se anula na média na matriz de calibração.</translation>
     </message>
     <message>
         <source>Up to three forces and three moments measured at once; calibrated with one load at a time, evaluated from its readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Até três forças e três momentos medidos ao mesmo tempo; calibrado com uma carga de cada vez, avaliado a partir de suas leituras.</translation>
     </message>
     <message>
         <source>Tables 1 to 4 reproduce from raw readings that are consistent with them, to the printed digits, with relative uncertainties of the machine of 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4 and 1.7e-3.</source>
-        <translation type="unfinished"></translation>
+        <translation>As Tabelas 1 a 4 se reproduzem de leituras brutas coerentes com elas, até os dígitos impressos, com incertezas relativas da máquina de 8,6e-4, 8,7e-4, 1,2e-5, 8,7e-4, 8,6e-4 e 1,7e-3.</translation>
     </message>
     <message>
         <source>Type B, Table 3: differs for five of six sensors, because the stated uncertainties of the machine (2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4) give 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V and not 0.27, 0.31, 0.28, 0.41, 0.40, 0.62. The list equals the Type A column in five places: most likely copied there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo B, Tabela 3: difere para cinco de seis sensores, porque as incertezas declaradas da máquina (2,1e-4, 1,8e-4, 1,2e-5, 3,1e-4, 2,9e-4, 2,4e-4) dão 0,16, 0,23, 0,28, 0,31, 0,30, 0,36 µV/V e não 0,27, 0,31, 0,28, 0,41, 0,40, 0,62. A lista é igual à coluna do Tipo A em cinco lugares: muito provavelmente copiada de lá.</translation>
     </message>
     <message>
         <source>Table 4, Mx under Fy: differs, printed 1.55 %, is 0.15 %; the largest for Mx is 1.38 %, and the difference to its U 0.30 %, not 0.13 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabela 4, Mx sob Fy: difere, impresso 1,55 %, é 0,15 %; o maior para Mx é 1,38 %, e a diferença para seu U 0,30 %, não 0,13 %.</translation>
     </message>
     <message>
         <source>Section 2.5 calls e_12 the output of Fy under Fx, but Table 4 divides by the rated output of the row: a row is taken as a sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>A seção 2.5 chama e_12 a saída de Fy sob Fx, mas a Tabela 4 divide pela saída nominal da linha: uma linha é tomada como um sensor.</translation>
     </message>
     <message>
         <source>Eq 12 adds hysteresis and interference, limits that are not standard uncertainties, to an expanded uncertainty: the sum is neither a standard uncertainty nor a coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>A eq. 12 soma histerese e interferência, limites que não são incertezas-padrão, a uma incerteza expandida: a soma não é incerteza-padrão nem intervalo de abrangência.</translation>
     </message>
     <message>
         <source>The largest values of Type A and Type B need not occur at the same step. Eq 5 takes the rated output at every step. In 2.1.1 &quot;h=2&quot; of My and Mz is a slip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os maiores valores do Tipo A e do Tipo B não precisam ocorrer no mesmo degrau. A eq. 5 toma a saída nominal em cada degrau. Em 2.1.1 &quot;h=2&quot; de My e Mz é um lapso.</translation>
     </message>
     <message>
         <source>A surface from an STL file - the robot cell, the part, the fixture, the room - that is drawn in the scenes of all analyses. It is context only: no number depends on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma superfície de um arquivo STL - a célula do robô, a peça, o dispositivo, a sala - que é desenhada nas cenas de todas as análises. É só contexto: nenhum número depende dela.</translation>
     </message>
     <message>
         <source>The picture is fitted to what is measured, not to the mesh, which may be a whole hall.</source>
-        <translation type="unfinished"></translation>
+        <translation>A figura é ajustada ao que se mede, não à malha, que pode ser um galpão inteiro.</translation>
     </message>
     <message>
         <source>A file that is missing or damaged is warned of; analyses keep their results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um arquivo que falta ou está danificado gera um aviso; as análises mantêm seus resultados.</translation>
     </message>
     <message>
         <source>Of the certificate and the report; what was typed stays as it is.</source>
@@ -6557,11 +6557,11 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>and %1 more like these</source>
-        <translation type="unfinished"></translation>
+        <translation>e mais %1 como estes</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was not written: %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não foi gravado: %2: %3</translation>
     </message>
     <message>
         <source>it cannot be opened</source>
@@ -6609,19 +6609,19 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não pode ser lido: %2</translation>
     </message>
     <message>
         <source>it is %1, not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>é %1, não um arquivo</translation>
     </message>
     <message>
         <source>it is not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>não é um arquivo</translation>
     </message>
     <message>
         <source>it is too large: files of up to %1 MB are read, it has %2 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>é grande demais: leem-se arquivos de até %1 MB, tem %2 MB</translation>
     </message>
     <message>
         <source>it is a folder</source>
@@ -6629,7 +6629,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>unit &quot;%1&quot;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>unidade &quot;%1&quot;: %2</translation>
     </message>
     <message>
         <source>a parenthesis is closed that was not opened.</source>
@@ -6669,7 +6669,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the unit is empty: write &quot;1&quot; for a pure number.</source>
-        <translation type="unfinished"></translation>
+        <translation>a unidade está vazia: escreva &quot;1&quot; para um número puro.</translation>
     </message>
     <message>
         <source> Known units, most of them with the prefixes of the SI: %1.</source>
@@ -6689,11 +6689,11 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>a probabilidade de abrangência deve estar entre 0 e 1.</translation>
     </message>
     <message>
         <source>the effective degrees of freedom must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>os graus de liberdade efetivos devem ser maiores que 0.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is defined by itself here, directly or through other definitions; an equation that is to be solved is written &apos;solve %1 = 1: ... = ...&apos;, with a starting value</source>
@@ -6705,139 +6705,139 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is neither defined nor one of the quantities: give it a row in the table of quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não é definido nem é uma das grandezas: dê-lhe uma linha na tabela de grandezas</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: its unit is K, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma diferença de temperaturas: sua unidade é K, não %2</translation>
     </message>
     <message>
         <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é um múltiplo de uma temperatura: sua unidade é K, não %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; seria uma condição: uma definição deve dar um número</translation>
     </message>
     <message>
         <source>%1 is %2, %3 is %4: they cannot be equal</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é %2, %3 é %4: não podem ser iguais</translation>
     </message>
     <message>
         <source>the equations do not depend on the unknown &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>as equações não dependem da incógnita &apos;%1&apos;</translation>
     </message>
     <message>
         <source>this equation does not depend on any unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>esta equação não depende de nenhuma incógnita</translation>
     </message>
     <message>
         <source>this constant has no value (division by zero, or root of a negative number)</source>
-        <translation type="unfinished"></translation>
+        <translation>esta constante não tem valor (divisão por zero, ou raiz de um número negativo)</translation>
     </message>
     <message>
         <source>no equation defines &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma equação define &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is to be given in %2, but is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; deve ser dado em %2, mas é %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2, which has no unit of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; é %2, que não tem unidade própria</translation>
     </message>
     <message>
         <source>%1 is %2, %3 is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é %2, %3 é %4</translation>
     </message>
     <message>
         <source>they cannot be added</source>
-        <translation type="unfinished"></translation>
+        <translation>não podem ser somados</translation>
     </message>
     <message>
         <source>they cannot be subtracted</source>
-        <translation type="unfinished"></translation>
+        <translation>não podem ser subtraídos</translation>
     </message>
     <message>
         <source>%1 is %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é %2: %3</translation>
     </message>
     <message>
         <source>the exponent %1 is %2: an exponent must be a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>o expoente %1 é %2: um expoente deve ser um número puro</translation>
     </message>
     <message>
         <source>%1 is %2: its exponent must be a constant, or the dimension would vary</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é %2: seu expoente deve ser uma constante, ou a dimensão variaria</translation>
     </message>
     <message>
         <source>atan2 needs two quantities of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>atan2 precisa de duas grandezas da mesma espécie</translation>
     </message>
     <message>
         <source>a function of both needs quantities of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>uma função de ambas precisa de grandezas da mesma espécie</translation>
     </message>
     <message>
         <source>sin, cos and tan need an angle or a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>sin, cos e tan precisam de um ângulo ou de um número puro</translation>
     </message>
     <message>
         <source>an inverse function of an angle needs a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>uma função inversa de um ângulo precisa de um número puro</translation>
     </message>
     <message>
         <source>this function needs a pure number: divide by a quantity of the same kind</source>
-        <translation type="unfinished"></translation>
+        <translation>esta função precisa de um número puro: divida por uma grandeza da mesma espécie</translation>
     </message>
     <message>
         <source>they cannot be compared</source>
-        <translation type="unfinished"></translation>
+        <translation>não podem ser comparados</translation>
     </message>
     <message>
         <source>%1 is not a condition: write a comparison, as in x &gt; 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não é uma condição: escreva uma comparação, como em x &gt; 0</translation>
     </message>
     <message>
         <source>a condition</source>
-        <translation type="unfinished"></translation>
+        <translation>uma condição</translation>
     </message>
     <message>
         <source>a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>um número puro</translation>
     </message>
     <message>
         <source>measured in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>medido em %1</translation>
     </message>
     <message>
         <source>%1 is a temperature in degC, %2 a difference of temperatures: give differences in K</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma temperatura em degC, %2 uma diferença de temperaturas: dê as diferenças em K</translation>
     </message>
     <message>
         <source>%1 is a temperature in degC, and 0 has no unit: write 0 [degC], or 0 [K] for absolute zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma temperatura em degC, e 0 não tem unidade: escreva 0 [degC], ou 0 [K] para o zero absoluto</translation>
     </message>
     <message>
         <source>%1 is a sum of temperatures in degC, which means nothing: give differences in K, or divide the sum by the number of temperatures for their mean</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma soma de temperaturas em degC, que nada significa: dê as diferenças em K, ou divida a soma pelo número de temperaturas para sua média</translation>
     </message>
     <message>
         <source>%1 is not a condition: write a comparison, as in if(x &gt; 0, x, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não é uma condição: escreva uma comparação, como em if(x &gt; 0, x, 0)</translation>
     </message>
     <message>
         <source>both values of &apos;if&apos; must be numbers, not conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>ambos os valores de &apos;if&apos; devem ser números, não condições</translation>
     </message>
     <message>
         <source>both values of &apos;if&apos; must be of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>ambos os valores de &apos;if&apos; devem ser da mesma espécie</translation>
     </message>
     <message>
         <source>%1 is a condition: use it as the first argument of if(...)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma condição: use-a como primeiro argumento de if(...)</translation>
     </message>
     <message>
         <source>the end of the equation</source>
@@ -6857,111 +6857,111 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;+&apos; stands here twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;+&apos; aparece aqui duas vezes</translation>
     </message>
     <message>
         <source>the expression is nested more than %1 levels deep: split it into definitions</source>
-        <translation type="unfinished"></translation>
+        <translation>a expressão tem mais de %1 níveis de aninhamento: divida-a em definições</translation>
     </message>
     <message>
         <source>a unit in brackets belongs behind a number: 20 [degC]</source>
-        <translation type="unfinished"></translation>
+        <translation>uma unidade entre colchetes fica depois de um número: 20 [degC]</translation>
     </message>
     <message>
         <source>a number, a name or a parenthesis is expected here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui se espera um número, um nome ou um parêntese, não %1</translation>
     </message>
     <message>
         <source>this parenthesis is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>este parêntese não está fechado</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a function: its argument follows in parentheses</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; é uma função: seu argumento segue entre parênteses</translation>
     </message>
     <message>
         <source>the word &apos;%1&apos; is not expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>a palavra &apos;%1&apos; não é esperada aqui</translation>
     </message>
     <message>
         <source>an operator, a comma or &apos;)&apos; is expected here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui se espera um operador, uma vírgula ou &apos;)&apos;, não %1</translation>
     </message>
     <message>
         <source>this parenthesis closes nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>este parêntese não fecha nada</translation>
     </message>
     <message>
         <source>an equation defines one name: write &apos;y = ...&apos;; to compare, write &apos;==&apos;; an equation that is to be solved starts with &apos;solve&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>uma equação define um nome: escreva &apos;y = ...&apos;; para comparar, escreva &apos;==&apos;; uma equação a ser resolvida começa com &apos;solve&apos;</translation>
     </message>
     <message>
         <source>an operator is missing before %1</source>
-        <translation type="unfinished"></translation>
+        <translation>falta um operador antes de %1</translation>
     </message>
     <message>
         <source>%1 is not expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não é esperado aqui</translation>
     </message>
     <message>
         <source>an equation starts with the name that it defines: y = ...</source>
-        <translation type="unfinished"></translation>
+        <translation>uma equação começa com o nome que define: y = ...</translation>
     </message>
     <message>
         <source>a name with its starting value is expected here: y = 1</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui se espera um nome com seu valor inicial: y = 1</translation>
     </message>
     <message>
         <source>a function</source>
-        <translation type="unfinished"></translation>
+        <translation>uma função</translation>
     </message>
     <message>
         <source>a word of the language</source>
-        <translation type="unfinished"></translation>
+        <translation>uma palavra da linguagem</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2: choose another name</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; é %2: escolha outro nome</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is defined twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; é definido duas vezes</translation>
     </message>
     <message>
         <source>a colon is expected before the equations to be solved: solve y = 1: y^2 = x</source>
-        <translation type="unfinished"></translation>
+        <translation>esperam-se dois-pontos antes das equações a serem resolvidas: solve y = 1: y^2 = x</translation>
     </message>
     <message>
         <source>%1 unknowns need as many equations; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 incógnitas precisam de outras tantas equações; há %2</translation>
     </message>
     <message>
         <source>at most six unknowns can be solved together</source>
-        <translation type="unfinished"></translation>
+        <translation>no máximo seis incógnitas podem ser resolvidas juntas</translation>
     </message>
     <message>
         <source>an equals sign is expected in an equation to be solved</source>
-        <translation type="unfinished"></translation>
+        <translation>espera-se um sinal de igual numa equação a ser resolvida</translation>
     </message>
     <message>
         <source>line %1, column %2: </source>
-        <translation type="unfinished"></translation>
+        <translation>linha %1, coluna %2: </translation>
     </message>
     <message>
         <source>line %1, columns %2-%3: </source>
-        <translation type="unfinished"></translation>
+        <translation>linha %1, colunas %2-%3: </translation>
     </message>
     <message>
         <source>this number is too large or too small to compute with</source>
-        <translation type="unfinished"></translation>
+        <translation>este número é grande demais ou pequeno demais para calcular com ele</translation>
     </message>
     <message>
         <source>the bracket of a unit is not closed: write &apos;]&apos; behind the unit</source>
-        <translation type="unfinished"></translation>
+        <translation>o colchete de uma unidade não está fechado: escreva &apos;]&apos; depois da unidade</translation>
     </message>
     <message>
         <source>the character &apos;%1&apos; does not belong in an equation</source>
-        <translation type="unfinished"></translation>
+        <translation>o caractere &apos;%1&apos; não cabe numa equação</translation>
     </message>
     <message>
         <source>the equations have %1 characters; more than %2 are not read: put tables of data into assets or observations</source>
@@ -6969,35 +6969,35 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the coverage factor k must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>o fator de abrangência k deve ser maior que zero</translation>
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 100 %</source>
-        <translation type="unfinished"></translation>
+        <translation>a probabilidade de abrangência deve estar entre 0 e 100 %</translation>
     </message>
     <message>
         <source>the limits give the estimate: leave the value empty, or state a half-width</source>
-        <translation type="unfinished"></translation>
+        <translation>os limites dão a estimativa: deixe o valor vazio, ou declare uma meia-largura</translation>
     </message>
     <message>
         <source>the lower limit is above the upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>o limite inferior está acima do superior</translation>
     </message>
     <message>
         <source>a relative part of the permissible error needs the value of the quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>uma parte relativa do erro permitido precisa do valor da grandeza</translation>
     </message>
     <message>
         <source>an exponential distribution needs an estimate greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>uma distribuição exponencial precisa de uma estimativa maior que zero</translation>
     </message>
     <message>
         <source>the number of counts must be whole</source>
-        <translation type="unfinished"></translation>
+        <translation>o número de contagens deve ser inteiro</translation>
     </message>
     <message>
         <source>the counts give the estimate: leave the value empty</source>
-        <translation type="unfinished"></translation>
+        <translation>as contagens dão a estimativa: deixe o valor vazio</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not used by this statement: leave it empty</source>
@@ -7025,7 +7025,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>there is no statement &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>não há declaração &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not understood here</source>
@@ -7089,43 +7089,43 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>a Type A evaluation needs at least two observations.</source>
-        <translation type="unfinished"></translation>
+        <translation>uma avaliação do Tipo A precisa de pelo menos duas observações.</translation>
     </message>
     <message>
         <source>one of the observations is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>uma das observações não é um número finito.</translation>
     </message>
     <message>
         <source>there is no series to be pooled.</source>
-        <translation type="unfinished"></translation>
+        <translation>não há série a agrupar.</translation>
     </message>
     <message>
         <source>the covariance of two means needs observations made in pairs: the series have different lengths.</source>
-        <translation type="unfinished"></translation>
+        <translation>a covariância de duas médias precisa de observações feitas aos pares: as séries têm comprimentos diferentes.</translation>
     </message>
     <message>
         <source>the covariance of two means needs at least two pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>a covariância de duas médias precisa de pelo menos dois pares.</translation>
     </message>
     <message>
         <source>the components %1 and %2 are given two different correlations; a quantity that combines its components arithmetically needs +1 or -1.</source>
-        <translation type="unfinished"></translation>
+        <translation>são dadas duas correlações diferentes às componentes %1 e %2; uma grandeza que combina suas componentes aritmeticamente precisa de +1 ou -1.</translation>
     </message>
     <message>
         <source>a correlation refers to component number %1 of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>uma correlação refere-se à componente número %1 de %2.</translation>
     </message>
     <message>
         <source>a correlation is given between the component %1 and itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>é dada uma correlação entre a componente %1 e ela mesma.</translation>
     </message>
     <message>
         <source>the correlation of the components %1 and %2 must lie between -1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>a correlação das componentes %1 e %2 deve estar entre -1 e 1.</translation>
     </message>
     <message>
         <source>the quantity &quot;%1&quot; refers to component number %2 of %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>a grandeza &quot;%1&quot; refere-se à componente número %2 de %3.</translation>
     </message>
     <message>
         <source>the correlations of the components %1 contradict each other: the smallest eigenvalue of their correlation matrix is %2, it must not be negative.</source>
@@ -7145,107 +7145,107 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the components %1 and %2 cannot have the correlation %3: with these distributions it lies between %4 and %5.</source>
-        <translation type="unfinished"></translation>
+        <translation>as componentes %1 e %2 não podem ter a correlação %3: com estas distribuições ela está entre %4 e %5.</translation>
     </message>
     <message>
         <source>%1 distribution: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>distribuição %1: %2</translation>
     </message>
     <message>
         <source>the %1 must be a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: deve ser um número finito.</translation>
     </message>
     <message>
         <source>the %1 is too large (at most 1e150).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: é grande demais (no máximo 1e150).</translation>
     </message>
     <message>
         <source>the %1 must not be negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: não deve ser negativo.</translation>
     </message>
     <message>
         <source>the %1 must lie between 0.001 and 1000000.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: deve estar entre 0.001 e 1000000.</translation>
     </message>
     <message>
         <source>the lower limit must not be greater than the upper limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>o limite inferior não deve ser maior que o superior.</translation>
     </message>
     <message>
         <source>the degrees of freedom must be at least 0.2 (they may be infinite).</source>
-        <translation type="unfinished"></translation>
+        <translation>os graus de liberdade devem ser pelo menos 0.2 (podem ser infinitos).</translation>
     </message>
     <message>
         <source>the inexactness of the limits must not exceed half the distance between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>a inexatidão dos limites não deve exceder metade da distância entre eles.</translation>
     </message>
     <message>
         <source>the ratio beta of top to base must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>a razão beta da base superior para a inferior deve estar entre 0 e 1.</translation>
     </message>
     <message>
         <source>one of the limits excludes every value.</source>
-        <translation type="unfinished"></translation>
+        <translation>um dos limites exclui todo valor.</translation>
     </message>
     <message>
         <source>the mean value lies outside the limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>o valor médio está fora dos limites.</translation>
     </message>
     <message>
         <source>the limits lie so far from the mean value that no probability is left between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>os limites estão tão longe do valor médio que não resta probabilidade entre eles.</translation>
     </message>
     <message>
         <source>mean value of the logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>valor médio do logaritmo</translation>
     </message>
     <message>
         <source>the parameters of the logarithm are too large: the quantity has no finite variance in numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>os parâmetros do logaritmo são grandes demais: a grandeza não tem variância finita em números.</translation>
     </message>
     <message>
         <source>a discrete distribution needs at least one value.</source>
-        <translation type="unfinished"></translation>
+        <translation>uma distribuição discreta precisa de pelo menos um valor.</translation>
     </message>
     <message>
         <source>there must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>deve haver tantas probabilidades quantos valores.</translation>
     </message>
     <message>
         <source>values</source>
-        <translation type="unfinished"></translation>
+        <translation>valores</translation>
     </message>
     <message>
         <source>probabilities</source>
-        <translation type="unfinished"></translation>
+        <translation>probabilidades</translation>
     </message>
     <message>
         <source>the probabilities must sum to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>as probabilidades devem somar 1.</translation>
     </message>
     <message>
         <source>discrete distribution: there must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>distribuição discreta: deve haver tantas probabilidades quantos valores.</translation>
     </message>
     <message>
         <source>%1 distribution: %2 parameters are needed, %3 are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>distribuição %1: são necessários %2 parâmetros, são dados %3.</translation>
     </message>
     <message>
         <source>the distribution &quot;%1&quot; is not known. Known distributions: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>a distribuição &quot;%1&quot; não é conhecida. Distribuições conhecidas: %2.</translation>
     </message>
     <message>
         <source>%1 in row %2 of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 na linha %2 de %3</translation>
     </message>
     <message>
         <source>greater than %1 and at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>maior que %1 e no máximo %2</translation>
     </message>
     <message>
         <source>between %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>entre %1 e %2</translation>
     </message>
     <message>
         <source>greater than %1</source>
@@ -7257,239 +7257,239 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no máximo %1</translation>
     </message>
     <message>
         <source>%1 must be a whole number; it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser um número inteiro; é %2</translation>
     </message>
     <message>
         <source>%1 is too large a number: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é um número grande demais: %2</translation>
     </message>
     <message>
         <source>%1 must be %2; it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser %2; é %3</translation>
     </message>
     <message>
         <source>%1 must be one of %2; it is %3%4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser um de %2; é %3%4</translation>
     </message>
     <message>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>um número</translation>
     </message>
     <message>
         <source>a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>um número inteiro</translation>
     </message>
     <message>
         <source>one of its choices</source>
-        <translation type="unfinished"></translation>
+        <translation>uma de suas opções</translation>
     </message>
     <message>
         <source>a text</source>
-        <translation type="unfinished"></translation>
+        <translation>um texto</translation>
     </message>
     <message>
         <source>true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>true ou false</translation>
     </message>
     <message>
         <source>a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>uma pose</translation>
     </message>
     <message>
         <source>a table</source>
-        <translation type="unfinished"></translation>
+        <translation>uma tabela</translation>
     </message>
     <message>
         <source>the id of an asset</source>
-        <translation type="unfinished"></translation>
+        <translation>o id de um recurso</translation>
     </message>
     <message>
         <source>%1 must be %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser %2</translation>
     </message>
     <message>
         <source>%1 needs at least 1 row; it has %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 precisa de pelo menos 1 linha; tem %2</translation>
     </message>
     <message>
         <source>%1 needs at least %2 rows; it has %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 precisa de pelo menos %2 linhas; tem %3</translation>
     </message>
     <message>
         <source>%1 has %2 columns, but %3 units</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem %2 colunas, mas %3 unidades</translation>
     </message>
     <message>
         <source>row %1 of %2 has %3 cells; there are %4 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>a linha %1 de %2 tem %3 células; há %4 colunas</translation>
     </message>
     <message>
         <source>%1 is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 está vazio</translation>
     </message>
     <message>
         <source>%1 must not be empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não deve estar vazio</translation>
     </message>
     <message>
         <source>%1 must be given (&apos;%2&apos; is missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser dado (falta &apos;%2&apos;)</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%1 [%4]&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>a coluna &apos;%1&apos; de &apos;%2&apos; é %3; falta sua unidade: escreva &quot;%1 [%4]&quot;</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; &apos;%4&apos; is the unit of %5</source>
-        <translation type="unfinished"></translation>
+        <translation>a coluna &apos;%1&apos; de &apos;%2&apos; é %3; &apos;%4&apos; é a unidade de %5</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in K, not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>a coluna &apos;%1&apos; de &apos;%2&apos; é uma diferença de temperaturas: dê-a em K, não em %3</translation>
     </message>
     <message>
         <source>there is no field &apos;%1&apos; here%2</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui não há campo &apos;%1&apos;%2</translation>
     </message>
     <message>
         <source>a length</source>
-        <translation type="unfinished"></translation>
+        <translation>um comprimento</translation>
     </message>
     <message>
         <source>an area</source>
-        <translation type="unfinished"></translation>
+        <translation>uma área</translation>
     </message>
     <message>
         <source>a volume</source>
-        <translation type="unfinished"></translation>
+        <translation>um volume</translation>
     </message>
     <message>
         <source>a mass</source>
-        <translation type="unfinished"></translation>
+        <translation>uma massa</translation>
     </message>
     <message>
         <source>a time</source>
-        <translation type="unfinished"></translation>
+        <translation>um tempo</translation>
     </message>
     <message>
         <source>a frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>uma frequência</translation>
     </message>
     <message>
         <source>an electric current</source>
-        <translation type="unfinished"></translation>
+        <translation>uma corrente elétrica</translation>
     </message>
     <message>
         <source>a temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>uma temperatura</translation>
     </message>
     <message>
         <source>an expansion coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>um coeficiente de dilatação</translation>
     </message>
     <message>
         <source>an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>um ângulo</translation>
     </message>
     <message>
         <source>a velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>uma velocidade</translation>
     </message>
     <message>
         <source>an acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>uma aceleração</translation>
     </message>
     <message>
         <source>a force</source>
-        <translation type="unfinished"></translation>
+        <translation>uma força</translation>
     </message>
     <message>
         <source>a moment</source>
-        <translation type="unfinished"></translation>
+        <translation>um momento</translation>
     </message>
     <message>
         <source>a pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>uma pressão</translation>
     </message>
     <message>
         <source>a stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>uma rigidez</translation>
     </message>
     <message>
         <source>a voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>uma tensão elétrica</translation>
     </message>
     <message>
         <source>an electric resistance</source>
-        <translation type="unfinished"></translation>
+        <translation>uma resistência elétrica</translation>
     </message>
     <message>
         <source>an electric charge</source>
-        <translation type="unfinished"></translation>
+        <translation>uma carga elétrica</translation>
     </message>
     <message>
         <source>a capacitance</source>
-        <translation type="unfinished"></translation>
+        <translation>uma capacitância</translation>
     </message>
     <message>
         <source>an inductance</source>
-        <translation type="unfinished"></translation>
+        <translation>uma indutância</translation>
     </message>
     <message>
         <source>a magnetic flux density</source>
-        <translation type="unfinished"></translation>
+        <translation>uma densidade de fluxo magnético</translation>
     </message>
     <message>
         <source>a magnetic flux</source>
-        <translation type="unfinished"></translation>
+        <translation>um fluxo magnético</translation>
     </message>
     <message>
         <source>a power</source>
-        <translation type="unfinished"></translation>
+        <translation>uma potência</translation>
     </message>
     <message>
         <source>an amount of substance</source>
-        <translation type="unfinished"></translation>
+        <translation>uma quantidade de substância</translation>
     </message>
     <message>
         <source>a luminous intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>uma intensidade luminosa</translation>
     </message>
     <message>
         <source>an angular velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>uma velocidade angular</translation>
     </message>
     <message>
         <source>a density</source>
-        <translation type="unfinished"></translation>
+        <translation>uma densidade</translation>
     </message>
     <message>
         <source> (did you mean &apos;%1&apos;?)</source>
-        <translation type="unfinished"></translation>
+        <translation> (quis dizer &apos;%1&apos;?)</translation>
     </message>
     <message>
         <source>%1 must be a finite number; it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser um número finito; é %2</translation>
     </message>
     <message>
         <source>%1 is too large to be computed with (at most 1e100): it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é grande demais para calcular com ele (no máximo 1e100): é %2</translation>
     </message>
     <message>
         <source>%1 is %2; %3 has no unit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é %2; %3 não tem unidade</translation>
     </message>
     <message>
         <source>%1 is %2; %3 is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é %2; %3 é %4</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: give it in K, not in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma diferença de temperaturas: dê-a em K, não em %2</translation>
     </message>
     <message>
         <source>the result does not represent the measurand: more than 1 % of the trials have no value</source>
@@ -7509,55 +7509,55 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the number of significant digits of the numerical tolerance must be 1, 2, 3 or 4</source>
-        <translation type="unfinished"></translation>
+        <translation>o número de algarismos significativos da tolerância numérica deve ser 1, 2, 3 ou 4</translation>
     </message>
     <message>
         <source>the numerical tolerance must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>a tolerância numérica deve ser maior que zero</translation>
     </message>
     <message>
         <source>the adaptive procedure needs at least two batches</source>
-        <translation type="unfinished"></translation>
+        <translation>o procedimento adaptativo precisa de pelo menos dois lotes</translation>
     </message>
     <message>
         <source>the adaptive procedure needs at least two batches: allow %1 trials or more</source>
-        <translation type="unfinished"></translation>
+        <translation>o procedimento adaptativo precisa de pelo menos dois lotes: permita %1 ensaios ou mais</translation>
     </message>
     <message>
         <source>a Monte Carlo run needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>uma execução de Monte Carlo precisa de pelo menos dois ensaios</translation>
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>a probabilidade de abrangência deve estar entre 0 e 1</translation>
     </message>
     <message>
         <source>the coverage probability is too near to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>a probabilidade de abrangência está próxima demais de 1</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>o fator de abrangência deve ser maior que zero</translation>
     </message>
     <message>
         <source>one-at-a-time Monte Carlo needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo de um em um precisa de pelo menos dois ensaios</translation>
     </message>
     <message>
         <source>Monte Carlo without a contributor needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo sem uma contribuição precisa de pelo menos dois ensaios</translation>
     </message>
     <message>
         <source>Sobol indices need at least 100 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>os índices de Sobol precisam de pelo menos 100 ensaios</translation>
     </message>
     <message>
         <source>the evaluation was stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>a avaliação foi interrompida</translation>
     </message>
     <message>
         <source>none of the trials has a value: the measurement model cannot be evaluated within the uncertainties of its inputs; check the standard uncertainties and the geometry</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhum dos ensaios tem valor: o modelo de medição não pode ser avaliado dentro das incertezas de suas entradas; confira as incertezas-padrão e a geometria</translation>
     </message>
     <message>
         <source>the linear part explains %1 % of the variance: a gain of %2</source>
@@ -7569,51 +7569,51 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>no trial has a value</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhum ensaio tem valor</translation>
     </message>
     <message>
         <source>the measurement model has no sensitivity coefficients near the estimates: second-order terms do not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>o modelo de medição não tem coeficientes de sensibilidade perto das estimativas: termos de segunda ordem não existem</translation>
     </message>
     <message>
         <source>there are too many quantities for them</source>
-        <translation type="unfinished"></translation>
+        <translation>há grandezas demais para eles</translation>
     </message>
     <message>
         <source>the degrees of freedom of %1 must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>os graus de liberdade de %1 devem ser maiores que zero</translation>
     </message>
     <message>
         <source>the degrees of freedom of %1 are too few: there must be at least 0.2</source>
-        <translation type="unfinished"></translation>
+        <translation>os graus de liberdade de %1 são poucos demais: deve haver pelo menos 0,2</translation>
     </message>
     <message>
         <source>the distribution of %1 has no finite mean or standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>a distribuição de %1 não tem média ou incerteza-padrão finita</translation>
     </message>
     <message>
         <source>the estimate of %1 is not a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>a estimativa de %1 não é um número finito</translation>
     </message>
     <message>
         <source>quantity %1 refers to a component that does not exist, or with a factor that is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>a grandeza %1 refere-se a uma componente que não existe, ou com um fator que não é finito</translation>
     </message>
     <message>
         <source>the measurement model has %1 input quantities, but %2 were given</source>
-        <translation type="unfinished"></translation>
+        <translation>o modelo de medição tem %1 grandezas de entrada, mas foram dadas %2</translation>
     </message>
     <message>
         <source>the measurement model has no output quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>o modelo de medição não tem grandezas de saída</translation>
     </message>
     <message>
         <source>its correlated components are not normally distributed</source>
-        <translation type="unfinished"></translation>
+        <translation>suas componentes correlacionadas não têm distribuição normal</translation>
     </message>
     <message>
         <source>its sensitivity coefficients are zero</source>
-        <translation type="unfinished"></translation>
+        <translation>seus coeficientes de sensibilidade são zero</translation>
     </message>
     <message>
         <source>no spread</source>
@@ -7645,11 +7645,11 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Second-order terms are left out: the formula of JCGM 100 5.1.2 assumes independent components, and some of these are correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Omitem-se os termos de segunda ordem: a fórmula da JCGM 100 5.1.2 supõe componentes independentes, e algumas destas são correlacionadas.</translation>
     </message>
     <message>
         <source>Second-order terms are left out: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Omitem-se os termos de segunda ordem: %1.</translation>
     </message>
     <message>
         <source>%1 of %2 trials (%3 %) have no value (the measurement model cannot be evaluated there) and are not part of the statistics.</source>
@@ -7661,11 +7661,11 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>The adaptive procedure stopped at %1 trials before its results were stable: allow more trials, or ask for fewer significant digits.</source>
-        <translation type="unfinished"></translation>
+        <translation>O procedimento adaptativo parou em %1 ensaios antes que seus resultados fossem estáveis: permita mais ensaios, ou peça menos algarismos significativos.</translation>
     </message>
     <message>
         <source>Coverage intervals are interpolated in fine cells: there are too many trials to keep the values of the tails in memory.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os intervalos de abrangência são interpolados em células finas: há ensaios demais para manter na memória os valores das caudas.</translation>
     </message>
     <message>
         <source>The correlations stated cannot all hold with these distributions: the nearest that can are drawn, with coefficients that differ by up to %1.</source>
@@ -7673,39 +7673,39 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>The angle %1%2 is hardly determined: its standard uncertainty exceeds 1 rad.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ângulo %1%2 mal é determinado: sua incerteza-padrão excede 1 rad.</translation>
     </message>
     <message>
         <source>Nothing is gained by variance reduction, and standard errors are not known: there are fewer than %1 batches of %2 trials.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada se ganha com a redução de variância, e erros-padrão não são conhecidos: há menos de %1 lotes de %2 ensaios.</translation>
     </message>
     <message>
         <source>Control variates are not used: the linear part of the trials that have a value has another distribution than that of all trials.</source>
-        <translation type="unfinished"></translation>
+        <translation>Não se usam variáveis de controle: a parte linear dos ensaios que têm valor tem outra distribuição que a de todos os ensaios.</translation>
     </message>
     <message>
         <source>Without control variate: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sem variável de controle: %1.</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 does not exist, because a Student t distribution with two degrees of freedom or fewer has no finite standard deviation: it is shown as infinite, and U is half the width of the coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>A incerteza-padrão por Monte Carlo de %1 não existe, porque uma distribuição t de Student com dois graus de liberdade ou menos não tem desvio-padrão finito: é mostrada como infinita, e U é metade da largura do intervalo de abrangência.</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 cannot stabilise, because Student t distributions with four degrees of freedom or fewer have no finite fourth moment: the adaptive procedure judges by the coverage intervals; use these.</source>
-        <translation type="unfinished"></translation>
+        <translation>A incerteza-padrão por Monte Carlo de %1 não pode estabilizar-se, porque distribuições t de Student com quatro graus de liberdade ou menos não têm quarto momento finito: o procedimento adaptativo julga pelos intervalos de abrangência; use estes.</translation>
     </message>
     <message>
         <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
-        <translation type="unfinished"></translation>
+        <translation>o modelo de medição não tem valor nas estimativas de suas grandezas de entrada%1: confira a geometria nominal e os valores digitados</translation>
     </message>
     <message>
         <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
-        <translation type="unfinished"></translation>
+        <translation>o modelo de medição não tem coeficientes de sensibilidade nas estimativas de suas grandezas de entrada%1: não é derivável ali (geometria singular)</translation>
     </message>
     <message>
         <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os graus de liberdade efetivos são aproximados: a fórmula de Welch-Satterthwaite supõe componentes independentes, e componentes correlacionadas com graus de liberdade finitos contribuem. O intervalo de abrangência de Monte Carlo é o melhor guia.</translation>
     </message>
     <message>
         <source>1 vector of random direction has coordinates with different distributions after editing: they are drawn independently.</source>
@@ -7717,7 +7717,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>The angle %1 is hardly determined: its standard uncertainty by the law of propagation exceeds 1 rad.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ângulo %1 mal é determinado: sua incerteza-padrão pela lei de propagação excede 1 rad.</translation>
     </message>
     <message>
         <source>a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)</source>
@@ -7725,43 +7725,43 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>to correct the bias of coordinate %1, give the number of observations n in its row: the uncertainty of the correction is u_var/sqrt(n)</source>
-        <translation type="unfinished"></translation>
+        <translation>para corrigir a tendência da coordenada %1, dê em sua linha o número de observações n: a incerteza da correção é u_var/sqrt(n)</translation>
     </message>
     <message>
         <source>there are two points called &apos;%1&apos;; rename one</source>
-        <translation type="unfinished"></translation>
+        <translation>há dois pontos chamados &apos;%1&apos;; renomeie um</translation>
     </message>
     <message>
         <source>there is no calibrated point called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>não há ponto calibrado chamado &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must consist of the letters x, y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; deve ser formado pelas letras x, y e z</translation>
     </message>
     <message>
         <source>coordinate %1 has fewer than two observations that do not define the frame: measure more points or runs</source>
-        <translation type="unfinished"></translation>
+        <translation>a coordenada %1 tem menos de duas observações que não definem o sistema: meça mais pontos ou séries</translation>
     </message>
     <message>
         <source>coordinate %1 has %2 rows; it must have one</source>
-        <translation type="unfinished"></translation>
+        <translation>a coordenada %1 tem %2 linhas; deve ter uma</translation>
     </message>
     <message>
         <source>the length standard needs at least two observations</source>
-        <translation type="unfinished"></translation>
+        <translation>o padrão de comprimento precisa de pelo menos duas observações</translation>
     </message>
     <message>
         <source>the table must have one row; it has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a tabela deve ter uma linha; tem %1</translation>
     </message>
     <message>
         <source>the analysis has no point called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>a análise não tem ponto chamado &apos;%1&apos;</translation>
     </message>
     <message>
         <source>point %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ponto %1: %2</translation>
     </message>
     <message>
         <source>it is at the place of the instrument</source>
@@ -7773,23 +7773,23 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>correlated coordinates of a station are combinations of independent deviations, which are normal: leave the distribution normal, or the correlation out</source>
-        <translation type="unfinished"></translation>
+        <translation>coordenadas correlacionadas de uma estação são combinações de desvios independentes, que são normais: deixe a distribuição normal, ou retire a correlação</translation>
     </message>
     <message>
         <source>a coordinate of the station is correlated with itself; name two different ones</source>
-        <translation type="unfinished"></translation>
+        <translation>uma coordenada da estação está correlacionada consigo mesma; nomeie duas diferentes</translation>
     </message>
     <message>
         <source>the range ends before it begins: the longest distance must be greater than the shortest</source>
-        <translation type="unfinished"></translation>
+        <translation>o alcance termina antes de começar: a maior distância deve ser maior que a menor</translation>
     </message>
     <message>
         <source>the sensor reads nothing: choose a distance or an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>o sensor nada lê: escolha uma distância ou um ângulo</translation>
     </message>
     <message>
         <source>these coefficients are not possible together: their matrix has a negative eigenvalue</source>
-        <translation type="unfinished"></translation>
+        <translation>estes coeficientes não são possíveis juntos: sua matriz tem um autovalor negativo</translation>
     </message>
     <message>
         <source>it is at the place of %1</source>
@@ -7805,91 +7805,91 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the readings do not lead to a position of every target: the estimation does not converge from the nominal coordinates; look for exchanged or mistyped readings</source>
-        <translation type="unfinished"></translation>
+        <translation>as leituras não levam a uma posição de cada alvo: a estimação não converge a partir das coordenadas nominais; procure leituras trocadas ou mal digitadas</translation>
     </message>
     <message>
         <source>%1 looks away from target %2: its angles point to the opposite side</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 olha para longe do alvo %2: seus ângulos apontam para o lado oposto</translation>
     </message>
     <message>
         <source>there is no target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>não há alvo %1</translation>
     </message>
     <message>
         <source>%1 does not see target %2: it is out of its range or field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não vê o alvo %2: está fora de seu alcance ou campo de visão</translation>
     </message>
     <message>
         <source>%1 does not see %2 of the %3 targets: they are out of its range or field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não vê %2 dos %3 alvos: estão fora de seu alcance ou campo de visão</translation>
     </message>
     <message>
         <source>the sensor %1 is not listed in the network</source>
-        <translation type="unfinished"></translation>
+        <translation>o sensor %1 não consta da rede</translation>
     </message>
     <message>
         <source>%1 reads no %2 according to its description</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não lê %2 segundo sua descrição</translation>
     </message>
     <message>
         <source>more than %1 rows for target %2</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 linhas para o alvo %2</translation>
     </message>
     <message>
         <source>target %1 is at the place of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>o alvo %1 está no lugar de %2</translation>
     </message>
     <message>
         <source>target %1 is behind the camera %2</source>
-        <translation type="unfinished"></translation>
+        <translation>o alvo %1 está atrás da câmera %2</translation>
     </message>
     <message>
         <source>a network has at most %1 sensors; divide it into several analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>uma rede tem no máximo %1 sensores; divida-a em várias análises</translation>
     </message>
     <message>
         <source>two targets are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dois alvos chamam-se %1</translation>
     </message>
     <message>
         <source>a distance needs two targets at different places</source>
-        <translation type="unfinished"></translation>
+        <translation>uma distância precisa de dois alvos em lugares diferentes</translation>
     </message>
     <message>
         <source>a calibrated length needs two targets at different places</source>
-        <translation type="unfinished"></translation>
+        <translation>um comprimento calibrado precisa de dois alvos em lugares diferentes</translation>
     </message>
     <message>
         <source>the calibrated length is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta o comprimento calibrado</translation>
     </message>
     <message>
         <source>the nominal targets of the %1 are at another distance than its calibrated length; the design takes their distance</source>
-        <translation type="unfinished"></translation>
+        <translation>os alvos nominais de %1 estão a outra distância que seu comprimento calibrado; o planejamento toma a distância deles</translation>
     </message>
     <message>
         <source>a calibrated length can be a constraint only of the non-linear estimator with weights from readings and stations</source>
-        <translation type="unfinished"></translation>
+        <translation>um comprimento calibrado só pode ser restrição do estimador não linear com pesos de leituras e estações</translation>
     </message>
     <message>
         <source>the targets of the %1 belong to two set-ups, which are estimated one after the other: it can only be a check</source>
-        <translation type="unfinished"></translation>
+        <translation>os alvos de %1 pertencem a dois estacionamentos, estimados um após o outro: só pode ser uma verificação</translation>
     </message>
     <message>
         <source>the targets of an angle must be at three places off one line: at 0° and 180° an angle has no sign and no derivative</source>
-        <translation type="unfinished"></translation>
+        <translation>os alvos de um ângulo devem estar em três lugares fora de uma reta: a 0° e 180° um ângulo não tem sinal nem derivada</translation>
     </message>
     <message>
         <source>the name %1 is taken by another frame or a target</source>
-        <translation type="unfinished"></translation>
+        <translation>o nome %1 já é de outro sistema ou de um alvo</translation>
     </message>
     <message>
         <source>the three targets of frame %1 lie on one line: its axes are undefined</source>
-        <translation type="unfinished"></translation>
+        <translation>os três alvos do sistema %1 estão numa reta: seus eixos não estão definidos</translation>
     </message>
     <message>
         <source>the x-axis of frame %1 is vertical: its Z-Y-X angles are undefined (gimbal lock)</source>
-        <translation type="unfinished"></translation>
+        <translation>o eixo x do sistema %1 é vertical: seus ângulos Z-Y-X não estão definidos (gimbal lock)</translation>
     </message>
     <message>
         <source>scale bar %1 – %2</source>
@@ -7897,11 +7897,11 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the sensor %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>o sensor %1 consta duas vezes</translation>
     </message>
     <message>
         <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or figures of the instruments that are too small</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Os resíduos são maiores do que as incertezas permitem; o maior para sua incerteza é %2. Procure leituras mal digitadas ou trocadas, ou números dos instrumentos pequenos demais</translation>
     </message>
     <message>
         <source>distance of %1 by %2</source>
@@ -7929,59 +7929,59 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>target %1 has no linear equations that localise it (a distance without angles has none): use the non-linear estimator</source>
-        <translation type="unfinished"></translation>
+        <translation>o alvo %1 não tem equações lineares que o localizem (uma distância sem ângulos não as tem): use o estimador não linear</translation>
     </message>
     <message>
         <source>target %1 cannot be localised from what %2 read: the readings leave a direction undetermined; add a sensor or a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>o alvo %1 não pode ser localizado pelo que %2 leem: as leituras deixam uma direção indeterminada; acrescente um sensor ou uma leitura</translation>
     </message>
     <message>
         <source>target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m</source>
-        <translation type="unfinished"></translation>
+        <translation>o alvo %1 mal é localizado: numa direção u é %2 m a uma distância de %3 m</translation>
     </message>
     <message>
         <source>the stations that measure target %1 lie in one plane and read distances only: its mirror image behind that plane fits as well; the one near the nominal coordinates is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>as estações que medem o alvo %1 estão num plano e só leem distâncias: sua imagem espelhada atrás desse plano também se ajusta; toma-se a próxima das coordenadas nominais</translation>
     </message>
     <message>
         <source>a calibrated length cannot be a constraint of a set-up with more than %1 readings (this one has %2): make it a check</source>
-        <translation type="unfinished"></translation>
+        <translation>um comprimento calibrado não pode ser restrição de um estacionamento com mais de %1 leituras (este tem %2): faça dele uma verificação</translation>
     </message>
     <message>
         <source>the %1 readings of one set-up are too many to be weighed together: each target is estimated from its own readings, weighted with the stations</source>
-        <translation type="unfinished"></translation>
+        <translation>as %1 leituras de um estacionamento são demais para serem ponderadas juntas: cada alvo é estimado por suas próprias leituras, ponderadas com as estações</translation>
     </message>
     <message>
         <source>the standard uncertainty of a coordinate, %1 mm, is more than a tenth of the distance of point %2 from the x-axis, %3 mm: the law of propagation is not reliable here, look at Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>a incerteza-padrão de uma coordenada, %1 mm, é mais de um décimo da distância do ponto %2 ao eixo x, %3 mm: a lei de propagação não é confiável aqui, olhe Monte Carlo</translation>
     </message>
     <message>
         <source>the frame made from these points lies %1 mm and %2° away from the axes in which they are given, so results differ from the table of poses; check the side of point 3 and the shift of the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>o sistema formado por estes pontos está a %1 mm e %2° dos eixos em que são dados, de modo que os resultados diferem da tabela de poses; confira o lado do ponto 3 e o deslocamento da origem</translation>
     </message>
     <message>
         <source>%1: beta is within 2° of ±90°, where Z-Y-X angles are undefined (gimbal lock); state the orientation as a rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: beta está a menos de 2° de ±90°, onde os ângulos Z-Y-X não estão definidos (gimbal lock); declare a orientação como vetor de rotação</translation>
     </message>
     <message>
         <source>%1: beta is within 2° of 0° or 180°, where Z-Y-Z angles are undefined (gimbal lock); state the orientation as Z-Y-X angles or a rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: beta está a menos de 2° de 0° ou 180°, onde os ângulos Z-Y-Z não estão definidos (gimbal lock); declare a orientação como ângulos Z-Y-X ou vetor de rotação</translation>
     </message>
     <message>
         <source>%1: the rotation is within 4° of half a turn, where the sign of the axis is undefined; state the orientation as angles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: a rotação está a menos de 4° de meia volta, onde o sinal do eixo não está definido; declare a orientação como ângulos</translation>
     </message>
     <message>
         <source>the analysis %1 has no point called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>a análise %1 não tem ponto chamado &apos;%2&apos;</translation>
     </message>
     <message>
         <source>point %1 cannot be measured by %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>o ponto %1 não pode ser medido por %2: %3</translation>
     </message>
     <message>
         <source>the 3-2-1 method uses the first three points; point %1 and those after it are not used: choose least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>o método 3-2-1 usa os três primeiros pontos; o ponto %1 e os seguintes não são usados: escolha mínimos quadrados</translation>
     </message>
     <message>
         <source>the base frame is undefined</source>
@@ -7993,19 +7993,19 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>points %1 and %2 coincide: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>os pontos %1 e %2 coincidem: %3</translation>
     </message>
     <message>
         <source>point %1 lies on the line through %2 and %3: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>o ponto %1 está na reta por %2 e %3: %4</translation>
     </message>
     <message>
         <source>all points lie on one line or coincide: their frame is undefined</source>
-        <translation type="unfinished"></translation>
+        <translation>todos os pontos estão numa reta ou coincidem: seu sistema não está definido</translation>
     </message>
     <message>
         <source>not used: the uncertainties come from an artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>não usado: as incertezas vêm de um padrão ou instrumento</translation>
     </message>
     <message>
         <source>there are two poses called &apos;%1&apos;; rename one</source>
@@ -8013,19 +8013,19 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>no pose may be called &apos;base&apos;: that names the base among the measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma pose pode chamar-se &apos;base&apos;: isso nomeia a base entre os pontos medidos</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is neither &apos;base&apos; nor the name of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não é &apos;base&apos; nem o nome de uma pose</translation>
     </message>
     <message>
         <source>there is no point called &apos;%1&apos; in that frame</source>
-        <translation type="unfinished"></translation>
+        <translation>não há ponto chamado &apos;%1&apos; nesse sistema</translation>
     </message>
     <message>
         <source>point %1 of &apos;%2&apos; was not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>o ponto %1 de &apos;%2&apos; não foi medido</translation>
     </message>
     <message>
         <source>the mirrored coordinates leave %1 instead of %2: frame 0 is left-handed, check the signs and the order of its axes</source>
@@ -8053,11 +8053,11 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the lengths of support %1 do not meet at its height: they miss by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>os comprimentos do apoio %1 não se encontram em sua altura: falham por %2</translation>
     </message>
     <message>
         <source>a set has at most %1 supports</source>
-        <translation type="unfinished"></translation>
+        <translation>um conjunto tem no máximo %1 apoios</translation>
     </message>
     <message>
         <source>the rotation about %1</source>
@@ -8065,51 +8065,51 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>%1 has %2 points; a plane needs three, and some more to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem %2 pontos; um plano precisa de três, e de mais alguns para ser verificado</translation>
     </message>
     <message>
         <source>%1 has a span of zero: all its points coincide</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem percurso zero: todos os seus pontos coincidem</translation>
     </message>
     <message>
         <source>the tool centre point lies on the axis of %1 (or the tool has no length): it traces no circle; turn about another axis</source>
-        <translation type="unfinished"></translation>
+        <translation>o ponto central da ferramenta está no eixo de %1 (ou a ferramenta não tem comprimento): não traça círculo; gire em torno de outro eixo</translation>
     </message>
     <message>
         <source>the arc of %1 spans only %2°: uncertainties grow as the inverse square of the span and may be %3 times those of half a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>o arco de %1 abrange só %2°: as incertezas crescem com o inverso do quadrado do percurso e podem ser %3 vezes as de meia volta</translation>
     </message>
     <message>
         <source>point %1 is %2 mm on the other side of the supports&apos; plane, where the ballbars look for no solution; change their placement or their side</source>
-        <translation type="unfinished"></translation>
+        <translation>o ponto %1 está %2 mm do outro lado do plano dos apoios, onde as ballbars não procuram solução; mude sua colocação ou seu lado</translation>
     </message>
     <message>
         <source>point %1 is only %2 mm from the supports&apos; plane, with a standard uncertainty of %3 mm in that direction: in some trials the lengths will not meet (negative root), and u is not to be trusted</source>
-        <translation type="unfinished"></translation>
+        <translation>o ponto %1 está a só %2 mm do plano dos apoios, com incerteza-padrão de %3 mm nessa direção: em alguns ensaios os comprimentos não se encontrarão (raiz negativa), e não se deve confiar em u</translation>
     </message>
     <message>
         <source>the measured points determine no sphere and no axes: they lie on one circle, or coincide; check their axes and angles</source>
-        <translation type="unfinished"></translation>
+        <translation>os pontos medidos não determinam esfera nem eixos: estão num círculo, ou coincidem; confira seus eixos e ângulos</translation>
     </message>
     <message>
         <source>a procedure has at most %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>um procedimento tem no máximo %1 pontos</translation>
     </message>
     <message>
         <source>two points are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dois pontos chamam-se %1</translation>
     </message>
     <message>
         <source>the flange turns about %1 in two rotations; put their points into one</source>
-        <translation type="unfinished"></translation>
+        <translation>o flange gira em torno de %1 em duas rotações; ponha seus pontos em uma</translation>
     </message>
     <message>
         <source>one rotation traces one circle, which leaves the centre of the flange and its axes undetermined: add a rotation about another axis</source>
-        <translation type="unfinished"></translation>
+        <translation>uma rotação traça um círculo, o que deixa indeterminados o centro do flange e seus eixos: acrescente uma rotação em torno de outro eixo</translation>
     </message>
     <message>
         <source>no rotation measures axis %1: choose another way to make the axes, or add the rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma rotação mede o eixo %1: escolha outra forma de construir os eixos, ou acrescente a rotação</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not offer &apos;%2&apos;</source>
@@ -8137,15 +8137,15 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>no joint leads to a link called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma junta leva a um elo chamado %1</translation>
     </message>
     <message>
         <source>no moving joint leads to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma junta móvel leva a %1</translation>
     </message>
     <message>
         <source>the links form a ring; URDF describes trees</source>
-        <translation type="unfinished"></translation>
+        <translation>os elos formam um anel; URDF descreve árvores</translation>
     </message>
     <message>
         <source>joint %1 on the way to %2 is of the type %3: freeze it, --freeze %1=0</source>
@@ -8185,11 +8185,11 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the file has no moving joint</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem junta móvel</translation>
     </message>
     <message>
         <source>the file has several arms of equal length, ending at %1 and %2: name the tip link of the one to import</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo tem vários braços de igual comprimento, que terminam em %1 e %2: nomeie o elo final do que se importa</translation>
     </message>
     <message>
         <source>frozen: %1</source>
@@ -8197,47 +8197,47 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not three numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não são três números</translation>
     </message>
     <message>
         <source>joint %1 does not say which links it joins</source>
-        <translation type="unfinished"></translation>
+        <translation>a junta %1 não diz que elos une</translation>
     </message>
     <message>
         <source>joint %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>junta %1: %2</translation>
     </message>
     <message>
         <source>joint %1: its axis has no direction</source>
-        <translation type="unfinished"></translation>
+        <translation>junta %1: seu eixo não tem direção</translation>
     </message>
     <message>
         <source>not readable as XML: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>não legível como XML: %1</translation>
     </message>
     <message>
         <source>no URDF: its root element &lt;robot&gt; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>não é URDF: falta seu elemento raiz &lt;robot&gt;</translation>
     </message>
     <message>
         <source>the file has xacro macros: expand them first (xacro FILE &gt; arm.urdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo tem macros xacro: expanda-as antes (xacro FILE &gt; arm.urdf)</translation>
     </message>
     <message>
         <source>link %1 hangs on two joints; URDF describes trees</source>
-        <translation type="unfinished"></translation>
+        <translation>o elo %1 pende de duas juntas; URDF descreve árvores</translation>
     </message>
     <message>
         <source>there is no joint %1 to freeze%2</source>
-        <translation type="unfinished"></translation>
+        <translation>não há junta %1 a congelar%2</translation>
     </message>
     <message>
         <source>joint %1 does not move, or is frozen twice</source>
-        <translation type="unfinished"></translation>
+        <translation>a junta %1 não se move, ou é congelada duas vezes</translation>
     </message>
     <message>
         <source>joint %1 is of the type %2: it can be frozen at 0 only</source>
-        <translation type="unfinished"></translation>
+        <translation>a junta %1 é do tipo %2: só pode ser congelada em 0</translation>
     </message>
     <message>
         <source>frozen at %1, beyond its limits</source>
@@ -8249,7 +8249,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>an arm has at most %1 joints here</source>
-        <translation type="unfinished"></translation>
+        <translation>um braço tem aqui no máximo %1 juntas</translation>
     </message>
     <message>
         <source>joint %1 slides: state its readings as lengths, in the columns of s</source>
@@ -8265,59 +8265,59 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>only the convention with Ry(beta) has a beta; leave it empty for %1, or choose that convention</source>
-        <translation type="unfinished"></translation>
+        <translation>só a convenção com Ry(beta) tem beta; deixe vazio para %1, ou escolha essa convenção</translation>
     </message>
     <message>
         <source>d and beta of %1 describe the same place of a parallel axis: where beta is given, d is 0 by definition</source>
-        <translation type="unfinished"></translation>
+        <translation>d e beta de %1 descrevem o mesmo lugar de um eixo paralelo: onde se dá beta, d é 0 por definição</translation>
     </message>
     <message>
         <source>the lowest reading of %1 is not below its highest</source>
-        <translation type="unfinished"></translation>
+        <translation>a menor leitura de %1 não está abaixo da maior</translation>
     </message>
     <message>
         <source>the robot has no joint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o robô não tem junta %1</translation>
     </message>
     <message>
         <source>%1 is 0 by definition, because the axis is parallel to the next</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é 0 por definição, porque o eixo é paralelo ao seguinte</translation>
     </message>
     <message>
         <source>%1 is no parameter of this robot: give beta in the table of joints where axes are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não é parâmetro deste robô: dê beta na tabela de juntas onde os eixos são paralelos</translation>
     </message>
     <message>
         <source>a parameter is correlated with itself; name two different ones</source>
-        <translation type="unfinished"></translation>
+        <translation>um parâmetro está correlacionado consigo mesmo; nomeie dois diferentes</translation>
     </message>
     <message>
         <source>there is no parameter &apos;%1&apos; with an uncertainty; write its symbol, such as d_3</source>
-        <translation type="unfinished"></translation>
+        <translation>não há parâmetro &apos;%1&apos; com incerteza; escreva seu símbolo, como d_3</translation>
     </message>
     <message>
         <source>%1 has several components of uncertainty: give it one, the combined, so that it can be correlated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem várias componentes de incerteza: dê-lhe uma, a combinada, para que possa ser correlacionado</translation>
     </message>
     <message>
         <source>there is no pose: give joint readings or a place of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>não há pose: dê leituras de juntas ou um lugar da ferramenta</translation>
     </message>
     <message>
         <source>two poses are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>duas poses chamam-se %1</translation>
     </message>
     <message>
         <source>pose %1: reading %2 of joint %3 is beyond its limits, %4 to %5</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: a leitura %2 da junta %3 está além de seus limites, %4 a %5</translation>
     </message>
     <message>
         <source>pose %1: the orientation is within 2° of one that %2 cannot state (gimbal lock, half turn); state it otherwise</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: a orientação está a menos de 2° de uma que %2 não pode declarar (gimbal lock, meia volta); declare-a de outro modo</translation>
     </message>
     <message>
         <source>%1 has only %2 joints; leave %3 empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 só tem %2 juntas; deixe %3 vazio</translation>
     </message>
     <message>
         <source>joint %1 of %2 slides: its reading is %3</source>
@@ -8329,7 +8329,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>pose %1: give all three angles or none</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: dê os três ângulos ou nenhum</translation>
     </message>
     <message>
         <source>pose %1: no readings within the limits of the joints bring the tool there; the nearest attempt misses the place by %2 but not the orientation</source>
@@ -8377,55 +8377,55 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the chain to %1 has %2 moving joints; an arm has at most %3 here: freeze those before the arm, --freeze %4=0</source>
-        <translation type="unfinished"></translation>
+        <translation>a cadeia até %1 tem %2 juntas móveis; um braço tem aqui no máximo %3: congele as anteriores ao braço, --freeze %4=0</translation>
     </message>
     <message>
         <source>pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). Look at this pose first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: o resíduo de seu %2 é %3 vezes sua incerteza-padrão (limite %4). Olhe primeiro esta pose; reserve-a com use = check</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the uncertainties of points and readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
-        <translation type="unfinished"></translation>
+        <translation>os resíduos são %1 vezes maiores do que as incertezas de pontos e leituras explicam: há mais que isso (elasticidade de uma junta, temperatura, um valor discrepante), e a incerteza dos parâmetros é declarada pequena demais</translation>
     </message>
     <message>
         <source>these poses hardly tell %1 apart (condition %2): turn more joints further, or hold one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>estas poses mal distinguem %1 (condição %2): gire mais juntas mais longe, ou fixe um deles</translation>
     </message>
     <message>
         <source>no parameter of the arm can be told from these poses: every one of them is coupled with others or held</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhum parâmetro do braço pode ser obtido destas poses: cada um está acoplado com outros ou fixado</translation>
     </message>
     <message>
         <source>the poses of the fit give %1 coordinates, no more than there are unknowns to find: measure more poses, or hold parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>as poses do ajuste dão %1 coordenadas, não mais que as incógnitas a encontrar: meça mais poses, ou fixe parâmetros</translation>
     </message>
     <message>
         <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, and for a nominal robot that is another arm</source>
-        <translation type="unfinished"></translation>
+        <translation>o ajuste não converge: procure poses trocadas, leituras de sinal errado ou em outra unidade, e um robô nominal que seja outro braço</translation>
     </message>
     <message>
         <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
-        <translation type="unfinished"></translation>
+        <translation>na solução as incógnitas não podem ser distinguidas; fixe uma das que a tabela de observabilidade nomeia</translation>
     </message>
     <message>
         <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>a junta %1 desliza: só se identificam braços cujas juntas giram; tome um braço sem ela, tal como está durante a medição</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>o ajuste tem %1 poses; precisa de três ou mais, e de cerca de vinte para obter todos os parâmetros</translation>
     </message>
     <message>
         <source>the robot has only %1 joints; leave %2 empty</source>
-        <translation type="unfinished"></translation>
+        <translation>o robô só tem %1 juntas; deixe %2 vazio</translation>
     </message>
     <message>
         <source>pose %1: its orientation is missing; give alpha, beta and gamma of every pose, or fit positions alone</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: falta sua orientação; dê alpha, beta e gamma de cada pose, ou ajuste só posições</translation>
     </message>
     <message>
         <source>the robot has no parameter &apos;%1&apos; to hold; write its symbol, such as d_3</source>
-        <translation type="unfinished"></translation>
+        <translation>o robô não tem parâmetro &apos;%1&apos; a fixar; escreva seu símbolo, como d_3</translation>
     </message>
     <message>
         <source>rotation about %1</source>
@@ -8441,11 +8441,11 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the points do not lead to parameters of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>os pontos não levam a parâmetros do braço</translation>
     </message>
     <message>
         <source>the points of %1 run against the positive direction of the joint: reverse their order, or give its readings</source>
-        <translation type="unfinished"></translation>
+        <translation>os pontos de %1 correm contra o sentido positivo da junta: inverta sua ordem, ou dê suas leituras</translation>
     </message>
     <message>
         <source>the axes of joints %1 and %2</source>
@@ -8453,211 +8453,211 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>%1 are nearly parallel (%2): they are described by beta with d = 0, because the place of their common perpendicular is hardly determined</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 são quase paralelos (%2): são descritos por beta com d = 0, porque o lugar de sua perpendicular comum mal é determinado</translation>
     </message>
     <message>
         <source>%1 are %2 apart: they are described by d without beta, although the nominal robot has beta</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 estão a %2: são descritos por d sem beta, embora o robô nominal tenha beta</translation>
     </message>
     <message>
         <source>the axes of joints %1 and %2 are the same line: nothing tells their frames apart</source>
-        <translation type="unfinished"></translation>
+        <translation>os eixos das juntas %1 e %2 são a mesma reta: nada distingue seus sistemas</translation>
     </message>
     <message>
         <source>parameters are identified by Eq 5: describe the nominal robot in that convention, not in Craig&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>os parâmetros são identificados pela eq. 5: descreva o robô nominal nessa convenção, não na de Craig</translation>
     </message>
     <message>
         <source>joint %1 slides and draws no circle: take an arm without it, as it stands during the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>a junta %1 desliza e não traça círculo: tome um braço sem ela, tal como está durante a medição</translation>
     </message>
     <message>
         <source>an arm of one joint has no parameters between two axes</source>
-        <translation type="unfinished"></translation>
+        <translation>um braço de uma junta não tem parâmetros entre dois eixos</translation>
     </message>
     <message>
         <source>the robot has no %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o robô não tem %1</translation>
     </message>
     <message>
         <source>%1 has %2 points; a circle needs three or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem %2 pontos; um círculo precisa de três ou mais</translation>
     </message>
     <message>
         <source>the ball hardly moves while %1 turns: it lies on the axis of that joint and draws no circle. Fix the ball off the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>a esfera mal se move enquanto %1 gira: está no eixo dessa junta e não traça círculo. Fixe a esfera fora do eixo</translation>
     </message>
     <message>
         <source>the points of %1 lie on a straight line, as far as their uncertainty lets it be seen: no circle goes through them. Turn the joint further</source>
-        <translation type="unfinished"></translation>
+        <translation>os pontos de %1 estão numa reta, até onde sua incerteza deixa ver: nenhum círculo passa por eles. Gire mais a junta</translation>
     </message>
     <message>
         <source>the arc of %1 over %2 is short for the uncertainty of its points: its axis will be known poorly</source>
-        <translation type="unfinished"></translation>
+        <translation>o arco de %1 sobre %2 é curto para a incerteza de seus pontos: seu eixo será mal conhecido</translation>
     </message>
     <message>
         <source>the plane of %1 passes the origin at %2: Eq 1 excludes planes through the origin and fails near it. Use total least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>o plano de %1 passa pela origem a %2: a eq. 1 exclui planos pela origem e falha perto dela. Use mínimos quadrados totais</translation>
     </message>
     <message>
         <source>no circle fits the points of %1; look for exchanged points</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhum círculo se ajusta aos pontos de %1; procure pontos trocados</translation>
     </message>
     <message>
         <source>the calibration matrix is singular: the channels answer to loads on %1 alike, so these cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>a matriz de calibração é singular: os canais respondem igualmente a cargas em %1, de modo que não podem ser distinguidas</translation>
     </message>
     <message>
         <source>the calibration matrix has the condition number %1: loads on %2 are hardly told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>a matriz de calibração tem número de condição %1: as cargas em %2 mal se distinguem</translation>
     </message>
     <message>
         <source>add a row of loads to be evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>acrescente uma linha de cargas a avaliar</translation>
     </message>
     <message>
         <source>add a row of readings to be decoupled</source>
-        <translation type="unfinished"></translation>
+        <translation>acrescente uma linha de leituras a desacoplar</translation>
     </message>
     <message>
         <source>two cases are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>dois casos chamam-se &apos;%1&apos;</translation>
     </message>
     <message>
         <source>channel %1 has no reading: all channels are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>o canal %1 não tem leitura: todos os canais são necessários</translation>
     </message>
     <message>
         <source>the sensor has no channel %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o sensor não tem canal %1</translation>
     </message>
     <message>
         <source>no load gives these readings by the calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma carga dá estas leituras pela matriz de calibração</translation>
     </message>
     <message>
         <source>the load on %1 is %2 % of its rated load: the calibration says nothing about it</source>
-        <translation type="unfinished"></translation>
+        <translation>a carga em %1 é %2 % de sua carga nominal: a calibração nada diz sobre ela</translation>
     </message>
     <message>
         <source>loads on %1 are too few for this calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>as cargas em %1 são poucas demais para esta matriz de calibração</translation>
     </message>
     <message>
         <source>the interference of %1 is known without signs: it cannot be compensated. Give raw readings, or a table with signs</source>
-        <translation type="unfinished"></translation>
+        <translation>a interferência de %1 é conhecida sem sinais: não pode ser compensada. Dê leituras brutas, ou uma tabela com sinais</translation>
     </message>
     <message>
         <source>quadratic terms need raw readings; %1 has a summary only</source>
-        <translation type="unfinished"></translation>
+        <translation>termos quadráticos precisam de leituras brutas; %1 só tem um resumo</translation>
     </message>
     <message>
         <source>channel %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>o canal %1 consta duas vezes</translation>
     </message>
     <message>
         <source>moment</source>
-        <translation type="unfinished"></translation>
+        <translation>momento</translation>
     </message>
     <message>
         <source>force</source>
-        <translation type="unfinished"></translation>
+        <translation>força</translation>
     </message>
     <message>
         <source>channel %1 needs its rated load, a %2</source>
-        <translation type="unfinished"></translation>
+        <translation>o canal %1 precisa de sua carga nominal, de %2</translation>
     </message>
     <message>
         <source>%1 states no uncertainty of its load on %2: add it to its certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não declara a incerteza de sua carga em %2: acrescente-a a seu certificado</translation>
     </message>
     <message>
         <source>increasing loads</source>
-        <translation type="unfinished"></translation>
+        <translation>cargas crescentes</translation>
     </message>
     <message>
         <source>unloaded reading before</source>
-        <translation type="unfinished"></translation>
+        <translation>leitura sem carga antes</translation>
     </message>
     <message>
         <source>run %1 of %2 has no %3: it is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>a série %1 de %2 não tem %3: é omitida</translation>
     </message>
     <message>
         <source>%1 was not calibrated: there are no runs with its axis loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não foi calibrado: não há séries com seu eixo carregado</translation>
     </message>
     <message>
         <source>%1 has one run only: its repeatability needs two or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem uma só série: sua repetibilidade precisa de duas ou mais</translation>
     </message>
     <message>
         <source>%1 has %2 runs, %3 are planned: its means have %4 degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem %2 séries, estão previstas %3: suas médias têm %4 graus de liberdade</translation>
     </message>
     <message>
         <source>%1 has %2 preloads, %3 are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem %2 pré-cargas, estão previstas %3</translation>
     </message>
     <message>
         <source>, and it says nothing about repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>, e nada diz sobre a repetibilidade</translation>
     </message>
     <message>
         <source>step %1 of %2 is missing in %3 of %4 runs: its mean is that of %5%6</source>
-        <translation type="unfinished"></translation>
+        <translation>o degrau %1 de %2 falta em %3 de %4 séries: sua média é a de %5%6</translation>
     </message>
     <message>
         <source>%1 was loaded in %2 steps, %3 are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 foi carregado em %2 degraus, estão previstos %3</translation>
     </message>
     <message>
         <source>the largest load on %1 is %2; the rated output needs the rated load, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>a maior carga em %1 é %2; a saída nominal precisa da carga nominal, %3</translation>
     </message>
     <message>
         <source>%1 has the same reading in all runs: its repeatability is evaluated as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem a mesma leitura em todas as séries: sua repetibilidade é avaliada como zero</translation>
     </message>
     <message>
         <source>%1 has no unloaded readings after a run: its non-zero error is taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem leituras sem carga depois de uma série: seu erro de zero é tomado como zero</translation>
     </message>
     <message>
         <source>%1 has no decreasing loads: its hysteresis is not known and is taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem cargas decrescentes: sua histerese não é conhecida e é tomada como zero</translation>
     </message>
     <message>
         <source>run %1 of %2 reads the same at steps %3 and %4 although the load rises: the indicator is saturated or the channel is stuck</source>
-        <translation type="unfinished"></translation>
+        <translation>a série %1 de %2 lê o mesmo nos degraus %3 e %4 embora a carga suba: o indicador está saturado ou o canal travado</translation>
     </message>
     <message>
         <source>run %1 of %2: only %3 s between steps %4 and %5, %6 s are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>série %1 de %2: só %3 s entre os degraus %4 e %5, estão previstos %6 s</translation>
     </message>
     <message>
         <source>run %1 of %2 begins %3 s after the one before was unloaded, %4 s are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>a série %1 de %2 começa %3 s depois que a anterior foi descarregada, estão previstos %4 s</translation>
     </message>
     <message>
         <source>channel %1 does not respond to its load: %2 at the rated load; look at its cable and its column</source>
-        <translation type="unfinished"></translation>
+        <translation>o canal %1 não responde à sua carga: %2 na carga nominal; olhe seu cabo e sua coluna</translation>
     </message>
     <message>
         <source>channel %1 responds to %2 more than to its own load: are columns exchanged?</source>
-        <translation type="unfinished"></translation>
+        <translation>o canal %1 responde a %2 mais do que à sua própria carga: as colunas estão trocadas?</translation>
     </message>
     <message>
         <source>there are no readings: import them from a CSV file, or choose summary tables</source>
-        <translation type="unfinished"></translation>
+        <translation>não há leituras: importe-as de um arquivo CSV, ou escolha tabelas de resumo</translation>
     </message>
     <message>
         <source>the sensor has no channel %1: list it among its channels</source>
-        <translation type="unfinished"></translation>
+        <translation>o sensor não tem canal %1: inclua-o entre seus canais</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no unit of a load: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não é unidade de uma carga: %2</translation>
     </message>
     <message>
         <source>%1 is a moment, but its load is in %2: are forces and moments, or their units, exchanged?</source>
@@ -8669,83 +8669,83 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>a load of %1 is more than 1.2 times the rated load of %2, %3: is its unit right?</source>
-        <translation type="unfinished"></translation>
+        <translation>uma carga de %1 é mais de 1,2 vezes a carga nominal de %2, %3: sua unidade está certa?</translation>
     </message>
     <message>
         <source>channel %1 has no reading in this row</source>
-        <translation type="unfinished"></translation>
+        <translation>o canal %1 não tem leitura nesta linha</translation>
     </message>
     <message>
         <source>channel %1 indicates %2 mV/V, which is the end of the indicator&apos;s range: the reading is saturated</source>
-        <translation type="unfinished"></translation>
+        <translation>o canal %1 indica %2 mV/V, que é o fim da faixa do indicador: a leitura está saturada</translation>
     </message>
     <message>
         <source>this run has its unloaded reading already</source>
-        <translation type="unfinished"></translation>
+        <translation>esta série já tem sua leitura sem carga</translation>
     </message>
     <message>
         <source>step %1 of this run is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>o degrau %1 desta série é dado duas vezes</translation>
     </message>
     <message>
         <source>channel %1 has no row in the summary</source>
-        <translation type="unfinished"></translation>
+        <translation>o canal %1 não tem linha no resumo</translation>
     </message>
     <message>
         <source>%1 has no row in the table of interference: taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem linha na tabela de interferência: toma-se como zero</translation>
     </message>
     <message>
         <source>axis %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>o eixo %1 consta duas vezes</translation>
     </message>
     <message>
         <source>the sensor&apos;s calibration is a summary: there are no steps to pool over, so the largest standard deviation is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>a calibração do sensor é um resumo: não há degraus a agrupar, de modo que se toma o maior desvio-padrão</translation>
     </message>
     <message>
         <source>the name is one of a function or a word of the equations; choose another</source>
-        <translation type="unfinished"></translation>
+        <translation>o nome é de uma função ou de uma palavra das equações; escolha outro</translation>
     </message>
     <message>
         <source>a symbol is made of letters, Greek ones too, digits and &apos;_&apos;, a letter first</source>
-        <translation type="unfinished"></translation>
+        <translation>um símbolo é feito de letras, também gregas, dígitos e &apos;_&apos;, com uma letra primeiro</translation>
     </message>
     <message>
         <source>only the first row of a symbol has a value; further rows add components</source>
-        <translation type="unfinished"></translation>
+        <translation>só a primeira linha de um símbolo tem valor; as demais acrescentam componentes</translation>
     </message>
     <message>
         <source>the component is in %1, the quantity in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a componente está em %1, a grandeza em %2</translation>
     </message>
     <message>
         <source>a further row states a component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>uma linha adicional declara uma componente de incerteza</translation>
     </message>
     <message>
         <source>the instrument of the project is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta o instrumento do projeto</translation>
     </message>
     <message>
         <source>the reading of an instrument needs a value</source>
-        <translation type="unfinished"></translation>
+        <translation>a leitura de um instrumento precisa de um valor</translation>
     </message>
     <message>
         <source>an instrument reads distances here; the unit must be one of length</source>
-        <translation type="unfinished"></translation>
+        <translation>um instrumento lê aqui distâncias; a unidade deve ser de comprimento</translation>
     </message>
     <message>
         <source>%1 reads no distances</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não lê distâncias</translation>
     </message>
     <message>
         <source>the value is missing, and no statement gives it</source>
-        <translation type="unfinished"></translation>
+        <translation>falta o valor, e nenhuma declaração o dá</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has observations and no row in the table of quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; tem observações e nenhuma linha na tabela de grandezas</translation>
     </message>
     <message>
         <source>Newton&apos;s method finds no solution of this equation from the starting value, at the estimates of the quantities</source>
@@ -8757,15 +8757,15 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>it has several series: leave out the name of the one that is measured now</source>
-        <translation type="unfinished"></translation>
+        <translation>tem várias séries: omita o nome da que é medida agora</translation>
     </message>
     <message>
         <source>the table of observations has no rows for it</source>
-        <translation type="unfinished"></translation>
+        <translation>a tabela de observações não tem linhas para ela</translation>
     </message>
     <message>
         <source>&apos;a&apos; is missing: number of observations of which the value is the mean</source>
-        <translation type="unfinished"></translation>
+        <translation>falta &apos;a&apos;: número de observações de que o valor é a média</translation>
     </message>
     <message>
         <source>there is no equation: write one, y = x_1 + x_2</source>
@@ -8773,71 +8773,71 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is defined by an equation: it cannot be a quantity too</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; é definido por uma equação: não pode ser também uma grandeza</translation>
     </message>
     <message>
         <source>no equation uses &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma equação usa &apos;%1&apos;</translation>
     </message>
     <message>
         <source>no equation defines &apos;%1&apos;%2</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma equação define &apos;%1&apos;%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; consta duas vezes</translation>
     </message>
     <message>
         <source>group &apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>grupo &apos;%1&apos;: %2</translation>
     </message>
     <message>
         <source>an analysis of variance needs at least two groups</source>
-        <translation type="unfinished"></translation>
+        <translation>uma análise de variância precisa de pelo menos dois grupos</translation>
     </message>
     <message>
         <source>no group has more than one observation: nothing tells the scatter within the groups from that between them</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhum grupo tem mais de uma observação: nada distingue a dispersão dentro dos grupos da que há entre eles</translation>
     </message>
     <message>
         <source>the curve does not reach %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a curva não alcança %1</translation>
     </message>
     <message>
         <source>, outside of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>, fora de seus pontos</translation>
     </message>
     <message>
         <source>the curve reaches %1 at x = %2%3: say in &apos;near&apos; which of them is meant</source>
-        <translation type="unfinished"></translation>
+        <translation>a curva alcança %1 em x = %2%3: diga em &apos;near&apos; qual deles se quer</translation>
     </message>
     <message>
         <source>no curve of this degree was found: the iteration for the uncertainties of x does not settle on these points</source>
-        <translation type="unfinished"></translation>
+        <translation>não foi encontrada curva deste grau: a iteração para as incertezas de x não se estabiliza com estes pontos</translation>
     </message>
     <message>
         <source>the points do not determine a curve of this degree</source>
-        <translation type="unfinished"></translation>
+        <translation>os pontos não determinam uma curva deste grau</translation>
     </message>
     <message>
         <source>the x of y = %1 lies outside of the points of the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>o x de y = %1 está fora dos pontos da calibração</translation>
     </message>
     <message>
         <source>the standard uncertainty of y is missing in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>falta a incerteza-padrão de y na linha %1</translation>
     </message>
     <message>
         <source>the standard uncertainty of y must be greater than zero in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a incerteza-padrão de y deve ser maior que zero na linha %1</translation>
     </message>
     <message>
         <source>readings have the scatter of the residuals, which stated uncertainties do not use: give u_y in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>as leituras têm a dispersão dos resíduos, que as incertezas declaradas não usam: dê u_y na linha %1</translation>
     </message>
     <message>
         <source>a curve through the origin needs differences: give y in K</source>
-        <translation type="unfinished"></translation>
+        <translation>uma curva pela origem precisa de diferenças: dê y em K</translation>
     </message>
     <message>
         <source>a polynomial of this degree needs points at %1 different places or more beside the origin</source>
@@ -8849,7 +8849,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>residuals say nothing about the uncertainty unless there are more points than coefficients: add points, or state u_y</source>
-        <translation type="unfinished"></translation>
+        <translation>os resíduos nada dizem sobre a incerteza se não houver mais pontos que coeficientes: acrescente pontos, ou declare u_y</translation>
     </message>
     <message>
         <source>line %1, %2</source>
@@ -8901,35 +8901,35 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>target uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>incerteza-alvo</translation>
     </message>
     <message>
         <source>mean of the prior</source>
-        <translation type="unfinished"></translation>
+        <translation>média da distribuição a priori</translation>
     </message>
     <message>
         <source>standard deviation of the prior</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio-padrão da distribuição a priori</translation>
     </message>
     <message>
         <source>the %1 must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: deve ser maior que zero</translation>
     </message>
     <message>
         <source>the %1 must be above the lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: deve estar acima do limite inferior</translation>
     </message>
     <message>
         <source>the guard factor of %1 must lie between -10 and 10; 1 is a guard band of U, 0 simple acceptance</source>
-        <translation type="unfinished"></translation>
+        <translation>o fator de guarda de %1 deve estar entre -10 e 10; 1 é uma banda de guarda de U, 0 aceitação simples</translation>
     </message>
     <message>
         <source>the prior of %1 needs both a mean and a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>a distribuição a priori de %1 precisa de média e de desvio-padrão</translation>
     </message>
     <message>
         <source>the prior of %1 is of use only with a tolerance: give a limit</source>
-        <translation type="unfinished"></translation>
+        <translation>a distribuição a priori de %1 só serve com uma tolerância: dê um limite</translation>
     </message>
     <message>
         <source> in %1</source>
@@ -8937,67 +8937,67 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the model has no output quantity %1%2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>o modelo não tem grandeza de saída %1%2%3</translation>
     </message>
     <message>
         <source>the id %1 is used twice</source>
-        <translation type="unfinished"></translation>
+        <translation>o id %1 é usado duas vezes</translation>
     </message>
     <message>
         <source>an axis needs at least two values</source>
-        <translation type="unfinished"></translation>
+        <translation>um eixo precisa de pelo menos dois valores</translation>
     </message>
     <message>
         <source>&apos;from&apos; and &apos;to&apos; must be two different numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;from&apos; e &apos;to&apos; devem ser dois números diferentes</translation>
     </message>
     <message>
         <source>with logarithmic spacing both ends must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>com espaçamento logarítmico ambos os extremos devem ser maiores que zero</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes whole numbers: there are fewer than %2 between the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; toma números inteiros: há menos de %2 entre os extremos</translation>
     </message>
     <message>
         <source>the id %1 must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>o id %1 deve ser feito de letras, dígitos, &apos;-&apos; e &apos;_&apos;</translation>
     </message>
     <message>
         <source>a study has one to three axes; this one has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>um estudo tem de um a três eixos; este tem %1</translation>
     </message>
     <message>
         <source>%1 is varied by two axes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é variado por dois eixos</translation>
     </message>
     <message>
         <source>Monte Carlo needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo precisa de pelo menos dois ensaios</translation>
     </message>
     <message>
         <source>the grid has %1 points; a study may have %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a malha tem %1 pontos; um estudo pode ter %2</translation>
     </message>
     <message>
         <source>the uncertainty of an input quantity can be varied by a factor only</source>
-        <translation type="unfinished"></translation>
+        <translation>a incerteza de uma grandeza de entrada só pode ser variada por um fator</translation>
     </message>
     <message>
         <source>a factor has no unit</source>
-        <translation type="unfinished"></translation>
+        <translation>um fator não tem unidade</translation>
     </message>
     <message>
         <source>a factor of an uncertainty must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>um fator de uma incerteza não deve ser negativo</translation>
     </message>
     <message>
         <source>a temperature in %1 cannot be multiplied; add to it, or give its values</source>
-        <translation type="unfinished"></translation>
+        <translation>uma temperatura em %1 não pode ser multiplicada; some a ela, ou dê seus valores</translation>
     </message>
     <message>
         <source>a difference of temperatures is given in K</source>
-        <translation type="unfinished"></translation>
+        <translation>uma diferença de temperaturas é dada em K</translation>
     </message>
     <message>
         <source>a number that varies</source>
@@ -9017,103 +9017,103 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>only numbers of the set-up of an asset can be varied</source>
-        <translation type="unfinished"></translation>
+        <translation>só números da configuração de um recurso podem ser variados</translation>
     </message>
     <message>
         <source>a target is written as &quot;/setup/KEY&quot;, &quot;/setup/KEY/rows/0/COLUMN&quot;, &quot;/inputs/SYMBOL/estimate&quot; or &quot;/inputs/SYMBOL/components&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>um alvo escreve-se &quot;/setup/KEY&quot;, &quot;/setup/KEY/rows/0/COLUMN&quot;, &quot;/inputs/SYMBOL/estimate&quot; ou &quot;/inputs/SYMBOL/components&quot;</translation>
     </message>
     <message>
         <source>%1 cannot be varied: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não pode ser variado: %2</translation>
     </message>
     <message>
         <source>there is no asset %1</source>
-        <translation type="unfinished"></translation>
+        <translation>não há recurso %1</translation>
     </message>
     <message>
         <source>the set-up has no schema</source>
-        <translation type="unfinished"></translation>
+        <translation>a configuração não tem esquema</translation>
     </message>
     <message>
         <source>the set-up has no field %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>a configuração não tem campo %1%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not used with the present choices of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não é usado com as escolhas atuais da configuração</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não é um número</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not given, so there is nothing to change</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não é dado, de modo que não há o que mudar</translation>
     </message>
     <message>
         <source>a coordinate of the pose &apos;%1&apos; is written as &quot;/setup/%2/position/0&quot; or &quot;/setup/%3/angles/2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>uma coordenada da pose &apos;%1&apos; escreve-se &quot;/setup/%2/position/0&quot; ou &quot;/setup/%3/angles/2&quot;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not given</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não é dado</translation>
     </message>
     <message>
         <source>a number of the table &apos;%1&apos; is written as &quot;/setup/%2/rows/0/COLUMN&quot; or &quot;/setup/%3/columns/COLUMN&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>um número da tabela &apos;%1&apos; escreve-se &quot;/setup/%2/rows/0/COLUMN&quot; ou &quot;/setup/%3/columns/COLUMN&quot;</translation>
     </message>
     <message>
         <source>the table &apos;%1&apos; has no column %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a tabela &apos;%1&apos; não tem coluna %2</translation>
     </message>
     <message>
         <source>the column %1 does not hold numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>a coluna %1 não contém números</translation>
     </message>
     <message>
         <source>the table &apos;%1&apos; is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>a tabela &apos;%1&apos; está vazia</translation>
     </message>
     <message>
         <source>the table &apos;%1&apos; has %2 rows, counted from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>a tabela &apos;%1&apos; tem %2 linhas, contadas a partir de 0</translation>
     </message>
     <message>
         <source>the cell is empty, so there is nothing to change</source>
-        <translation type="unfinished"></translation>
+        <translation>a célula está vazia, de modo que não há o que mudar</translation>
     </message>
     <message>
         <source>the column is empty, so there is nothing to change</source>
-        <translation type="unfinished"></translation>
+        <translation>a coluna está vazia, de modo que não há o que mudar</translation>
     </message>
     <message>
         <source>of an input quantity, &quot;estimate&quot; or &quot;components&quot; can be varied</source>
-        <translation type="unfinished"></translation>
+        <translation>de uma grandeza de entrada podem ser variados &quot;estimate&quot; ou &quot;components&quot;</translation>
     </message>
     <message>
         <source>the model has no input quantity %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>o modelo não tem grandeza de entrada %1%2</translation>
     </message>
     <message>
         <source>there is no component %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>não há componente %1%2</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; has no unit; it is not a measured number</source>
-        <translation type="unfinished"></translation>
+        <translation>a coluna &apos;%1&apos; de &apos;%2&apos; não tem unidade; não é um número medido</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta a coluna &apos;%1&apos; de &apos;%2&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no column &apos;%2&apos;%3; its columns are %4</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não tem coluna &apos;%2&apos;%3; suas colunas são %4</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>a coluna &apos;%1&apos; de &apos;%2&apos; é dada duas vezes</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be one of %2; it is &apos;%3&apos;%4</source>
@@ -9125,15 +9125,15 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>a unit is needed here, such as &quot;mm&quot;, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui é preciso uma unidade, como &quot;mm&quot;, não %1</translation>
     </message>
     <message>
         <source>a unit with a dimension is needed here, not &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui é preciso uma unidade com dimensão, não &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is of the same dimension as a unit before it; give one of each</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; tem a mesma dimensão de uma unidade anterior; dê uma de cada</translation>
     </message>
     <message>
         <source>what the project states for results</source>
@@ -9141,19 +9141,19 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;digits&apos; deve ser 1 ou 2 (JCGM 100 7.2.6)</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>o fator de abrangência deve ser maior que zero; sem um, k decorre dos graus de liberdade ou do intervalo de abrangência</translation>
     </message>
     <message>
         <source>a report has no chapter %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>um relatório não tem capítulo %1%2</translation>
     </message>
     <message>
         <source>there is no analysis %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>não há análise %1%2</translation>
     </message>
     <message>
         <source>the contents of the report</source>
@@ -9165,15 +9165,15 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>a unit of length is needed here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui é preciso uma unidade de comprimento, não %1</translation>
     </message>
     <message>
         <source>the size of a view must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>o tamanho de uma vista deve ser maior que zero</translation>
     </message>
     <message>
         <source>&apos;direction&apos; and &apos;up&apos; must be two different directions, not of length zero</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;direction&apos; e &apos;up&apos; devem ser duas direções diferentes, não de comprimento zero</translation>
     </message>
     <message>
         <source>a view</source>
@@ -9181,63 +9181,63 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>%1 is the name of a standard view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é o nome de uma vista padrão</translation>
     </message>
     <message>
         <source>the name %1 is used twice</source>
-        <translation type="unfinished"></translation>
+        <translation>o nome %1 é usado duas vezes</translation>
     </message>
     <message>
         <source>there is no single value here, but a list or a group</source>
-        <translation type="unfinished"></translation>
+        <translation>não há aqui um só valor, mas uma lista ou um grupo</translation>
     </message>
     <message>
         <source>there is nothing called &apos;%1&apos; to set</source>
-        <translation type="unfinished"></translation>
+        <translation>não há nada chamado &apos;%1&apos; a ajustar</translation>
     </message>
     <message>
         <source>there is nothing called &apos;%1&apos; to set%2</source>
-        <translation type="unfinished"></translation>
+        <translation>não há nada chamado &apos;%1&apos; a ajustar%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not of the form /PLACE/IN/THE/PROJECT=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não é da forma /PLACE/IN/THE/PROJECT=VALUE</translation>
     </message>
     <message>
         <source>%1 is a table: it needs &quot;columns&quot; and &quot;rows&quot;, or the name of a &quot;csv&quot; file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma tabela: precisa de &quot;columns&quot; e &quot;rows&quot;, ou do nome de um arquivo &quot;csv&quot;</translation>
     </message>
     <message>
         <source>the columns of %1 must be texts in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>as colunas de %1 devem ser textos entre aspas</translation>
     </message>
     <message>
         <source>row %1 of %2 must be a list in brackets, not %3</source>
-        <translation type="unfinished"></translation>
+        <translation>a linha %1 de %2 deve ser uma lista entre colchetes, não %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; na linha %2 de %3 deve ser %4, não %5</translation>
     </message>
     <message>
         <source>a text in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>um texto entre aspas</translation>
     </message>
     <message>
         <source>the columns of the CSV file of %1 must be an object in braces: a header of the file and the column it stands for</source>
-        <translation type="unfinished"></translation>
+        <translation>as colunas do arquivo CSV de %1 devem ser um objeto entre chaves: um cabeçalho do arquivo e a coluna que representa</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must stand for a column of %2 (a text), or for none (an empty text)</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; deve representar uma coluna de %2 (um texto), ou nenhuma (um texto vazio)</translation>
     </message>
     <message>
         <source>the CSV file &apos;%1&apos; of %2 must be named relative to the project&apos;s folder and lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo CSV &apos;%1&apos; de %2 deve ser nomeado em relação à pasta do projeto e estar nela</translation>
     </message>
     <message>
         <source>the CSV file of %1 does not exist: looked for &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo CSV de %1 não existe: procurou-se &apos;%2&apos;</translation>
     </message>
     <message>
         <source>CSV file of %1: %2</source>
@@ -9245,31 +9245,31 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>%1 must be a whole number, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser um número inteiro, não %2</translation>
     </message>
     <message>
         <source>%1 is %2; its unit is missing: write {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;}</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é %2; falta sua unidade: escreva {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;}</translation>
     </message>
     <message>
         <source>%1 must be a number, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser um número, não %2</translation>
     </message>
     <message>
         <source>%1 must be a text in quotes, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser um texto entre aspas, não %2</translation>
     </message>
     <message>
         <source>the lines of %1 must be texts in quotes, each one line</source>
-        <translation type="unfinished"></translation>
+        <translation>as linhas de %1 devem ser textos entre aspas, cada um uma linha</translation>
     </message>
     <message>
         <source>%1 must be true or false, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser true ou false, não %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; of %2 must be a list of three numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; de %2 deve ser uma lista de três números</translation>
     </message>
     <message>
         <source>this set-up</source>
@@ -9277,19 +9277,19 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be three numbers: x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; deve ser três números: x, y, z</translation>
     </message>
     <message>
         <source>a text is needed here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui é preciso um texto, não %1</translation>
     </message>
     <message>
         <source>the file is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo está vazio</translation>
     </message>
     <message>
         <source>the project ends before this: nothing may follow its closing &apos;}&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>o projeto termina antes disto: nada pode seguir seu &apos;}&apos; final</translation>
     </message>
     <message>
         <source>%1 (column %2)</source>
@@ -9301,7 +9301,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>lists and objects are nested too deeply</source>
-        <translation type="unfinished"></translation>
+        <translation>listas e objetos estão aninhados fundo demais</translation>
     </message>
     <message>
         <source>where a value is expected</source>
@@ -9309,7 +9309,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is too large a number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; é um número grande demais</translation>
     </message>
     <message>
         <source>in the middle of a value</source>
@@ -9317,19 +9317,19 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>a value is expected here (a number, a text in quotes, a list or an object), not &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui se espera um valor (um número, um texto entre aspas, uma lista ou um objeto), não &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a number that a project file can hold: give a finite number, or null where infinity is meant</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não é um número que um arquivo de projeto possa conter: dê um número finito, ou null onde se quer infinito</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a value: texts stand in double quotes, numbers are written like -12.5e-3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não é um valor: textos ficam entre aspas duplas, números escrevem-se como -12.5e-3</translation>
     </message>
     <message>
         <source>the text that begins here is not closed by a double quote on its line</source>
-        <translation type="unfinished"></translation>
+        <translation>o texto que começa aqui não é fechado por aspas duplas em sua linha</translation>
     </message>
     <message>
         <source>in the middle of a text</source>
@@ -9341,7 +9341,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;,&apos; or &apos;%1&apos; is expected here, inside %2, not &apos;%3&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui se espera &apos;,&apos; ou &apos;%1&apos;, dentro de %2, não &apos;%3&apos;</translation>
     </message>
     <message>
         <source>an object</source>
@@ -9349,11 +9349,11 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>a key in double quotes is expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>aqui se espera uma chave entre aspas duplas</translation>
     </message>
     <message>
         <source>the key before this is not a valid text</source>
-        <translation type="unfinished"></translation>
+        <translation>a chave anterior não é um texto válido</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is given twice in the same object</source>
@@ -9365,7 +9365,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;:&apos; is expected after the key &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>espera-se &apos;:&apos; depois da chave &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a list</source>
@@ -9373,15 +9373,15 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>there is no kind of asset &apos;%1&apos;%2; known are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>não há espécie de recurso &apos;%1&apos;%2; conhecidas são %3</translation>
     </message>
     <message>
         <source>there is no measurement model &apos;%1&apos;%2; known are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>não há modelo de medição &apos;%1&apos;%2; conhecidos são %3</translation>
     </message>
     <message>
         <source>%1 is taken from another analysis, with all its uncertainty: remove either this or the link</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é tomado de outra análise, com toda a sua incerteza: retire isto ou a ligação</translation>
     </message>
     <message>
         <source>the analysis %1 has errors of its own: %2</source>
@@ -9393,39 +9393,39 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the component %1 is not stated alike (held, or edited) by all analyses of the chain: they are taken as independent</source>
-        <translation type="unfinished"></translation>
+        <translation>a componente %1 não é declarada igualmente (fixada, ou editada) por todas as análises da cadeia: são tomadas como independentes</translation>
     </message>
     <message>
         <source>%1 is linked twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é ligado duas vezes</translation>
     </message>
     <message>
         <source>%1 is %2; %3 of %4 is %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é %2; %3 de %4 é %5</translation>
     </message>
     <message>
         <source>the analysis %1 would be made of itself: %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>a análise %1 seria feita de si mesma: %2%3</translation>
     </message>
     <message>
         <source>more than %1 analyses feed each other in a row</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 análises alimentam-se em sequência</translation>
     </message>
     <message>
         <source>the analysis %1 has no output %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>a análise %1 não tem saída %2%3</translation>
     </message>
     <message>
         <source>&apos;schemaVersion&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta &apos;schemaVersion&apos;</translation>
     </message>
     <message>
         <source>&apos;schemaVersion&apos; must be a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;schemaVersion&apos; deve ser um número inteiro</translation>
     </message>
     <message>
         <source>written by a newer version of Covaria (schema %1, this program reads up to %2); nothing was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>escrito por uma versão mais nova da Covaria (esquema %1, este programa lê até %2); nada foi mudado</translation>
     </message>
     <message>
         <source>the text &apos;%1&apos;</source>
@@ -9437,15 +9437,15 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>%1 must be an object in braces, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser um objeto entre chaves, não %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>falta &apos;%1&apos; em %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be %2, not %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; deve ser %2, não %3</translation>
     </message>
     <message>
         <source>a list in brackets</source>
@@ -9453,31 +9453,31 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>there is no &apos;%1&apos; in %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>não há &apos;%1&apos; em %2%3</translation>
     </message>
     <message>
         <source>a number with its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>um número com sua unidade</translation>
     </message>
     <message>
         <source>a whole number from 0 to 18446744073709551615, in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>um número inteiro de 0 a 18446744073709551615, entre aspas</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be %2; it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; deve ser %2; é %3</translation>
     </message>
     <message>
         <source>one of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>um de %1</translation>
     </message>
     <message>
         <source>a whole number that is not negative</source>
-        <translation type="unfinished"></translation>
+        <translation>um número inteiro não negativo</translation>
     </message>
     <message>
         <source>a text here is not valid UTF-8 or has a wrong \ sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>um texto aqui não é UTF-8 válido ou tem uma sequência \ errada</translation>
     </message>
     <message>
         <source>the project</source>
@@ -9485,27 +9485,27 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>an asset</source>
-        <translation type="unfinished"></translation>
+        <translation>um recurso</translation>
     </message>
     <message>
         <source>an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>uma análise</translation>
     </message>
     <message>
         <source>this is not a project of Covaria: it does not begin with &quot;format&quot;: &quot;covaria&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>isto não é um projeto da Covaria: não começa com &quot;format&quot;: &quot;covaria&quot;</translation>
     </message>
     <message>
         <source>it has %1 MB, and projects of up to %2 MB are read: put its long tables into CSV files beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>tem %1 MB, e leem-se projetos de até %2 MB: ponha suas tabelas longas em arquivos CSV ao lado</translation>
     </message>
     <message>
         <source>the project was not saved: it holds a number that is not finite, or fields that belong to no known kind of asset or model</source>
-        <translation type="unfinished"></translation>
+        <translation>o projeto não foi salvo: contém um número que não é finito, ou campos que não pertencem a nenhuma espécie conhecida de recurso ou modelo</translation>
     </message>
     <message>
         <source>the project was not saved: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o projeto não foi salvo: %1</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be two capital letters, such as DE; it is &apos;%2&apos;</source>
@@ -9537,63 +9537,63 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;%1&apos;%2 must be stated (ISO/IEC 17025 %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;%2 deve ser declarado (ISO/IEC 17025 %3)</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be stated (Digital Calibration Certificate)</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; deve ser declarado (certificado digital de calibração)</translation>
     </message>
     <message>
         <source>the certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>o certificado</translation>
     </message>
     <message>
         <source>%1 has more than 2 MB, too much for a logo</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem mais de 2 MB, demais para um logotipo</translation>
     </message>
     <message>
         <source>%1 is neither a PNG nor a JPEG picture</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não é figura PNG nem JPEG</translation>
     </message>
     <message>
         <source>The certificate has no logo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O certificado não tem logotipo: %1</translation>
     </message>
     <message>
         <source>more than %1 columns are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 colunas não são lidas</translation>
     </message>
     <message>
         <source>the quote that begins here is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>as aspas que começam aqui não são fechadas</translation>
     </message>
     <message>
         <source>text follows the closing quote of a cell; write a quote inside a quoted cell twice</source>
-        <translation type="unfinished"></translation>
+        <translation>há texto depois das aspas finais de uma célula; escreva duas vezes as aspas dentro de uma célula entre aspas</translation>
     </message>
     <message>
         <source>the text is encoded as UTF-16; save it as UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>o texto está codificado como UTF-16; salve-o como UTF-8</translation>
     </message>
     <message>
         <source>the text is not encoded as UTF-8; save it as UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>o texto não está codificado como UTF-8; salve-o como UTF-8</translation>
     </message>
     <message>
         <source>this row has %1 cells; there are %2 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>esta linha tem %1 células; há %2 colunas</translation>
     </message>
     <message>
         <source>column &apos;%1&apos;: &apos;%2&apos; is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>coluna &apos;%1&apos;: &apos;%2&apos; não é um número</translation>
     </message>
     <message>
         <source>column &apos;%1&apos;: &apos;%2&apos; is neither true nor false</source>
-        <translation type="unfinished"></translation>
+        <translation>coluna &apos;%1&apos;: &apos;%2&apos; não é true nem false</translation>
     </message>
     <message>
         <source>the file has no column &apos;%1&apos;%2; its columns are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem coluna &apos;%1&apos;%2; suas colunas são %3</translation>
     </message>
     <message>
         <source>there is no row with the names of the columns</source>
@@ -9605,71 +9605,71 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>a table to choose from is written as &quot;/setup/KEY/rows&quot;; it is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>uma tabela de onde escolher escreve-se &quot;/setup/KEY/rows&quot;; é %1</translation>
     </message>
     <message>
         <source>a design needs &apos;variables&apos;, a table to &apos;choose&apos; from, or &apos;reductions&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>um planejamento precisa de &apos;variables&apos;, de uma tabela de onde &apos;choose&apos;, ou de &apos;reductions&apos;</translation>
     </message>
     <message>
         <source>the cheapest reductions are a design of their own, without variables and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>as reduções mais baratas são um planejamento próprio, sem variáveis nem linhas</translation>
     </message>
     <message>
         <source>a design has at most %1 reductions</source>
-        <translation type="unfinished"></translation>
+        <translation>um planejamento tem no máximo %1 reduções</translation>
     </message>
     <message>
         <source>a design has at most %1 variables</source>
-        <translation type="unfinished"></translation>
+        <translation>um planejamento tem no máximo %1 variáveis</translation>
     </message>
     <message>
         <source>the cost is that of rows with &apos;prices&apos;: it needs a table to choose from, and no variables</source>
-        <translation type="unfinished"></translation>
+        <translation>o custo é o de linhas com &apos;prices&apos;: precisa de uma tabela de onde escolher, e de nenhuma variável</translation>
     </message>
     <message>
         <source>a tolerance must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>uma tolerância não deve ser negativa</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes whole numbers: a study shows what each of them gives</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; toma números inteiros: um estudo mostra o que cada um deles dá</translation>
     </message>
     <message>
         <source>%1 is chosen by two variables</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é escolhido por duas variáveis</translation>
     </message>
     <message>
         <source>the smallest factor is between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>o menor fator está entre 0 e 1</translation>
     </message>
     <message>
         <source>a price must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>um preço não deve ser negativo</translation>
     </message>
     <message>
         <source>%1 is reduced twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é reduzido duas vezes</translation>
     </message>
     <message>
         <source>of %1 rows, %2 to %3 can be kept; it is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>de %1 linhas podem ser mantidas %2 a %3; é %4</translation>
     </message>
     <message>
         <source>there are %1 rows, counted from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>há %1 linhas, contadas a partir de 0</translation>
     </message>
     <message>
         <source>row %1 is fixed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>a linha %1 é fixada duas vezes</translation>
     </message>
     <message>
         <source>more rows are fixed than kept</source>
-        <translation type="unfinished"></translation>
+        <translation>mais linhas são fixadas do que mantidas</translation>
     </message>
     <message>
         <source>there is one price for all rows, or one for each of the %1; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>há um preço para todas as linhas, ou um para cada uma das %1; há %2</translation>
     </message>
     <message>
         <source>a box</source>
@@ -9677,7 +9677,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>every coordinate of &apos;to&apos; must be greater than that of &apos;from&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>cada coordenada de &apos;to&apos; deve ser maior que a de &apos;from&apos;</translation>
     </message>
     <message>
         <source>the least distance</source>
@@ -9685,23 +9685,23 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the least distance must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>a menor distância deve ser maior que zero</translation>
     </message>
     <message>
         <source>there are 1 to %1 starts</source>
-        <translation type="unfinished"></translation>
+        <translation>há de 1 a %1 inícios</translation>
     </message>
     <message>
         <source>at least one evaluation is needed</source>
-        <translation type="unfinished"></translation>
+        <translation>é preciso pelo menos uma avaliação</translation>
     </message>
     <message>
         <source>the set-up has no table %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>a configuração não tem tabela %1%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be %2; it is &apos;%3&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; deve ser %2; é &apos;%3&apos;</translation>
     </message>
     <message>
         <source>a variable of a design</source>
@@ -9729,7 +9729,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be a list of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; deve ser uma lista de números</translation>
     </message>
     <message>
         <source>the parameters of &apos;%1&apos;</source>
@@ -9741,11 +9741,11 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>there is no distribution &apos;%1&apos;%2; known are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>não há distribuição &apos;%1&apos;%2; conhecidas são %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing in a component</source>
-        <translation type="unfinished"></translation>
+        <translation>falta &apos;%1&apos; numa componente</translation>
     </message>
     <message>
         <source>a component</source>
@@ -9777,43 +9777,43 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>%1 is %2; the unit %3 of %4 is the unit of %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é %2; a unidade %3 de %4 é a unidade de %5</translation>
     </message>
     <message>
         <source>%1: the degrees of freedom must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: os graus de liberdade devem ser maiores que zero</translation>
     </message>
     <message>
         <source>%1 is a component, not an input quantity: it can be held, but not be edited otherwise</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma componente, não uma grandeza de entrada: pode ser fixada, mas não editada de outro modo</translation>
     </message>
     <message>
         <source>%1 has no uncertainty to be correlated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem incerteza a correlacionar</translation>
     </message>
     <message>
         <source>there is no component or quantity %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>não há componente nem grandeza %1%2</translation>
     </message>
     <message>
         <source>%1 cannot be correlated with itself</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não pode ser correlacionado consigo mesmo</translation>
     </message>
     <message>
         <source>a correlation coefficient must lie between -1 and 1; it is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>um coeficiente de correlação deve estar entre -1 e 1; é %1</translation>
     </message>
     <message>
         <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 e %2 têm em comum a componente %3, que os correlaciona; declare em vez disso a correlação de outras componentes</translation>
     </message>
     <message>
         <source>%1 is edited twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é editado duas vezes</translation>
     </message>
     <message>
         <source>the correlation of %1 and %2 is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>a correlação de %1 e %2 é dada duas vezes</translation>
     </message>
     <message>
         <source>a number is needed here; it is %1</source>
@@ -9825,27 +9825,27 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the frame of %1 is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta o sistema de %1</translation>
     </message>
     <message>
         <source>no calibration of a robot: &apos;kinematics&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>não é calibração de um robô: falta &apos;kinematics&apos;</translation>
     </message>
     <message>
         <source>calibration %1</source>
-        <translation type="unfinished"></translation>
+        <translation>calibração %1</translation>
     </message>
     <message>
         <source>lengths in m, angles in rad, about fixed axes as in URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>comprimentos em m, ângulos em rad, em torno de eixos fixos como no URDF</translation>
     </message>
     <message>
         <source>%1 is called %2 here</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 chama-se %2 aqui</translation>
     </message>
     <message>
         <source>an input without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>uma entrada sem nome</translation>
     </message>
     <message>
         <source>its %1 must be a number</source>
@@ -9873,7 +9873,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>more than %1 observations are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 observações não são lidas</translation>
     </message>
     <message>
         <source>numnewmeas must be a number from 1</source>
@@ -9885,7 +9885,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>%1 %2 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 não é número</translation>
     </message>
     <message>
         <source>%1 %2 is %3</source>
@@ -9897,599 +9897,599 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>; it has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>; tem %1</translation>
     </message>
     <message>
         <source>the file has no calculation of mode &apos;uncertainty&apos; or &apos;system&apos;%1</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem cálculo de modo &apos;uncertainty&apos; ou &apos;system&apos;%1</translation>
     </message>
     <message>
         <source>%1: %2 quantities, %3 results</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 grandezas, %3 resultados</translation>
     </message>
     <message>
         <source>the calculation has no inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>o cálculo não tem entradas</translation>
     </message>
     <message>
         <source>the calculation has no functions</source>
-        <translation type="unfinished"></translation>
+        <translation>o cálculo não tem funções</translation>
     </message>
     <message>
         <source>the system has no quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>o sistema não tem grandezas</translation>
     </message>
     <message>
         <source>quantities of type %1 are not read; those that are: direct, indirect</source>
-        <translation type="unfinished"></translation>
+        <translation>grandezas do tipo %1 não são lidas; as que são: direct, indirect</translation>
     </message>
     <message>
         <source>the system has no direct quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>o sistema não tem grandeza direct</translation>
     </message>
     <message>
         <source>more than %1 inputs are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 entradas não são lidas</translation>
     </message>
     <message>
         <source>more than %1 functions are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 funções não são lidas</translation>
     </message>
     <message>
         <source>a function has the name of an input or of another function</source>
-        <translation type="unfinished"></translation>
+        <translation>uma função tem o nome de uma entrada ou de outra função</translation>
     </message>
     <message>
         <source>%1: in %2 instead of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: em %2 em vez de %3</translation>
     </message>
     <message>
         <source>%1: no starting value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: sem valor inicial</translation>
     </message>
     <message>
         <source>%1: state the unit of what is solved for under &apos;units&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: declare em &apos;units&apos; a unidade do que se resolve</translation>
     </message>
     <message>
         <source>a correlation needs var1 and var2, two inputs, and cor, a number between -1 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>uma correlação precisa de var1 e var2, duas entradas, e cor, um número entre -1 e 1</translation>
     </message>
     <message>
         <source>no unit can be stated for %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>não se pode declarar unidade para %1%2</translation>
     </message>
     <message>
         <source>the file has no Excel workbook in it</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não contém pasta de trabalho do Excel</translation>
     </message>
     <message>
         <source>the file has no sheet with cells</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem folha com células</translation>
     </message>
     <message>
         <source>%1: %2 is no place of a cell</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 não é o lugar de uma célula</translation>
     </message>
     <message>
         <source>%1: more than %2 cells are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: mais de %2 células não são lidas</translation>
     </message>
     <message>
         <source>its text is missing from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>seu texto falta no arquivo</translation>
     </message>
     <message>
         <source>the file has a password or the old format .xls: save it as .xlsx without a password</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo tem senha ou o formato antigo .xls: salve-o como .xlsx sem senha</translation>
     </message>
     <message>
         <source>XML of more than %1 MB is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>XML de mais de %1 MB não é lido</translation>
     </message>
     <message>
         <source>a document type declaration: files that declare entities are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>uma declaração de tipo de documento: arquivos que declaram entidades não são lidos</translation>
     </message>
     <message>
         <source>an alias (*name): write out what it stands for, aliases are not expanded</source>
-        <translation type="unfinished"></translation>
+        <translation>um alias (*name): escreva por extenso o que representa, aliases não são expandidos</translation>
     </message>
     <message>
         <source>more than %1 entries are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 entradas não são lidas</translation>
     </message>
     <message>
         <source>more than %1 levels are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 níveis não são lidos</translation>
     </message>
     <message>
         <source>a key must be a word</source>
-        <translation type="unfinished"></translation>
+        <translation>uma chave deve ser uma palavra</translation>
     </message>
     <message>
         <source>the key %1 stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>a chave %1 aparece duas vezes</translation>
     </message>
     <message>
         <source>more than 1000 keys are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de 1000 chaves não são lidas</translation>
     </message>
     <message>
         <source>YAML of more than %1 kB is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>YAML de mais de %1 kB não é lido</translation>
     </message>
     <message>
         <source>the file has no YAML document</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem documento YAML</translation>
     </message>
     <message>
         <source>not readable as YAML: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>não legível como YAML: %1</translation>
     </message>
     <message>
         <source>the file has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo tem %1</translation>
     </message>
     <message>
         <source>no readable zip archive in it (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>não contém arquivo zip legível (%1)</translation>
     </message>
     <message>
         <source>more than %1 parts, which are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 partes, que não são lidas</translation>
     </message>
     <message>
         <source>no part %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma parte %1</translation>
     </message>
     <message>
         <source>a part %1 that cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>uma parte %1 que não pode ser lida</translation>
     </message>
     <message>
         <source>an encrypted part %1: save it without a password</source>
-        <translation type="unfinished"></translation>
+        <translation>uma parte %1 criptografada: salve-o sem senha</translation>
     </message>
     <message>
         <source>a part %1 that cannot be unpacked</source>
-        <translation type="unfinished"></translation>
+        <translation>uma parte %1 que não pode ser descompactada</translation>
     </message>
     <message>
         <source>a damaged part %1</source>
-        <translation type="unfinished"></translation>
+        <translation>uma parte %1 danificada</translation>
     </message>
     <message>
         <source>parts that unpack to more than %1 MB (at %2), which are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>partes que se descompactam em mais de %1 MB (em %2), que não são lidas</translation>
     </message>
     <message>
         <source>no network of GNU Gama: &lt;gama-local&gt; with a &lt;network&gt; is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>não é uma rede do GNU Gama: espera-se &lt;gama-local&gt; com &lt;network&gt;</translation>
     </message>
     <message>
         <source>the stated unit of lengths: coordinates of Gama are in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>a unidade de comprimento declarada: coordenadas do Gama são em metros</translation>
     </message>
     <message>
         <source>&lt;parameters&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;parameters&gt;</translation>
     </message>
     <message>
         <source>%1 &lt;%2&gt; with observations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 &lt;%2&gt; com observações</translation>
     </message>
     <message>
         <source>%1 points without x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pontos sem x e y</translation>
     </message>
     <message>
         <source>%1 points have no z: it is taken as 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pontos não têm z: toma-se como 0</translation>
     </message>
     <message>
         <source>the network has no points with coordinates x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>a rede não tem pontos com coordenadas x e y</translation>
     </message>
     <message>
         <source>%1 points are to be adjusted: their coordinates are approximate ones</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pontos devem ser ajustados: suas coordenadas são aproximadas</translation>
     </message>
     <message>
         <source>: a left-handed frame; x and y are taken as they stand</source>
-        <translation type="unfinished"></translation>
+        <translation>: um sistema levogiro; x e y são tomados como estão</translation>
     </message>
     <message>
         <source>coordinates in metres, axes-xy = %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>coordenadas em metros, axes-xy = %1%2</translation>
     </message>
     <message>
         <source>%1 = %2 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2 não é número</translation>
     </message>
     <message>
         <source>too many points: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>pontos demais: divida o arquivo</translation>
     </message>
     <message>
         <source>&lt;coordinates&gt;: point %1 has no x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;coordinates&gt;: o ponto %1 não tem x e y</translation>
     </message>
     <message>
         <source>a covariance matrix of more than %1 coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>uma matriz de covariância de mais de %1 coordenadas</translation>
     </message>
     <message>
         <source>the file has no adjusted coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem coordenadas ajustadas</translation>
     </message>
     <message>
         <source>point %1 has no x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>o ponto %1 não tem x e y</translation>
     </message>
     <message>
         <source>adjusted coordinates in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>coordenadas ajustadas em metros</translation>
     </message>
     <message>
         <source>uncertainties: the file has no &lt;cov-mat&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>incertezas: o arquivo não tem &lt;cov-mat&gt;</translation>
     </message>
     <message>
         <source>residuals and orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>resíduos e orientações</translation>
     </message>
     <message>
         <source>its dim must be at least the %1 adjusted coordinates, its band less than it</source>
-        <translation type="unfinished"></translation>
+        <translation>seu dim deve ser pelo menos o das %1 coordenadas ajustadas, seu band menor que ele</translation>
     </message>
     <message>
         <source>element %1, %2 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>o elemento %1, %2 não é número</translation>
     </message>
     <message>
         <source>its dim must be the %1 %2, its band less than that</source>
-        <translation type="unfinished"></translation>
+        <translation>seu dim deve ser o dos %1 %2, seu band menor que isso</translation>
     </message>
     <message>
         <source>element %1, %2: %3 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>elemento %1, %2: %3 não é número</translation>
     </message>
     <message>
         <source>a covariance matrix of observations that are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>uma matriz de covariância de observações que são omitidas</translation>
     </message>
     <message>
         <source>the standard deviation %1 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>o desvio-padrão %1 não é número</translation>
     </message>
     <message>
         <source>the standard deviation %1 must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>o desvio-padrão %1 não deve ser negativo</translation>
     </message>
     <message>
         <source>, %1 of them without a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 delas sem desvio-padrão</translation>
     </message>
     <message>
         <source>, %1 correlations</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 correlações</translation>
     </message>
     <message>
         <source>%1 observations%2%3; each is its own result: write the equations of what you measure with them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 observações%2%3; cada uma é seu próprio resultado: escreva com elas as equações do que mede</translation>
     </message>
     <message>
         <source>%1 observations: more than %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 observações: mais de %2</translation>
     </message>
     <message>
         <source>the stated unit of lengths: words of GSI state theirs</source>
-        <translation type="unfinished"></translation>
+        <translation>a unidade de comprimento declarada: palavras de GSI declaram a sua</translation>
     </message>
     <message>
         <source>words %1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>palavras %1 (%2)</translation>
     </message>
     <message>
         <source>%1 readings of reflectors above their points: the targets are the reflectors</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 leituras de refletores acima de seus pontos: os alvos são os refletores</translation>
     </message>
     <message>
         <source>the file has neither coordinates nor readings with a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem coordenadas nem leituras com distância</translation>
     </message>
     <message>
         <source>the reading of %1: angles and a distance are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>a leitura de %1: são precisos ângulos e uma distância</translation>
     </message>
     <message>
         <source>coordinates E, N, H become x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>as coordenadas E, N, H passam a x, y, z</translation>
     </message>
     <message>
         <source>%1: more than %2 set-ups; divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: mais de %2 estacionamentos; divida o arquivo</translation>
     </message>
     <message>
         <source>%1: its coordinates are not in the file: 0, 0, 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: suas coordenadas não estão no arquivo: 0, 0, 0</translation>
     </message>
     <message>
         <source>%1: readings of points that have coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: leituras de pontos que têm coordenadas</translation>
     </message>
     <message>
         <source>%1: readings do not repeat, or are too far apart for it, and say nothing of their uncertainty: points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: as leituras não se repetem, ou estão afastadas demais para isso, e nada dizem de sua incerteza: pontos</translation>
     </message>
     <message>
         <source>no word of GSI: index, information, sign and data are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>não é palavra de GSI: esperam-se índice, informação, sinal e dados</translation>
     </message>
     <message>
         <source>more than %1 blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 blocos</translation>
     </message>
     <message>
         <source>a block begins with the word 11 or 41</source>
-        <translation type="unfinished"></translation>
+        <translation>um bloco começa com a palavra 11 ou 41</translation>
     </message>
     <message>
         <source>the data of a word must be digits</source>
-        <translation type="unfinished"></translation>
+        <translation>os dados de uma palavra devem ser dígitos</translation>
     </message>
     <message>
         <source>the unit &apos;%1&apos; is none of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a unidade &apos;%1&apos; não é nenhuma de %2</translation>
     </message>
     <message>
         <source>the file has no blocks of GSI</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem blocos de GSI</translation>
     </message>
     <message>
         <source>more than %1 lines are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 linhas não são lidas</translation>
     </message>
     <message>
         <source>the name of a section is not closed by &apos;]&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>o nome de uma seção não é fechado por &apos;]&apos;</translation>
     </message>
     <message>
         <source>the section %1 stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>a seção %1 aparece duas vezes</translation>
     </message>
     <message>
         <source>neither a section [...] nor a line name=value of one</source>
-        <translation type="unfinished"></translation>
+        <translation>nem uma seção [...] nem uma linha nome=valor de uma</translation>
     </message>
     <message>
         <source>no quantity with a value and an uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma grandeza com valor e incerteza</translation>
     </message>
     <message>
         <source>the file has no equation (Model[1]=)</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem equação (Model[1]=)</translation>
     </message>
     <message>
         <source>log may be the natural or the decimal logarithm: write ln or log10</source>
-        <translation type="unfinished"></translation>
+        <translation>log pode ser o logaritmo natural ou o decimal: escreva ln ou log10</translation>
     </message>
     <message>
         <source>no file of GUM Workbench: the section [Components] is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>não é arquivo do GUM Workbench: falta a seção [Components]</translation>
     </message>
     <message>
         <source>the section [COMP %1] is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta a seção [COMP %1]</translation>
     </message>
     <message>
         <source>more than %1 quantities are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 grandezas não são lidas</translation>
     </message>
     <message>
         <source>%1= is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta %1=</translation>
     </message>
     <message>
         <source>quantities of type %1 are not known; those that are: Result, TypBNormal, TypBRectang, TypAPooled</source>
-        <translation type="unfinished"></translation>
+        <translation>grandezas do tipo %1 não são conhecidas; as que são: Result, TypBNormal, TypBRectang, TypAPooled</translation>
     </message>
     <message>
         <source>result %1 as the file states it: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>resultado %1 como o arquivo o declara: %2</translation>
     </message>
     <message>
         <source>section [%1]</source>
-        <translation type="unfinished"></translation>
+        <translation>seção [%1]</translation>
     </message>
     <message>
         <source>1 point</source>
-        <translation type="unfinished"></translation>
+        <translation>1 ponto</translation>
     </message>
     <message>
         <source>%1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pontos</translation>
     </message>
     <message>
         <source>1 name occur again and have got a number: first %1</source>
-        <translation type="unfinished"></translation>
+        <translation>1 nome se repete e recebeu um número: primeiro %1</translation>
     </message>
     <message>
         <source>%1 names occur again and have got a number: first %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nomes se repetem e receberam um número: primeiro %2</translation>
     </message>
     <message>
         <source>%1 groups in one artefact: their names stand before those of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 grupos num padrão: seus nomes ficam antes dos dos pontos</translation>
     </message>
     <message>
         <source>no uncertainties are stated: u_cal is 0 until you state it</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma incerteza é declarada: u_cal é 0 até que a declare</translation>
     </message>
     <message>
         <source>u_cal is the largest of the stated standard uncertainties: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>u_cal é a maior das incertezas-padrão declaradas: %1</translation>
     </message>
     <message>
         <source>u_cal as stated: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>u_cal como declarado: %1</translation>
     </message>
     <message>
         <source>%1 without a stated one</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sem uma declarada</translation>
     </message>
     <message>
         <source>the uncertainty of each point by itself, and correlations: only up to %1 have an analysis of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>a incerteza de cada ponto por si, e correlações: só até %1 têm uma análise própria</translation>
     </message>
     <message>
         <source> and 1 correlation coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation> e 1 coeficiente de correlação</translation>
     </message>
     <message>
         <source> and %1 correlation coefficients</source>
-        <translation type="unfinished"></translation>
+        <translation> e %1 coeficientes de correlação</translation>
     </message>
     <message>
         <source>analysis &apos;Points as stated&apos;: every coordinate with its own uncertainty%1</source>
-        <translation type="unfinished"></translation>
+        <translation>análise &apos;Points as stated&apos;: cada coordenada com sua própria incerteza%1</translation>
     </message>
     <message>
         <source>the file has no points</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem pontos</translation>
     </message>
     <message>
         <source>the file has no line &apos;Frame,Time (Seconds),...&apos; with data below</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem linha &apos;Frame,Time (Seconds),...&apos; com dados abaixo</translation>
     </message>
     <message>
         <source>the file must begin with &apos;Format Version,&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo deve começar com &apos;Format Version,&apos;</translation>
     </message>
     <message>
         <source>rotations of type %1 are not read: export the take with quaternions</source>
-        <translation type="unfinished"></translation>
+        <translation>rotações do tipo %1 não são lidas: exporte o take com quatérnios</translation>
     </message>
     <message>
         <source>the file does not state its unit of lengths; state it</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não declara sua unidade de comprimento; declare-a</translation>
     </message>
     <message>
         <source>take %1, lengths in %2, coordinate space %3</source>
-        <translation type="unfinished"></translation>
+        <translation>take %1, comprimentos em %2, espaço de coordenadas %3</translation>
     </message>
     <message>
         <source>%1 columns of markers</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 colunas de marcadores</translation>
     </message>
     <message>
         <source>more than %1 rigid bodies are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 corpos rígidos não são lidos</translation>
     </message>
     <message>
         <source>rigid body %1: columns of its rotation (X, Y, Z, W) or position (X, Y, Z) are missing</source>
-        <translation type="unfinished"></translation>
+        <translation>corpo rígido %1: faltam colunas de sua rotação (X, Y, Z, W) ou posição (X, Y, Z)</translation>
     </message>
     <message>
         <source>the take has no rigid body</source>
-        <translation type="unfinished"></translation>
+        <translation>o take não tem corpo rígido</translation>
     </message>
     <message>
         <source>%1 is not a number of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não é número de uma pose</translation>
     </message>
     <message>
         <source>the quaternion of %1 has not the length 1</source>
-        <translation type="unfinished"></translation>
+        <translation>o quatérnio de %1 não tem comprimento 1</translation>
     </message>
     <message>
         <source>the angles about z and x of %1 are not determined: turned by 90 degrees about y. Turn the axes of the body in Motive by 90 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>os ângulos de %1 em torno de z e x não são determinados: girado de 90 graus em torno de y. Gire de 90 graus os eixos do corpo no Motive</translation>
     </message>
     <message>
         <source>%1: %2 frames in which it was not seen</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 quadros em que não foi visto</translation>
     </message>
     <message>
         <source>rigid body %1: at least two frames in which it is seen are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>corpo rígido %1: são precisos pelo menos dois quadros em que é visto</translation>
     </message>
     <message>
         <source>rigid body %1: mean pose of %2 frames, Type A with covariance; the body must not have moved, and the frames are taken as independent</source>
-        <translation type="unfinished"></translation>
+        <translation>corpo rígido %1: pose média de %2 quadros, Tipo A com covariância; o corpo não deve ter-se movido, e os quadros são tomados como independentes</translation>
     </message>
     <message>
         <source>unit &quot;%1&quot;: write it without parentheses</source>
-        <translation type="unfinished"></translation>
+        <translation>unidade &quot;%1&quot;: escreva-a sem parênteses</translation>
     </message>
     <message>
         <source>the exponents are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>os expoentes são grandes demais</translation>
     </message>
     <message>
         <source>%1; state the columns: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; declare as colunas: %2</translation>
     </message>
     <message>
         <source>there is no column %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>não há coluna %1%2</translation>
     </message>
     <message>
         <source>more than %1 points: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>mais de %1 pontos: divida o arquivo</translation>
     </message>
     <message>
         <source> is empty</source>
-        <translation type="unfinished"></translation>
+        <translation> está vazio</translation>
     </message>
     <message>
         <source> is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation> não é um número</translation>
     </message>
     <message>
         <source>: an uncertainty must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>: uma incerteza não deve ser negativa</translation>
     </message>
     <message>
         <source> is too large</source>
-        <translation type="unfinished"></translation>
+        <translation> é grande demais</translation>
     </message>
     <message>
         <source>the line has %1 columns instead of %2; put names that contain blanks into quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>a linha tem %1 colunas em vez de %2; ponha entre aspas nomes que contêm espaços</translation>
     </message>
     <message>
         <source>what stands behind column %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o que está depois da coluna %1</translation>
     </message>
     <message>
         <source>lengths are taken as mm: the file does not say its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>os comprimentos são tomados como mm: o arquivo não diz sua unidade</translation>
     </message>
     <message>
         <source>column %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>coluna %1%2</translation>
     </message>
     <message>
         <source>%1 lines above the headers</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 linhas acima dos cabeçalhos</translation>
     </message>
     <message>
         <source>%1 lines of comment</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 linhas de comentário</translation>
     </message>
     <message>
         <source>the table has no line of headers; state the columns: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a tabela não tem linha de cabeçalhos; declare as colunas: %1</translation>
     </message>
     <message>
         <source>its columns may mean several things (names that are numbers, offsets, weights, tolerances, notes); state the columns: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>suas colunas podem significar várias coisas (nomes que são números, desvios, pesos, tolerâncias, notas); declare as colunas: %1</translation>
     </message>
     <message>
         <source>six numbers may be X Y Z Ux Uy Uz, but also X Y Z with weights, a vector or the angles of a frame: name the reader if they are uncertainties, or state the columns: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>seis números podem ser X Y Z Ux Uy Uz, mas também X Y Z com pesos, um vetor ou os ângulos de um sistema: nomeie o leitor se forem incertezas, ou declare as colunas: %1</translation>
     </message>
     <message>
         <source>read as %1 (%2)</source>
@@ -10521,207 +10521,207 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>no reader recognises the file; name the one to read it with</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhum leitor reconhece o arquivo; nomeie aquele com que deve ser lido</translation>
     </message>
     <message>
         <source>several readers recognise the file: %1; name one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>vários leitores reconhecem o arquivo: %1; nomeie um deles</translation>
     </message>
     <message>
         <source>a column cannot be %1; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>uma coluna não pode ser %1; há %2</translation>
     </message>
     <message>
         <source>the columns %1 and %2 mean the same; state the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>as colunas %1 e %2 significam o mesmo; declare as colunas</translation>
     </message>
     <message>
         <source>a budget needs columns for the quantity or its name, for an uncertainty (u, U or limits) and one more; state the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>um balanço precisa de colunas para a grandeza ou seu nome, para uma incerteza (u, U ou limites) e de mais uma; declare as colunas</translation>
     </message>
     <message>
         <source>the distribution %1 is not known; there are normal, rectangular, triangular, U-shaped</source>
-        <translation type="unfinished"></translation>
+        <translation>a distribuição %1 não é conhecida; há normal, rectangular, triangular, U-shaped</translation>
     </message>
     <message>
         <source>the divisor must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>o divisor deve ser maior que 0</translation>
     </message>
     <message>
         <source>an uncertainty must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>uma incerteza não deve ser negativa</translation>
     </message>
     <message>
         <source>no uncertainty is stated</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma incerteza é declarada</translation>
     </message>
     <message>
         <source>neither divisor, k nor distribution says what the uncertainty %1 is</source>
-        <translation type="unfinished"></translation>
+        <translation>nem divisor, nem k, nem distribuição diz o que é a incerteza %1</translation>
     </message>
     <message>
         <source>a normal distribution needs a divisor or k for the uncertainty %1</source>
-        <translation type="unfinished"></translation>
+        <translation>uma distribuição normal precisa de um divisor ou de k para a incerteza %1</translation>
     </message>
     <message>
         <source>no row has a number in the stated columns</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma linha tem número nas colunas declaradas</translation>
     </message>
     <message>
         <source>there is no sheet %1 with cells; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>não há folha %1 com células; há %2</translation>
     </message>
     <message>
         <source>the workbook has several sheets, %1: name the sheet whose columns are stated</source>
-        <translation type="unfinished"></translation>
+        <translation>a pasta de trabalho tem várias folhas, %1: nomeie a folha cujas colunas são declaradas</translation>
     </message>
     <message>
         <source>no row of headers of a budget was found; state the columns (quantity, value, unit, U, divisor ...)</source>
-        <translation type="unfinished"></translation>
+        <translation>não foi encontrada linha de cabeçalhos de um balanço; declare as colunas (quantity, value, unit, U, divisor ...)</translation>
     </message>
     <message>
         <source>several sheets have a budget: %1; name one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>várias folhas têm um balanço: %1; nomeie uma delas</translation>
     </message>
     <message>
         <source>a file that it includes: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>um arquivo que ele inclui: %1</translation>
     </message>
     <message>
         <source>the code of a point is expected, a digit</source>
-        <translation type="unfinished"></translation>
+        <translation>espera-se o código de um ponto, um dígito</translation>
     </message>
     <message>
         <source>a point that is not to be used: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>um ponto que não deve ser usado: %1</translation>
     </message>
     <message>
         <source>code, name, x, y, z, three standard deviations and two deflections of the vertical are expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>esperam-se código, nome, x, y, z, três desvios-padrão e dois desvios da vertical, há %1 colunas</translation>
     </message>
     <message>
         <source>none of their coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma de suas coordenadas</translation>
     </message>
     <message>
         <source>%1 only</source>
-        <translation type="unfinished"></translation>
+        <translation>só %1</translation>
     </message>
     <message>
         <source>standard deviations of %1 points of code %2: it constrains %3</source>
-        <translation type="unfinished"></translation>
+        <translation>desvios-padrão de %1 pontos de código %2: restringe %3</translation>
     </message>
     <message>
         <source>deflections of the vertical of %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>desvios da vertical de %1 pontos</translation>
     </message>
     <message>
         <source>%1 points are not constrained: their coordinates are approximate ones for the adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pontos não são restringidos: suas coordenadas são aproximadas, para o ajustamento</translation>
     </message>
     <message>
         <source>%1 comments</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 comentários</translation>
     </message>
     <message>
         <source>%1 is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não é um número</translation>
     </message>
     <message>
         <source>%1: the constraint of %2, which is switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: a restrição de %2, que está desligada</translation>
     </message>
     <message>
         <source>coordinates in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>coordenadas em metros</translation>
     </message>
     <message>
         <source>the stated unit of lengths: coordinates of Comp3D are in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>a unidade de comprimento declarada: coordenadas do Comp3D são em metros</translation>
     </message>
     <message>
         <source>the code of an observation is expected, a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>espera-se o código de uma observação, um número inteiro</translation>
     </message>
     <message>
         <source>an observation of code %1</source>
-        <translation type="unfinished"></translation>
+        <translation>uma observação de código %1</translation>
     </message>
     <message>
         <source>code, two points, value, one or two standard deviations and two heights are expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>esperam-se código, dois pontos, valor, um ou dois desvios-padrão e duas alturas, há %1 colunas</translation>
     </message>
     <message>
         <source>%1 %2: it is switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2: está desligado</translation>
     </message>
     <message>
         <source>the file has no observation that is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem observação que seja tomada</translation>
     </message>
     <message>
         <source>%1 observations, lengths in metres; each is its own result: write the equations of what you measure with them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 observações, comprimentos em metros; cada uma é seu próprio resultado: escreva com elas as equações do que mede</translation>
     </message>
     <message>
         <source>the unit of angles must be one of an angle: gon, deg, rad</source>
-        <translation type="unfinished"></translation>
+        <translation>a unidade dos ângulos deve ser de ângulo: gon, deg, rad</translation>
     </message>
     <message>
         <source>%1 %2: the part of its standard deviation that depends on the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2: a parte de seu desvio-padrão que depende da distância</translation>
     </message>
     <message>
         <source>%1: it is switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: está desligado</translation>
     </message>
     <message>
         <source>a variance of its covariance matrix is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>uma variância de sua matriz de covariância é negativa</translation>
     </message>
     <message>
         <source>its covariance matrix is not symmetric</source>
-        <translation type="unfinished"></translation>
+        <translation>sua matriz de covariância não é simétrica</translation>
     </message>
     <message>
         <source>its matrix is no covariance matrix: a variance of some combination is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>sua matriz não é de covariância: a variância de alguma combinação é negativa</translation>
     </message>
     <message>
         <source>no Digital Calibration Certificate: its root is &lt;%1&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>não é um certificado digital de calibração: sua raiz é &lt;%1&gt;</translation>
     </message>
     <message>
         <source>the certificate has no results with numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>o certificado não tem resultados com números</translation>
     </message>
     <message>
         <source>schema version %1</source>
-        <translation type="unfinished"></translation>
+        <translation>versão de esquema %1</translation>
     </message>
     <message>
         <source>what this version of the schema has beyond version 3</source>
-        <translation type="unfinished"></translation>
+        <translation>o que esta versão do esquema tem além da versão 3</translation>
     </message>
     <message>
         <source>the stated unit of lengths: a certificate states its units</source>
-        <translation type="unfinished"></translation>
+        <translation>a unidade de comprimento declarada: um certificado declara suas unidades</translation>
     </message>
     <message>
         <source>%1: &lt;measurementMetaData&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: &lt;measurementMetaData&gt;</translation>
     </message>
     <message>
         <source>a quantity: more than %1 values</source>
-        <translation type="unfinished"></translation>
+        <translation>uma grandeza: mais de %1 valores</translation>
     </message>
     <message>
         <source>%1 as a length standard: more than %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 como padrão de comprimento: mais de %2</translation>
     </message>
     <message>
         <source>the signature: it is not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>a assinatura: não é verificada</translation>
     </message>
     <message>
         <source>%1 values, %2 of them with an uncertainty</source>
@@ -10733,175 +10733,175 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>length standard %1: delete it where the length is no standard</source>
-        <translation type="unfinished"></translation>
+        <translation>padrão de comprimento %1: apague-o se o comprimento não for um padrão</translation>
     </message>
     <message>
         <source>a value as &lt;%1&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>um valor como &lt;%1&gt;</translation>
     </message>
     <message>
         <source>its relative uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>sua incerteza relativa</translation>
     </message>
     <message>
         <source>the same in other units (%1 is taken)</source>
-        <translation type="unfinished"></translation>
+        <translation>o mesmo em outras unidades (toma-se %1)</translation>
     </message>
     <message>
         <source>its lists have different lengths than the %1 values</source>
-        <translation type="unfinished"></translation>
+        <translation>suas listas têm comprimentos diferentes dos %1 valores</translation>
     </message>
     <message>
         <source>its covariance matrix: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sua matriz de covariância: %1</translation>
     </message>
     <message>
         <source>its covariance matrix has not %1 x %2 elements</source>
-        <translation type="unfinished"></translation>
+        <translation>sua matriz de covariância não tem %1 x %2 elementos</translation>
     </message>
     <message>
         <source>p must be between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>p deve estar entre 0 e 1</translation>
     </message>
     <message>
         <source>k must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>k deve ser maior que 0</translation>
     </message>
     <message>
         <source>its uncertainty is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>sua incerteza é negativa</translation>
     </message>
     <message>
         <source>it does not begin with \</source>
-        <translation type="unfinished"></translation>
+        <translation>não começa com \</translation>
     </message>
     <message>
         <source>a brace is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>uma chave não está fechada</translation>
     </message>
     <message>
         <source>its power &apos;%1&apos; is no small integer</source>
-        <translation type="unfinished"></translation>
+        <translation>sua potência &apos;%1&apos; não é um inteiro pequeno</translation>
     </message>
     <message>
         <source>&apos;\%1&apos; is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;\%1&apos; não é conhecido</translation>
     </message>
     <message>
         <source>it ends too early</source>
-        <translation type="unfinished"></translation>
+        <translation>termina cedo demais</translation>
     </message>
     <message>
         <source>the unit %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a unidade %1: %2</translation>
     </message>
     <message>
         <source>sheet %1, columns: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>folha %1, colunas: %2</translation>
     </message>
     <message>
         <source>%1 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não é número</translation>
     </message>
     <message>
         <source>its unit differs from that of the other uncertainty of the row</source>
-        <translation type="unfinished"></translation>
+        <translation>sua unidade difere da da outra incerteza da linha</translation>
     </message>
     <message>
         <source>%1 is no divisor</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não é divisor</translation>
     </message>
     <message>
         <source>degrees of freedom must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>os graus de liberdade devem ser maiores que 0</translation>
     </message>
     <message>
         <source>row %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>linha %1: %2</translation>
     </message>
     <message>
         <source>the contribution %1: c and u give %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a contribuição %1: c e u dão %2</translation>
     </message>
     <message>
         <source>the contribution does not follow from c and u in any unit; state the unit behind the coefficient (&apos;-575 nm/K&apos;)</source>
-        <translation type="unfinished"></translation>
+        <translation>a contribuição não decorre de c e u em nenhuma unidade; declare a unidade após o coeficiente (&apos;-575 nm/K&apos;)</translation>
     </message>
     <message>
         <source>its unit makes no coefficient of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>sua unidade não dá um coeficiente do resultado</translation>
     </message>
     <message>
         <source>its unit may be %1 or %2: state it behind the coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>sua unidade pode ser %1 ou %2: declare-a após o coeficiente</translation>
     </message>
     <message>
         <source>what stands below the budget, to row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o que está abaixo do balanço, até a linha %1</translation>
     </message>
     <message>
         <source>there is no quantity with an uncertainty below</source>
-        <translation type="unfinished"></translation>
+        <translation>abaixo não há grandeza com incerteza</translation>
     </message>
     <message>
         <source>row without a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>linha sem grandeza</translation>
     </message>
     <message>
         <source>row %1 without figures</source>
-        <translation type="unfinished"></translation>
+        <translation>linha %1 sem números</translation>
     </message>
     <message>
         <source>the quantity has no name</source>
-        <translation type="unfinished"></translation>
+        <translation>a grandeza não tem nome</translation>
     </message>
     <message>
         <source>row %1: computed anew</source>
-        <translation type="unfinished"></translation>
+        <translation>linha %1: calculada de novo</translation>
     </message>
     <message>
         <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>a unidade do resultado não é declarada: dê ao resultado uma linha própria, ponha a unidade após o cabeçalho das contribuições, ou declare-a como a de &apos;result&apos;</translation>
     </message>
     <message>
         <source>the result is not the sum of c x: %1 is the difference</source>
-        <translation type="unfinished"></translation>
+        <translation>o resultado não é a soma de c x: a diferença é %1</translation>
     </message>
     <message>
         <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
-        <translation type="unfinished"></translation>
+        <translation>modelo: %1; a folha só tem coeficientes de sensibilidade, escreva em seu lugar sua equação onde a tiver</translation>
     </message>
     <message>
         <source>%1 quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 grandezas</translation>
     </message>
     <message>
         <source>sheet %1</source>
-        <translation type="unfinished"></translation>
+        <translation>folha %1</translation>
     </message>
     <message>
         <source>no input quantity has an uncertainty, so that U is 0 everywhere: state the uncertainties of what the analysis uses</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma grandeza de entrada tem incerteza, de modo que U é 0 em toda parte: declare as incertezas do que a análise usa</translation>
     </message>
     <message>
         <source>%1; the run is to end at %2 trials and will not be stable then. Choose a larger tolerance or fewer digits</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; a execução deve terminar em %2 ensaios e não estará estável então. Escolha uma tolerância maior ou menos dígitos</translation>
     </message>
     <message>
         <source>it cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>não pode ser lido</translation>
     </message>
     <message>
         <source>%1 has no analysis &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem a análise &quot;%2&quot;</translation>
     </message>
     <message>
         <source>%1 refers to other assets of the project and cannot be kept alone</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 refere-se a outros recursos do projeto e não pode ser mantido sozinho</translation>
     </message>
     <message>
         <source>%1 has errors; open it and repair it before adding to it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem erros; abra-o e corrija-o antes de acrescentar a ele</translation>
     </message>
     <message>
         <source>asset %1: %2</source>
@@ -10917,35 +10917,35 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>%1, which does not offer %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, que não oferece %2</translation>
     </message>
     <message>
         <source>it cannot be made</source>
-        <translation type="unfinished"></translation>
+        <translation>não pode ser feito</translation>
     </message>
     <message>
         <source>the analysis &apos;%1&apos; has errors of its own: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a análise &apos;%1&apos; tem erros próprios: %2</translation>
     </message>
     <message>
         <source>%1, which has errors of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, que tem erros próprios</translation>
     </message>
     <message>
         <source>%1, which is of the kind &apos;%2&apos; and does not offer %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, que é da espécie &apos;%2&apos; e não oferece %3</translation>
     </message>
     <message>
         <source>%1, which refers back to this one: %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, que se refere de volta a este: %2%3</translation>
     </message>
     <message>
         <source>%1: only analyses take something from analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: só análises tomam algo de análises</translation>
     </message>
     <message>
         <source>%1, which does not exist%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, que não existe%2</translation>
     </message>
     <message>
         <source>the values given lead to a %1</source>
@@ -11717,35 +11717,35 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>there are no results for the certificate to state</source>
-        <translation type="unfinished"></translation>
+        <translation>não há resultados que o certificado possa declarar</translation>
     </message>
     <message>
         <source>the standard uncertainty of %1 is not finite; a Digital Calibration Certificate has no place for that</source>
-        <translation type="unfinished"></translation>
+        <translation>a incerteza-padrão de %1 não é finita; um certificado digital de calibração não tem lugar para isso</translation>
     </message>
     <message>
         <source>there is no robot to write: no analysis uses or finds one</source>
-        <translation type="unfinished"></translation>
+        <translation>não há robô a escrever: nenhuma análise usa ou encontra um</translation>
     </message>
     <message>
         <source>the file is of one robot, and there are %1: choose an analysis that uses or finds the one to write (--analysis)</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo é de um robô e há %1: escolha uma análise que use ou encontre o que se quer escrever (--analysis)</translation>
     </message>
     <message>
         <source>there are no points to write: no analysis has a result with coordinates x, y, z of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>não há pontos a escrever: nenhuma análise tem resultado com coordenadas x, y, z de um ponto</translation>
     </message>
     <message>
         <source>robot %1: the file is of six joints that turn (shoulder to wrist_3); write it as URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>robô %1: o arquivo é de seis juntas que giram (shoulder a wrist_3); escreva-o como URDF</translation>
     </message>
     <message>
         <source>there are no results to write</source>
-        <translation type="unfinished"></translation>
+        <translation>não há resultados a escrever</translation>
     </message>
     <message>
         <source>the workbook cannot be made in the folder for temporary files</source>
-        <translation type="unfinished"></translation>
+        <translation>a pasta de trabalho não pode ser criada na pasta de arquivos temporários</translation>
     </message>
     <message>
         <source>the report carries no results to compare with (results.json)</source>

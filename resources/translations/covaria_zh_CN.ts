@@ -6053,39 +6053,39 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>Eq 19 is corrected: o_p − o_b must be expressed in the base frame. As printed, the pose does not depend on the orientation of the base, and U(x) of all poses is the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 19 已更正：o_p − o_b 必须在基坐标系中表示。按原文，位姿不取决于基座的姿态，所有位姿的 U(x) 相同。</translation>
     </message>
     <message>
         <source>Eq 20 is corrected: R = R_bᵀ R_p. The printed R_p R_bᵀ is the same rotation expressed in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 20 已更正：R = R_bᵀ R_p。原文的 R_p R_bᵀ 是在坐标系 0 中表示的同一转动。</translation>
     </message>
     <message>
         <source>Eqs 21-23 are corrected: as printed they are Z-Y-Z angles, undefined without tilt; the text and Table 3 use Z-Y-X angles, R = Rz(γ) Ry(β) Rx(α).</source>
-        <translation type="unfinished"></translation>
+        <translation>式 21-23 已更正：按原文它们是 Z-Y-Z 角，无倾斜时不确定；正文和表 3 使用 Z-Y-X 角，R = Rz(γ) Ry(β) Rx(α)。</translation>
     </message>
     <message>
         <source>b₃ lies at negative y of its frame (Eq 10) and p₃ at positive y of its own (Eq 14); other arrangements can be chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>b₃ 位于其坐标系的负 y 侧（式 10），p₃ 位于其自身坐标系的正 y 侧（式 14）；可选择其他布置。</translation>
     </message>
     <message>
         <source>Typed uncertainties lie along the axes of the frame that the points define (those of the moving frame along the base&apos;s on request) and are turned into frame 0; those of an instrument lie along and across its line of sight.</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的不确定度沿各点所定义的坐标系的轴（运动坐标系的可按要求沿基坐标系的轴），并转换到坐标系 0；仪器的不确定度沿其视线和垂直于视线。</translation>
     </message>
     <message>
         <source>Measured points of a least-squares frame are tested against their nominal coordinates: residuals, redundancy, chi-square with the full covariance of the stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>最小二乘坐标系的测得点与其标称坐标比对检验：残差、冗余度、采用所述不确定度全协方差的卡方。</translation>
     </message>
     <message>
         <source>All poses of an analysis share one measurement of the base, so their results are correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个分析的所有位姿共用基座的一次测量，因此其结果相关。</translation>
     </message>
     <message>
         <source>The uncertainty of the mean of repeated measurements (a posteriori) is taken as that of one measurement, as in the paper: the systematic part does not average out.</source>
-        <translation type="unfinished"></translation>
+        <translation>重复测量均值的不确定度（验后）按论文取一次测量的不确定度：系统部分不会平均掉。</translation>
     </message>
     <message>
         <source>Angles are undefined in gimbal lock; the set-up then warns. Rotation vector and quaternion are free of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>万向锁时角度不确定；测量设置会给出警告。旋转向量和四元数没有此问题。</translation>
     </message>
     <message>
         <source>Coordinates of targets and distances between them, measured by any mix of trackers, total stations, cameras and distance meters placed in space.</source>
@@ -6093,39 +6093,39 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>The uncertainty of the stations does not contribute marginally to the position of a target, as the paper says: only distances within one set-up are nearly free of it. Eq 5 is the precision of the readings; it is shown beside the total, never as the uncertainty of a position.</source>
-        <translation type="unfinished"></translation>
+        <translation>测站的不确定度对目标位置的贡献并不像论文所说的那样微小：只有一次设站内的距离几乎不受其影响。式 5 是读数的精密度；它显示在总量旁边，从不作为位置的不确定度。</translation>
     </message>
     <message>
         <source>Weights from the readings alone, as in the paper, are inefficient for positions; those with the stations are the default.</source>
-        <translation type="unfinished"></translation>
+        <translation>如论文那样仅由读数得出的权对位置而言效率低；默认采用连同测站的权。</translation>
     </message>
     <message>
         <source>Eq 2 is corrected: D holds equations by readings; as printed it is transposed.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 2 已更正：D 的行为方程、列为读数；原文是转置的。</translation>
     </message>
     <message>
         <source>The linearised equations have the measured angles in M: their estimate shrinks towards the sensors, the non-linear one moves outwards by half as much. It matters beyond a milliradian (3.5 mrad, cameras alone: −6.9 mm against +3.3 mm) and not for the paper&apos;s network.</source>
-        <translation type="unfinished"></translation>
+        <translation>线性化方程的 M 中含测得的角度：其估计向传感器收缩，非线性估计则向外移动一半的量。超过一毫弧度时才重要（3.5 mrad，仅相机：−6.9 mm 对 +3.3 mm），对论文的网络不重要。</translation>
     </message>
     <message>
         <source>Stations are located once for a set-up: all its targets share their deviations. &quot;New set-up&quot; at a target draws them anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>一次设站的测站只定位一次：其所有目标共用其偏差。目标处的“重新设站”重新抽取偏差。</translation>
     </message>
     <message>
         <source>A distance without angles has no linear equation; the non-linear estimator uses it, from the nominal coordinates as start.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有角度的距离没有线性方程；非线性估计以标称坐标为起点使用它。</translation>
     </message>
     <message>
         <source>A calibrated length as a check is not used in the estimation: its difference is to be judged by its uncertainty. As a constraint it carries its own uncertainty; a scale that the instruments share is corrected by it.</source>
-        <translation type="unfinished"></translation>
+        <translation>作为检核的校准长度不用于估计：其差值按其不确定度判断。作为约束时它带有自身的不确定度；各仪器共有的尺度由它修正。</translation>
     </message>
     <message>
         <source>With more than 600 readings in one set-up each target is estimated by itself, weighted with the stations.</source>
-        <translation type="unfinished"></translation>
+        <translation>一次设站的读数超过 600 个时，每个目标单独估计，与测站一起加权。</translation>
     </message>
     <message>
         <source>Azimuths may be given with any number of whole turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>方位角可以带任意整圈数。</translation>
     </message>
     <message>
         <source>The tool centre point of a robot: the flange turns about its own axes, telescopic ballbars measure where the ball at the tool goes, and planes and a sphere give the flange&apos;s axes and centre.</source>
@@ -6133,39 +6133,39 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>The paper states neither the tool, nor the flange&apos;s orientation, start angles, how the frame is made, nor how the points are averaged. With a tool of (0, 0, 100) mm, the flange pointing down, arcs from -60° to 140° and from -90° to 90° and u(L) = 1.55 µm, the published values reproduce within 1.5 % (root mean square).</source>
-        <translation type="unfinished"></translation>
+        <translation>论文没有说明工具、法兰的姿态、起始角、坐标系如何构成，也没有说明各点如何平均。取工具 (0, 0, 100) mm、法兰朝下、圆弧 -60° 至 140° 和 -90° 至 90°、u(L) = 1.55 µm 时，可在 1.5 %（均方根）内重现发表的值。</translation>
     </message>
     <message>
         <source>U(TCP): published 8.2, 11.1, 5.1 µm; here 8.16, 10.92, 5.00 µm: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>U(TCP)：发表值 8.2, 11.1, 5.1 µm；此处 8.16, 10.92, 5.00 µm：重现。</translation>
     </message>
     <message>
         <source>U(TCP) with an ideal robot: published 2.8, 3.7, 1.6 µm; here 2.77, 3.61, 1.57 µm: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>理想机器人的 U(TCP)：发表值 2.8, 3.7, 1.6 µm；此处 2.77, 3.61, 1.57 µm：重现。</translation>
     </message>
     <message>
         <source>U of the axes&apos; angles XY, XZ, YX, YZ: published 79, 87, 59, 123 µrad; here 78.3, 87.2, 58.5, 120.6 µrad: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>各轴夹角 XY, XZ, YX, YZ 的 U：发表值 79, 87, 59, 123 µrad；此处 78.3, 87.2, 58.5, 120.6 µrad：重现。</translation>
     </message>
     <message>
         <source>Largest U of a point measured by the ballbars alone: published 5.7, 5.7, 2.4 µm; here 5.83, 5.72, 2.38 µm: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅由球杆仪测量的点的最大 U：发表值 5.7, 5.7, 2.4 µm；此处 5.83, 5.72, 2.38 µm：重现。</translation>
     </message>
     <message>
         <source>With the stated U(L) = 4 µm the same geometry gives U(TCP) 8.46, 11.31, 5.16 µm and points up to 7.53, 7.37, 3.07 µm: differs, because the stated 4 µm and the published points cannot both hold. U(z) of a point at most 577 mm above the supports is 2.4 µm only for U(L) near 3.1 µm; all six figures of the instrument alone are 0.78 of what 4 µm gives.</source>
-        <translation type="unfinished"></translation>
+        <translation>按所述 U(L) = 4 µm，同样的几何给出 U(TCP) 8.46, 11.31, 5.16 µm，点至多 7.53, 7.37, 3.07 µm：不同，因为所述的 4 µm 与发表的点不能同时成立。支座上方至多 577 mm 的点，只有 U(L) 接近 3.1 µm 时 U(z) 才为 2.4 µm；仅仪器的六个数值均为 4 µm 所给出的 0.78 倍。</translation>
     </message>
     <message>
         <source>The centre of the sphere is the centre of the flange, not the tool centre point as section 4 says: its U is 5.96, 7.42, 6.94 µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>球面的中心是法兰的中心，而不是第 4 节所说的工具中心点：其 U 为 5.96, 7.42, 6.94 µm。</translation>
     </message>
     <message>
         <source>Eq 8 needs perpendicular axes, which two measured normals are not: U(x) of the tool is 8.16, 8.37 or 8.66 µm with y first, symmetric or x first.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 8 需要垂直的轴，而两条测得的法线并不垂直：工具的 U(x) 在先取 y、对称或先取 x 时为 8.16、8.37 或 8.66 µm。</translation>
     </message>
     <message>
         <source>A trial whose lengths do not meet (negative root of Eq 3) has no value: it is counted and reported.</source>
-        <translation type="unfinished"></translation>
+        <translation>长度不相交的试验（式 3 的根为负）没有值：计数并报告。</translation>
     </message>
     <message>
         <source>Position and orientation of the tool of a serial robot from its geometric parameters and joint readings.</source>
@@ -6173,23 +6173,23 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>The paper calls the model highly non-linear. At the uncertainties of its Table 1 it is not: the law of propagation and Monte Carlo agree to 4e-5 mm in u, and the laws are normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文称模型高度非线性。在其表 1 的不确定度下并非如此：传播律和蒙特卡洛的 u 一致到 4e-5 mm，分布为正态。</translation>
     </message>
     <message>
         <source>The tolerance 0.0001 of the paper has no unit. In millimetres it would need 5e9 trials; in metres it is 0.1 mm, and 20 000 trials do.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文的容差 0.0001 没有单位。以毫米计需要 5e9 次试验；以米计为 0.1 mm，20 000 次试验即可。</translation>
     </message>
     <message>
         <source>The paper takes the parameters as uncorrelated. Parameters identified together are strongly correlated; an identified robot carries their full covariance into this analysis, which lowers u by up to a factor of 12.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文取参数为不相关。一起辨识的参数强烈相关；辨识的机器人将其全协方差带入此分析，使 u 最多降低到 1/12。</translation>
     </message>
     <message>
         <source>Of two readings of section 4.1 (0.01 rad for theta alone, or for all angles) both are reproduced; that theta matters more than alpha holds only where its standard deviation is ten times larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>第 4.1 节的两种解读（仅 theta 为 0.01 rad，或所有角度）都可重现；theta 比 alpha 重要仅在其标准偏差大十倍时成立。</translation>
     </message>
     <message>
         <source>Readings of the joints deviate anew at each pose; parameters and tool are the same for all poses of an analysis.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节读数在每个位姿重新偏离；参数和工具对一个分析的所有位姿相同。</translation>
     </message>
     <message>
         <source>Geometric parameters of a serial robot from points measured while one joint after the other turns (circle point analysis).</source>
@@ -6197,39 +6197,39 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>Eq 4 is corrected: without the square its derivative by R gives R = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 4 已更正：没有平方时对 R 的导数给出 R = 0。</translation>
     </message>
     <message>
         <source>2.1.3 is corrected: x_i = z_i × y_i is left-handed.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.1.3 已更正：x_i = z_i × y_i 是左手系。</translation>
     </message>
     <message>
         <source>2.1.4 is corrected: alpha_i and beta_i turn z_{i−1} into z_i.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.1.4 已更正：alpha_i 和 beta_i 将 z_{i−1} 转到 z_i。</translation>
     </message>
     <message>
         <source>The auxiliary plane of Figure 2 is not defined in the paper; it must pass through O_{i−1} with the normal z_{i−1}, or d_i = 0 is impossible.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文没有定义图 2 的辅助平面；它必须以 z_{i−1} 为法线通过 O_{i−1}，否则 d_i = 0 不可能。</translation>
     </message>
     <message>
         <source>Eq 1 has no plane through the origin and fails near it; total least squares is the default.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 1 不能表示通过原点的平面，在其附近失效；默认采用总体最小二乘。</translation>
     </message>
     <message>
         <source>Eq 8 is a standard deviation of the mean of repeats. The paper applies it to different ranges and numbers of points, which are no repeats: the ±10° run dominates, and the noise is counted three times. Here the covariance is that of the chosen experiment.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 8 是重复测量均值的标准偏差。论文将其用于不同范围和点数，它们并非重复：±10° 的运行占主导，噪声被计算三次。此处的协方差是所选实验的。</translation>
     </message>
     <message>
         <source>The standard deviation falls with the square of the range (factor 30 from ±10° to ±60°) and with the root of the number of points.</source>
-        <translation type="unfinished"></translation>
+        <translation>标准偏差随范围的平方下降（从 ±10° 到 ±60° 为 30 倍），随点数的平方根下降。</translation>
     </message>
     <message>
         <source>Parameters are strongly correlated (d_3 and alpha_3: −0.99): use their full covariance, as an identified robot does.</source>
-        <translation type="unfinished"></translation>
+        <translation>参数强烈相关（d_3 和 alpha_3：−0.99）：请如辨识的机器人那样使用其全协方差。</translation>
     </message>
     <message>
         <source>Every joint needs a ball off its axis; at the paper&apos;s flange origin joint 6 draws no circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个关节都需要在其轴外的球；在论文的法兰原点处，关节 6 不画圆。</translation>
     </message>
     <message>
         <source>Geometric parameters of a serial robot by least squares from measured positions or poses of its tool, with observability, residuals and validation.</source>
@@ -6237,23 +6237,23 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>The paper identifies parameters by joint trajectories; least squares on measured positions or poses is the other usual way, with the same model of the arm (Eq 5).</source>
-        <translation type="unfinished"></translation>
+        <translation>论文由关节轨迹辨识参数；对测得的位置或位姿作最小二乘是另一种常用方法，臂的模型相同（式 5）。</translation>
     </message>
     <message>
         <source>Parameters that the poses cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, then ball or tool, then joint by joint) stays nominal and is named with its partners.</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿不能得出的参数由其雅可比矩阵的列找出：凡为其前者（基座，然后球或工具，然后逐个关节）组合的参数保持标称值，并与其相关者一起列出。</translation>
     </message>
     <message>
         <source>Weights are the inverse variances of the measured coordinates. Shared deviations of an instrument and the readings of the joints do not change the weights, but are propagated in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>权为测得坐标方差的倒数。仪器的共有偏差和关节的读数不改变权，但完整传播。</translation>
     </message>
     <message>
         <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature, below 1e-9 m here.</source>
-        <translation type="unfinished"></translation>
+        <translation>每次试验使用估计值处的增益。它与完整拟合相差残差乘以曲率，此处小于 1e-9 m。</translation>
     </message>
     <message>
         <source>Position alone does not tell the last joint&apos;s parameters from the place of the ball; a known base and a known ball leave more to find.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅由位置不能区分最后一个关节的参数与球的位置；已知的基座和已知的球可使更多参数得以求出。</translation>
     </message>
     <message>
         <source>The uncertainty of each channel of a multi-axis force/moment sensor, used alone or while unknown loads act on its other axes; by the GUM, with the paper&apos;s evaluation beside it.</source>
@@ -6261,27 +6261,27 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>U of the paper: 0.91, 1.22, 1.67, 1.68, 2.78, 1.20 % of rated output: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文的 U：额定输出的 0.91, 1.22, 1.67, 1.68, 2.78, 1.20 %：重现。</translation>
     </message>
     <message>
         <source>By the GUM (k = 2) with unknown loads on the other five axes: 1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %. With all others at rated load interference alone reaches 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %, more than U of the paper for all six: its linear sum is no bound.</source>
-        <translation type="unfinished"></translation>
+        <translation>按 GUM (k = 2)，其他五轴有未知载荷时：1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %。其他各轴均为额定载荷时，仅串扰即达 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %，六个轴均超过论文的 U：其线性和不是界限。</translation>
     </message>
     <message>
         <source>Monte Carlo intervals are a little shorter than k = 2 because a few rectangular loads dominate.</source>
-        <translation type="unfinished"></translation>
+        <translation>蒙特卡洛区间比 k = 2 稍短，因为少数矩形分布的载荷占主导。</translation>
     </message>
     <message>
         <source>The load on an axis is one quantity in the equations of all channels, which correlates them.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个轴上的载荷在所有通道的方程中是同一个量，使各通道相关。</translation>
     </message>
     <message>
         <source>With n = 3 a standard deviation has two degrees of freedom. Used alone a channel has effective degrees of freedom between 20 and 140, because its repeatability is a small part.</source>
-        <translation type="unfinished"></translation>
+        <translation>n = 3 时标准偏差有两个自由度。单独使用时，通道的有效自由度在 20 和 140 之间，因为其重复性只占一小部分。</translation>
     </message>
     <message>
         <source>Not covered: misalignment of the loads, creep, temperature, remounting.</source>
-        <translation type="unfinished"></translation>
+        <translation>未涵盖：载荷的不对中、蠕变、温度、重新安装。</translation>
     </message>
     <message>
         <source>Forces and moments that act together, from the readings of all channels of a multi-axis sensor: the calibration matrix takes the interference between them away.</source>
@@ -6289,27 +6289,27 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>Kim prints no signs of the interference: nothing can be compensated from the paper. The readings of the example have signs of their own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kim 没有给出串扰的符号：由论文不能作任何补偿。示例的读数有其自己的符号。</translation>
     </message>
     <message>
         <source>U (k = 2) in % of rated load with all six axes at rated load: 0.184, 0.192, 0.152, 0.226, 0.219, 0.261; without load 0.149, 0.159, 0.144, 0.188, 0.179, 0.180. Compensation lowers the uncertainty under combined loads by a factor of 5 to 13 against U of the paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>六轴均为额定载荷时 U (k = 2) 占额定载荷的 %：0.184, 0.192, 0.152, 0.226, 0.219, 0.261；无载荷时 0.149, 0.159, 0.144, 0.188, 0.179, 0.180。与论文的 U 相比，补偿使复合载荷下的不确定度降低 5 至 13 倍。</translation>
     </message>
     <message>
         <source>Without compensation the same loads are told wrong by -0.73, +2.05, -1.42, -2.72, +2.90, -1.54 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>不补偿时，同样的载荷误差为 -0.73, +2.05, -1.42, -2.72, +2.90, -1.54 %。</translation>
     </message>
     <message>
         <source>The machine&apos;s deviation is common to all readings under one load: a column of the matrix, and so a scale of the load on that axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>试验机的偏差为一个载荷下所有读数所共有：矩阵的一列，即该轴上载荷的尺度。</translation>
     </message>
     <message>
         <source>Repeatability is that of one reading, the largest of the steps; hysteresis is rectangular over the loop, in proportion to the load.</source>
-        <translation type="unfinished"></translation>
+        <translation>重复性是单次读数的重复性，取各级中最大者；滞后在回线上为矩形分布，与载荷成比例。</translation>
     </message>
     <message>
         <source>Not covered: products of loads in the interference, misalignment of loads, creep, temperature, remounting.</source>
-        <translation type="unfinished"></translation>
+        <translation>未涵盖：串扰中载荷的乘积、载荷的不对中、蠕变、温度、重新安装。</translation>
     </message>
     <message>
         <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
@@ -6317,19 +6317,19 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>量纲在读取方程时检查；平面角按数计算，因为在 SI 中弧度为一。以 °C 表示的温度按热力学温度处理；温度差以 K 给出。</translation>
     </message>
     <message>
         <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
-        <translation type="unfinished"></translation>
+        <translation>灵敏系数是精确的（自动微分）；方程隐式定义的未知数按 JCGM 102 6.3 处理。</translation>
     </message>
     <message>
         <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
-        <translation type="unfinished"></translation>
+        <translation>n 个观测值的均值由自由度为 n − 1 的 t 分布抽取（JCGM 101 6.4.9）。同时观测的均值由高斯 copula 相关；JCGM 102 5.3.2 的多元 t 分布在 n − N ≤ 2 时没有协方差，故不提供。</translation>
     </message>
     <message>
         <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 H.1、H.2，JCGM 101 9.2 至 9.5，JCGM 102 9.2 至 9.4 为 projects/gum 中的示例：covaria verify 将其与发表的值比对。</translation>
     </message>
     <message>
         <source>A straight line or polynomial through the points of a calibration by least squares, with uncertainties in y and in x: the covariance of its coefficients, its values, and the x that belong to observed y, with their uncertainties.</source>
@@ -6337,15 +6337,15 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>Computed with polynomials that are orthonormal over the points, so results do not depend on the origin, up to degree 10. From the residuals their coefficients are drawn from a multivariate t distribution: one estimate of the scatter, n - p degrees of freedom for every result.</source>
-        <translation type="unfinished"></translation>
+        <translation>用在各点上正交归一的多项式计算，因此结果不取决于原点，最高 10 次。由残差得出时，其系数由多元 t 分布抽取：对所有结果只有一个分散的估计，自由度为 n - p。</translation>
     </message>
     <message>
         <source>JCGM 100 H.3, published y₁ = −0.1712 °C, y₂ = 0.002 18, u(y₁) = 0.0029 °C, u(y₂) = 0.000 67, b(30 °C) = −0.1494 °C with u = 0.0041 °C: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 H.3，发表值 y₁ = −0.1712 °C、y₂ = 0.002 18、u(y₁) = 0.0029 °C、u(y₂) = 0.000 67、b(30 °C) = −0.1494 °C 且 u = 0.0041 °C：重现。</translation>
     </message>
     <message>
         <source>The uncertainty of b(x) is that of the curve: the scatter of a further observation is not part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>b(x) 的不确定度是曲线的不确定度：不包括另一个观测值的分散。</translation>
     </message>
     <message>
         <source>The mean of observations made on several days, with several instruments or by several operators, and an analysis of variance that says whether these have an effect.</source>
@@ -6353,199 +6353,199 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>Groups may have different numbers of observations; n_0 = (N − Σ n_j²/N)/(J − 1) is then their size in the components of variance.</source>
-        <translation type="unfinished"></translation>
+        <translation>各组的观测次数可以不同；方差分量中它们的大小为 n_0 = (N − Σ n_j²/N)/(J − 1)。</translation>
     </message>
     <message>
         <source>JCGM 100 H.5, published V̄ = 10.000 097 V, s(V̄_j) = 57 µV, s_b = 85 µV, u(V̄) = 18 µV with nine degrees of freedom, or 13 µV with 49 without an effect of the days: reproduces.</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 H.5，发表值 V̄ = 10.000 097 V、s(V̄_j) = 57 µV、s_b = 85 µV、u(V̄) = 18 µV 且自由度为九，或无日间影响时 13 µV 且自由度为 49：重现。</translation>
     </message>
     <message>
         <source>A plate or frame with calibrated nests, measured repeatedly where the real points will be. Its errors of indication give the uncertainty of each coordinate of a measured point.</source>
-        <translation type="unfinished"></translation>
+        <translation>带校准靶座的板或框架，在实际测点所在处重复测量。其示值误差给出测得点每个坐标的不确定度。</translation>
     </message>
     <message>
         <source>u_i² = u_cal² + u_var,i² + u_T,i² + b_i² (Eq 2) with u_T = L_max α ΔT/√3 (Eq 3).</source>
-        <translation type="unfinished"></translation>
+        <translation>u_i² = u_cal² + u_var,i² + u_T,i² + b_i²（式 2），其中 u_T = L_max α ΔT/√3（式 3）。</translation>
     </message>
     <message>
         <source>The paper draws all parts independently for each point; calibration, temperature and bias are in truth common to all points, which can be chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文对每个点独立抽取所有部分；校准、温度和偏倚实际上为所有点所共有，可以选择。</translation>
     </message>
     <message>
         <source>The noise of the three points that define the artefact&apos;s frame is part of the errors of the others; the errors of the defining coordinates themselves are never observed.</source>
-        <translation type="unfinished"></translation>
+        <translation>定义标准件坐标系的三个点的噪声是其他点误差的一部分；定义坐标本身的误差从未被观测到。</translation>
     </message>
     <message>
         <source>A bar of calibrated length, measured in many positions and orientations. Its errors of indication give one figure for every coordinate of a measured point.</source>
-        <translation type="unfinished"></translation>
+        <translation>已校准长度的杆，在许多位置和姿态测量。其示值误差为测得点的每个坐标给出一个数值。</translation>
     </message>
     <message>
         <source>u² = u_cal² + u_var² + u_T² + b² (Eq 5) with u_T = L α ΔT/√3 (Eq 6).</source>
-        <translation type="unfinished"></translation>
+        <translation>u² = u_cal² + u_var² + u_T² + b²（式 5），其中 u_T = L α ΔT/√3（式 6）。</translation>
     </message>
     <message>
         <source>A length is a difference of two points: dividing by √2 would be consistent; the paper does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>长度是两点之差：除以 √2 才一致；论文没有这样做。</translation>
     </message>
     <message>
         <source>A sensor that stands somewhere and reads a distance, two angles, or some of them. Its uncertainty: each reading for itself, what all its readings share, and where it stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>位于某处的传感器，读取距离、两个角度或其中一些。其不确定度：每个读数自身的、所有读数共有的，以及它所在位置的。</translation>
     </message>
     <message>
         <source>The distance has the figure a + b L, each angle its own; these are independent from reading to reading. Scale, zero, index, collimation, squareness, beam offset and refraction are shared by all readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的数值为 a + b L，每个角度各有其值；它们在各读数间独立。尺度、零点、指标差、照准差、轴不垂直度、光束偏移和折射为所有读数所共有。</translation>
     </message>
     <message>
         <source>Only a sensor that reads a distance and both angles can say by itself where a point is.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有读取距离和两个角度的传感器才能单独得出点的位置。</translation>
     </message>
     <message>
         <source>Instruments of the project that measure the same points together. Points measured by the network keep what they share: the scale and the station of each instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>一起测量相同点的项目仪器。由网络测得的点保留其共有部分：每台仪器的尺度和测站。</translation>
     </message>
     <message>
         <source>A point&apos;s deviations are the least-squares gain times those of the readings and stations, linearised at the point: exact to first order, and in Monte Carlo as long as the angles&apos; deviations stay below about a milliradian.</source>
-        <translation type="unfinished"></translation>
+        <translation>点的偏差是最小二乘增益乘以读数和测站的偏差，在该点线性化：一阶精确；在蒙特卡洛中，只要角度偏差小于约一毫弧度即成立。</translation>
     </message>
     <message>
         <source>All points that an analysis takes from the network are measured from one set-up: none of its instruments is moved or located anew between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>分析取自网络的所有点由一次设站测量：其间没有仪器移动或重新定位。</translation>
     </message>
     <message>
         <source>A sensor contributes to a point that is in its range and field of view, and no others.</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器只对位于其量程和视场内的点作贡献。</translation>
     </message>
     <message>
         <source>One figure of a data sheet for all coordinates: a standard uncertainty or a maximum permissible error.</source>
-        <translation type="unfinished"></translation>
+        <translation>数据表中对所有坐标的一个数值：标准不确定度或最大允许误差。</translation>
     </message>
     <message>
         <source>A specification taken alike in all directions overestimates, by a factor of 2 to 5 in the paper&apos;s example; an instrument that stands somewhere (spherical instrument) is closer to the truth.</source>
-        <translation type="unfinished"></translation>
+        <translation>在所有方向相同的规格会高估，在论文的示例中为 2 至 5 倍；位于某处的仪器（球坐标仪器）更接近实际。</translation>
     </message>
     <message>
         <source>Three or more telescopic ballbars that measure the lengths from their supports to one ball at once, and with it where the ball is.</source>
-        <translation type="unfinished"></translation>
+        <translation>三个或更多伸缩球杆仪同时测量从其支座到一个球的长度，从而得出球的位置。</translation>
     </message>
     <message>
         <source>The supports&apos; frame follows from the lengths between them (Eqs 4 to 7), measured once: their deviations are common to all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>支座的坐标系由它们之间的长度得出（式 4 至 7），只测量一次：其偏差为所有点所共有。</translation>
     </message>
     <message>
         <source>Eq 2 as printed has Y_VC3; Y_KS3 is meant. Eq 3 has two roots; the side is a choice here.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 2 原文为 Y_VC3；应为 Y_KS3。式 3 有两个根；此处可选择所在的一侧。</translation>
     </message>
     <message>
         <source>The paper&apos;s supports are called an equilateral triangle of 520 mm; its Table 1 is isosceles, 520 mm and 519.711 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文称支座为 520 mm 的等边三角形；其表 1 为等腰，520 mm 和 519.711 mm。</translation>
     </message>
     <message>
         <source>A fourth support and those after it are located by their lengths to the first three at a height that is an input of its own: lengths say nothing about a height above the plane in which all supports lie.</source>
-        <translation type="unfinished"></translation>
+        <translation>第四个及其后的支座由其到前三个支座的长度定位，其高度为单独的输入：对于所有支座所在平面之上的高度，长度不能给出任何信息。</translation>
     </message>
     <message>
         <source>A robot as a source of uncertainty: each time it goes to a pose it misses it by a distance in a random direction, and perhaps by small rotations.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人作为不确定度的来源：每次到达位姿时，它在随机方向上偏离一段距离，也可能有小的转动。</translation>
     </message>
     <message>
         <source>The paper takes the distance as rectangular in [0, r], r being the data sheet&apos;s ± 0.02 mm; u along an axis is then r/3. RP of ISO 9283 is the mean distance plus three standard deviations, which is another figure: for that law RP = 1.366 r, in a ball 1.331 r, on a sphere r, and 3.616 u for normal coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文取距离在 [0, r] 上为矩形分布，r 为数据表的 ± 0.02 mm；于是沿轴的 u 为 r/3。ISO 9283 的 RP 是平均距离加三倍标准偏差，为另一数值：对该分布 RP = 1.366 r，在球内 1.331 r，在球面上 r，对正态坐标为 3.616 u。</translation>
     </message>
     <message>
         <source>The paper leaves the orientation out. A rotation by e moves the tool by about e times its length.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文不计姿态。转动 e 使工具移动约 e 乘以其长度。</translation>
     </message>
     <message>
         <source>An arm of joints that turn or slide: parameters in a Denavit-Hartenberg convention with one or more components of uncertainty each, their correlation, limits, encoders, base and tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>由转动或滑动关节构成的臂：Denavit-Hartenberg 约定下的参数，每个有一个或多个不确定度分量，及其相关、限位、编码器、基座和工具。</translation>
     </message>
     <message>
         <source>Eq. 5: T = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta). Where an axis is parallel to the next, beta is a parameter and d is 0 by definition; elsewhere beta is 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 5：T = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta)。轴与下一轴平行时，beta 为参数，d 按定义为 0；其他情况 beta 为 0。</translation>
     </message>
     <message>
         <source>alpha and beta of a row turn the axis of the joint into that of the next (the paper&apos;s text shifts them by one joint).</source>
-        <translation type="unfinished"></translation>
+        <translation>一行的 alpha 和 beta 将该关节的轴转到下一关节的轴（论文正文错开了一个关节）。</translation>
     </message>
     <message>
         <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节角为 theta 加读数减零位读数；滑动关节以同样方式将其读数加到 d。</translation>
     </message>
     <message>
         <source>A serial robot whose parameters follow from points measured while one joint after the other turns, with the full covariance of the identification.</source>
-        <translation type="unfinished"></translation>
+        <translation>参数由逐个关节转动时测得的点得出的串联机器人，带有辨识的全协方差。</translation>
     </message>
     <message>
         <source>The covariance is that of the law of propagation; the analysis &quot;Robot by joint trajectories&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation type="unfinished"></translation>
+        <translation>协方差是传播律的；相同设置的分析“由关节轨迹得出机器人”也用蒙特卡洛给出它。</translation>
     </message>
     <message>
         <source>An analysis that uses this robot follows when a point changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>点改变时，使用此机器人的分析随之更新。</translation>
     </message>
     <message>
         <source>A serial robot whose parameters follow by least squares from measured positions or poses of its tool, with the full covariance of the identification.</source>
-        <translation type="unfinished"></translation>
+        <translation>参数由测得的工具位置或位姿按最小二乘得出的串联机器人，带有辨识的全协方差。</translation>
     </message>
     <message>
         <source>The covariance is that of the law of propagation; the analysis &quot;Robot from measured poses&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation type="unfinished"></translation>
+        <translation>协方差是传播律的；相同设置的分析“由测得位姿得出机器人”也用蒙特卡洛给出它。</translation>
     </message>
     <message>
         <source>The robot stands where the fit found its base; its tool is that of the nominal robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人位于拟合所得基座处；其工具为标称机器人的工具。</translation>
     </message>
     <message>
         <source>An analysis that uses this robot follows when a pose changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿改变时，使用此机器人的分析随之更新。</translation>
     </message>
     <message>
         <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>每次以一个力或力矩对多轴力/力矩传感器加载。</translation>
     </message>
     <message>
         <source>The uncertainty of a load is common to all readings under loads on that axis: it does not average out in the calibration matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷的不确定度为该轴载荷下所有读数所共有：它在校准矩阵中不会平均掉。</translation>
     </message>
     <message>
         <source>Up to three forces and three moments measured at once; calibrated with one load at a time, evaluated from its readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>同时测量最多三个力和三个力矩；每次以一个载荷校准，由其读数评定。</translation>
     </message>
     <message>
         <source>Tables 1 to 4 reproduce from raw readings that are consistent with them, to the printed digits, with relative uncertainties of the machine of 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4 and 1.7e-3.</source>
-        <translation type="unfinished"></translation>
+        <translation>表 1 至 4 由与之一致的原始读数重现到印出的位数，试验机的相对不确定度为 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4 和 1.7e-3。</translation>
     </message>
     <message>
         <source>Type B, Table 3: differs for five of six sensors, because the stated uncertainties of the machine (2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4) give 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V and not 0.27, 0.31, 0.28, 0.41, 0.40, 0.62. The list equals the Type A column in five places: most likely copied there.</source>
-        <translation type="unfinished"></translation>
+        <translation>B 类，表 3：六个传感器中五个不同，因为所述的试验机不确定度 (2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4) 给出 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V，而不是 0.27, 0.31, 0.28, 0.41, 0.40, 0.62。该列有五处与 A 类列相同：很可能是抄自那里。</translation>
     </message>
     <message>
         <source>Table 4, Mx under Fy: differs, printed 1.55 %, is 0.15 %; the largest for Mx is 1.38 %, and the difference to its U 0.30 %, not 0.13 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>表 4，Fy 下的 Mx：不同，印为 1.55 %，应为 0.15 %；Mx 的最大值为 1.38 %，与其 U 之差为 0.30 %，不是 0.13 %。</translation>
     </message>
     <message>
         <source>Section 2.5 calls e_12 the output of Fy under Fx, but Table 4 divides by the rated output of the row: a row is taken as a sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>第 2.5 节称 e_12 为 Fx 下 Fy 的输出，但表 4 除以该行的额定输出：一行视为一个传感器。</translation>
     </message>
     <message>
         <source>Eq 12 adds hysteresis and interference, limits that are not standard uncertainties, to an expanded uncertainty: the sum is neither a standard uncertainty nor a coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 12 将滞后和串扰（并非标准不确定度的界限）加到扩展不确定度上：其和既不是标准不确定度也不是包含区间。</translation>
     </message>
     <message>
         <source>The largest values of Type A and Type B need not occur at the same step. Eq 5 takes the rated output at every step. In 2.1.1 &quot;h=2&quot; of My and Mz is a slip.</source>
-        <translation type="unfinished"></translation>
+        <translation>A 类和 B 类的最大值不一定出现在同一级。式 5 在每一级取额定输出。2.1.1 中 My 和 Mz 的“h=2”是笔误。</translation>
     </message>
     <message>
         <source>A surface from an STL file - the robot cell, the part, the fixture, the room - that is drawn in the scenes of all analyses. It is context only: no number depends on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>STL 文件中的表面（机器人工作单元、工件、夹具、房间），绘制在所有分析的场景中。它仅为环境：没有数值取决于它。</translation>
     </message>
     <message>
         <source>The picture is fitted to what is measured, not to the mesh, which may be a whole hall.</source>
-        <translation type="unfinished"></translation>
+        <translation>图片适应所测量的内容，而不是可能为整个厂房的网格。</translation>
     </message>
     <message>
         <source>A file that is missing or damaged is warned of; analyses keep their results.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件缺失或损坏时给出警告；分析保留其结果。</translation>
     </message>
     <message>
         <source>Of the certificate and the report; what was typed stays as it is.</source>
@@ -6557,11 +6557,11 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>and %1 more like these</source>
-        <translation type="unfinished"></translation>
+        <translation>以及另外 %1 个类似的</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was not written: %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 没有写入：%2：%3</translation>
     </message>
     <message>
         <source>it cannot be opened</source>
@@ -6609,19 +6609,19 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;%1&apos; cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>不能读取 &apos;%1&apos;：%2</translation>
     </message>
     <message>
         <source>it is %1, not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>它是%1，不是文件</translation>
     </message>
     <message>
         <source>it is not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>它不是文件</translation>
     </message>
     <message>
         <source>it is too large: files of up to %1 MB are read, it has %2 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>它过大：可读取不超过 %1 MB 的文件，它有 %2 MB</translation>
     </message>
     <message>
         <source>it is a folder</source>
@@ -6629,7 +6629,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>unit &quot;%1&quot;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>单位“%1”：%2</translation>
     </message>
     <message>
         <source>a parenthesis is closed that was not opened.</source>
@@ -6669,7 +6669,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the unit is empty: write &quot;1&quot; for a pure number.</source>
-        <translation type="unfinished"></translation>
+        <translation>单位为空：纯数请写 &quot;1&quot;。</translation>
     </message>
     <message>
         <source> Known units, most of them with the prefixes of the SI: %1.</source>
@@ -6689,11 +6689,11 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>包含概率必须在 0 和 1 之间。</translation>
     </message>
     <message>
         <source>the effective degrees of freedom must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>有效自由度必须大于 0。</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is defined by itself here, directly or through other definitions; an equation that is to be solved is written &apos;solve %1 = 1: ... = ...&apos;, with a starting value</source>
@@ -6705,139 +6705,139 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;%1&apos; is neither defined nor one of the quantities: give it a row in the table of quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 既未定义也不是量之一：请在量的表中给它一行</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: its unit is K, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是温度差：其单位是 K，不是 %2</translation>
     </message>
     <message>
         <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是温度的倍数：其单位是 K，不是 %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 会成为条件：定义必须给出数值</translation>
     </message>
     <message>
         <source>%1 is %2, %3 is %4: they cannot be equal</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 为%2，%3 为%4：它们不能相等</translation>
     </message>
     <message>
         <source>the equations do not depend on the unknown &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>方程不取决于未知数 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>this equation does not depend on any unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>此方程不取决于任何未知数</translation>
     </message>
     <message>
         <source>this constant has no value (division by zero, or root of a negative number)</source>
-        <translation type="unfinished"></translation>
+        <translation>此常数没有值（除以零，或负数的根）</translation>
     </message>
     <message>
         <source>no equation defines &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有方程定义 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is to be given in %2, but is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 要以 %2 给出，但它是 %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2, which has no unit of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 为%2，没有自己的单位</translation>
     </message>
     <message>
         <source>%1 is %2, %3 is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 为%2，%3 为%4</translation>
     </message>
     <message>
         <source>they cannot be added</source>
-        <translation type="unfinished"></translation>
+        <translation>它们不能相加</translation>
     </message>
     <message>
         <source>they cannot be subtracted</source>
-        <translation type="unfinished"></translation>
+        <translation>它们不能相减</translation>
     </message>
     <message>
         <source>%1 is %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 为%2：%3</translation>
     </message>
     <message>
         <source>the exponent %1 is %2: an exponent must be a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>指数 %1 为%2：指数必须是纯数</translation>
     </message>
     <message>
         <source>%1 is %2: its exponent must be a constant, or the dimension would vary</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 为%2：其指数必须是常数，否则量纲会变化</translation>
     </message>
     <message>
         <source>atan2 needs two quantities of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>atan2 需要两个同类的量</translation>
     </message>
     <message>
         <source>a function of both needs quantities of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>两者的函数需要同类的量</translation>
     </message>
     <message>
         <source>sin, cos and tan need an angle or a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>sin、cos 和 tan 需要角度或纯数</translation>
     </message>
     <message>
         <source>an inverse function of an angle needs a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>角度的反函数需要纯数</translation>
     </message>
     <message>
         <source>this function needs a pure number: divide by a quantity of the same kind</source>
-        <translation type="unfinished"></translation>
+        <translation>此函数需要纯数：请除以同类的量</translation>
     </message>
     <message>
         <source>they cannot be compared</source>
-        <translation type="unfinished"></translation>
+        <translation>它们不能比较</translation>
     </message>
     <message>
         <source>%1 is not a condition: write a comparison, as in x &gt; 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是条件：请写比较，如 x &gt; 0</translation>
     </message>
     <message>
         <source>a condition</source>
-        <translation type="unfinished"></translation>
+        <translation>条件</translation>
     </message>
     <message>
         <source>a pure number</source>
-        <translation type="unfinished"></translation>
+        <translation>纯数</translation>
     </message>
     <message>
         <source>measured in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>以 %1 计量</translation>
     </message>
     <message>
         <source>%1 is a temperature in degC, %2 a difference of temperatures: give differences in K</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是以 degC 表示的温度，%2 是温度差：温度差请以 K 给出</translation>
     </message>
     <message>
         <source>%1 is a temperature in degC, and 0 has no unit: write 0 [degC], or 0 [K] for absolute zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是以 degC 表示的温度，而 0 没有单位：请写 0 [degC]，绝对零度请写 0 [K]</translation>
     </message>
     <message>
         <source>%1 is a sum of temperatures in degC, which means nothing: give differences in K, or divide the sum by the number of temperatures for their mean</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是以 degC 表示的温度之和，没有意义：温度差请以 K 给出，求均值请将和除以温度的个数</translation>
     </message>
     <message>
         <source>%1 is not a condition: write a comparison, as in if(x &gt; 0, x, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是条件：请写比较，如 if(x &gt; 0, x, 0)</translation>
     </message>
     <message>
         <source>both values of &apos;if&apos; must be numbers, not conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;if&apos; 的两个值必须是数值，不是条件</translation>
     </message>
     <message>
         <source>both values of &apos;if&apos; must be of one kind</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;if&apos; 的两个值必须同类</translation>
     </message>
     <message>
         <source>%1 is a condition: use it as the first argument of if(...)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是条件：请将其用作 if(...) 的第一个参数</translation>
     </message>
     <message>
         <source>the end of the equation</source>
@@ -6857,111 +6857,111 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;+&apos; stands here twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;+&apos; 在此出现两次</translation>
     </message>
     <message>
         <source>the expression is nested more than %1 levels deep: split it into definitions</source>
-        <translation type="unfinished"></translation>
+        <translation>该表达式嵌套超过 %1 层：请拆分为定义</translation>
     </message>
     <message>
         <source>a unit in brackets belongs behind a number: 20 [degC]</source>
-        <translation type="unfinished"></translation>
+        <translation>方括号中的单位应在数字之后：20 [degC]</translation>
     </message>
     <message>
         <source>a number, a name or a parenthesis is expected here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>此处应为数字、名称或括号，而不是 %1</translation>
     </message>
     <message>
         <source>this parenthesis is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>此括号没有关闭</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a function: its argument follows in parentheses</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 是函数：其参数在其后的括号中</translation>
     </message>
     <message>
         <source>the word &apos;%1&apos; is not expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处不应有词 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>an operator, a comma or &apos;)&apos; is expected here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>此处应为运算符、逗号或 &apos;)&apos;，而不是 %1</translation>
     </message>
     <message>
         <source>this parenthesis closes nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>此括号没有对应的开括号</translation>
     </message>
     <message>
         <source>an equation defines one name: write &apos;y = ...&apos;; to compare, write &apos;==&apos;; an equation that is to be solved starts with &apos;solve&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>一个方程定义一个名称：请写 &apos;y = ...&apos;；比较请写 &apos;==&apos;；要求解的方程以 &apos;solve&apos; 开头</translation>
     </message>
     <message>
         <source>an operator is missing before %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之前缺少运算符</translation>
     </message>
     <message>
         <source>%1 is not expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处不应有 %1</translation>
     </message>
     <message>
         <source>an equation starts with the name that it defines: y = ...</source>
-        <translation type="unfinished"></translation>
+        <translation>方程以其所定义的名称开头：y = ...</translation>
     </message>
     <message>
         <source>a name with its starting value is expected here: y = 1</source>
-        <translation type="unfinished"></translation>
+        <translation>此处应为带初始值的名称：y = 1</translation>
     </message>
     <message>
         <source>a function</source>
-        <translation type="unfinished"></translation>
+        <translation>函数</translation>
     </message>
     <message>
         <source>a word of the language</source>
-        <translation type="unfinished"></translation>
+        <translation>语言的词</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2: choose another name</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 是%2：请另选名称</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is defined twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 定义了两次</translation>
     </message>
     <message>
         <source>a colon is expected before the equations to be solved: solve y = 1: y^2 = x</source>
-        <translation type="unfinished"></translation>
+        <translation>要求解的方程之前应有冒号：solve y = 1: y^2 = x</translation>
     </message>
     <message>
         <source>%1 unknowns need as many equations; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个未知数需要同样多的方程；现有 %2 个</translation>
     </message>
     <message>
         <source>at most six unknowns can be solved together</source>
-        <translation type="unfinished"></translation>
+        <translation>最多可同时求解六个未知数</translation>
     </message>
     <message>
         <source>an equals sign is expected in an equation to be solved</source>
-        <translation type="unfinished"></translation>
+        <translation>要求解的方程中应有等号</translation>
     </message>
     <message>
         <source>line %1, column %2: </source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行第 %2 列： </translation>
     </message>
     <message>
         <source>line %1, columns %2-%3: </source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行第 %2-%3 列： </translation>
     </message>
     <message>
         <source>this number is too large or too small to compute with</source>
-        <translation type="unfinished"></translation>
+        <translation>此数过大或过小，无法计算</translation>
     </message>
     <message>
         <source>the bracket of a unit is not closed: write &apos;]&apos; behind the unit</source>
-        <translation type="unfinished"></translation>
+        <translation>单位的方括号没有关闭：请在单位之后写 &apos;]&apos;</translation>
     </message>
     <message>
         <source>the character &apos;%1&apos; does not belong in an equation</source>
-        <translation type="unfinished"></translation>
+        <translation>字符 &apos;%1&apos; 不应出现在方程中</translation>
     </message>
     <message>
         <source>the equations have %1 characters; more than %2 are not read: put tables of data into assets or observations</source>
@@ -6969,35 +6969,35 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the coverage factor k must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>包含因子 k 必须大于零</translation>
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 100 %</source>
-        <translation type="unfinished"></translation>
+        <translation>包含概率必须在 0 和 100 % 之间</translation>
     </message>
     <message>
         <source>the limits give the estimate: leave the value empty, or state a half-width</source>
-        <translation type="unfinished"></translation>
+        <translation>界限给出估计值：请将值留空，或说明半宽</translation>
     </message>
     <message>
         <source>the lower limit is above the upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>下限大于上限</translation>
     </message>
     <message>
         <source>a relative part of the permissible error needs the value of the quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>允许误差的相对部分需要量的值</translation>
     </message>
     <message>
         <source>an exponential distribution needs an estimate greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>指数分布需要大于零的估计值</translation>
     </message>
     <message>
         <source>the number of counts must be whole</source>
-        <translation type="unfinished"></translation>
+        <translation>计数必须是整数</translation>
     </message>
     <message>
         <source>the counts give the estimate: leave the value empty</source>
-        <translation type="unfinished"></translation>
+        <translation>计数给出估计值：请将值留空</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not used by this statement: leave it empty</source>
@@ -7025,7 +7025,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>there is no statement &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有表述 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not understood here</source>
@@ -7089,43 +7089,43 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>a Type A evaluation needs at least two observations.</source>
-        <translation type="unfinished"></translation>
+        <translation>A 类评定至少需要两个观测值。</translation>
     </message>
     <message>
         <source>one of the observations is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>有一个观测值不是有限数。</translation>
     </message>
     <message>
         <source>there is no series to be pooled.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可合并的系列。</translation>
     </message>
     <message>
         <source>the covariance of two means needs observations made in pairs: the series have different lengths.</source>
-        <translation type="unfinished"></translation>
+        <translation>两个均值的协方差需要成对的观测值：各系列的长度不同。</translation>
     </message>
     <message>
         <source>the covariance of two means needs at least two pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>两个均值的协方差至少需要两对。</translation>
     </message>
     <message>
         <source>the components %1 and %2 are given two different correlations; a quantity that combines its components arithmetically needs +1 or -1.</source>
-        <translation type="unfinished"></translation>
+        <translation>分量 %1 和 %2 给出了两个不同的相关；分量按代数相加的量需要 +1 或 -1。</translation>
     </message>
     <message>
         <source>a correlation refers to component number %1 of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>有相关引用了 %2 个分量中的第 %1 个。</translation>
     </message>
     <message>
         <source>a correlation is given between the component %1 and itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>分量 %1 与自身之间给出了相关。</translation>
     </message>
     <message>
         <source>the correlation of the components %1 and %2 must lie between -1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>分量 %1 和 %2 的相关必须在 -1 和 1 之间。</translation>
     </message>
     <message>
         <source>the quantity &quot;%1&quot; refers to component number %2 of %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>量“%1”引用了 %3 个分量中的第 %2 个。</translation>
     </message>
     <message>
         <source>the correlations of the components %1 contradict each other: the smallest eigenvalue of their correlation matrix is %2, it must not be negative.</source>
@@ -7145,107 +7145,107 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the components %1 and %2 cannot have the correlation %3: with these distributions it lies between %4 and %5.</source>
-        <translation type="unfinished"></translation>
+        <translation>分量 %1 和 %2 的相关不能是 %3：对于这些分布，它在 %4 和 %5 之间。</translation>
     </message>
     <message>
         <source>%1 distribution: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1分布：%2</translation>
     </message>
     <message>
         <source>the %1 must be a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1必须是有限数。</translation>
     </message>
     <message>
         <source>the %1 is too large (at most 1e150).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1过大（至多 1e150）。</translation>
     </message>
     <message>
         <source>the %1 must not be negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1不得为负。</translation>
     </message>
     <message>
         <source>the %1 must lie between 0.001 and 1000000.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1必须在 0.001 和 1000000 之间。</translation>
     </message>
     <message>
         <source>the lower limit must not be greater than the upper limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>下限不得大于上限。</translation>
     </message>
     <message>
         <source>the degrees of freedom must be at least 0.2 (they may be infinite).</source>
-        <translation type="unfinished"></translation>
+        <translation>自由度必须至少为 0.2（可以为无穷大）。</translation>
     </message>
     <message>
         <source>the inexactness of the limits must not exceed half the distance between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>界限的不精确度不得超过其间距的一半。</translation>
     </message>
     <message>
         <source>the ratio beta of top to base must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>上底与下底之比 beta 必须在 0 和 1 之间。</translation>
     </message>
     <message>
         <source>one of the limits excludes every value.</source>
-        <translation type="unfinished"></translation>
+        <translation>有一个界限排除了所有值。</translation>
     </message>
     <message>
         <source>the mean value lies outside the limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>均值在界限之外。</translation>
     </message>
     <message>
         <source>the limits lie so far from the mean value that no probability is left between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>界限离均值过远，其间没有剩余的概率。</translation>
     </message>
     <message>
         <source>mean value of the logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>对数的均值</translation>
     </message>
     <message>
         <source>the parameters of the logarithm are too large: the quantity has no finite variance in numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>对数的参数过大：该量没有可用数字表示的有限方差。</translation>
     </message>
     <message>
         <source>a discrete distribution needs at least one value.</source>
-        <translation type="unfinished"></translation>
+        <translation>离散分布至少需要一个值。</translation>
     </message>
     <message>
         <source>there must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>概率的个数必须与值相同。</translation>
     </message>
     <message>
         <source>values</source>
-        <translation type="unfinished"></translation>
+        <translation>值</translation>
     </message>
     <message>
         <source>probabilities</source>
-        <translation type="unfinished"></translation>
+        <translation>概率</translation>
     </message>
     <message>
         <source>the probabilities must sum to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>概率之和必须为 1。</translation>
     </message>
     <message>
         <source>discrete distribution: there must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>离散分布：概率的个数必须与值相同。</translation>
     </message>
     <message>
         <source>%1 distribution: %2 parameters are needed, %3 are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1分布：需要 %2 个参数，给出了 %3 个。</translation>
     </message>
     <message>
         <source>the distribution &quot;%1&quot; is not known. Known distributions: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>未知分布“%1”。已知分布：%2。</translation>
     </message>
     <message>
         <source>%1 in row %2 of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%3 第 %2 行的 %1</translation>
     </message>
     <message>
         <source>greater than %1 and at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 %1 且至多 %2</translation>
     </message>
     <message>
         <source>between %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 和 %2 之间</translation>
     </message>
     <message>
         <source>greater than %1</source>
@@ -7257,239 +7257,239 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1</translation>
     </message>
     <message>
         <source>%1 must be a whole number; it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是整数；现为 %2</translation>
     </message>
     <message>
         <source>%1 is too large a number: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的数值过大：%2</translation>
     </message>
     <message>
         <source>%1 must be %2; it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须%2；现为 %3</translation>
     </message>
     <message>
         <source>%1 must be one of %2; it is %3%4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是 %2 之一；现为 %3%4</translation>
     </message>
     <message>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>数字</translation>
     </message>
     <message>
         <source>a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>整数</translation>
     </message>
     <message>
         <source>one of its choices</source>
-        <translation type="unfinished"></translation>
+        <translation>其选项之一</translation>
     </message>
     <message>
         <source>a text</source>
-        <translation type="unfinished"></translation>
+        <translation>文本</translation>
     </message>
     <message>
         <source>true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>true 或 false</translation>
     </message>
     <message>
         <source>a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿</translation>
     </message>
     <message>
         <source>a table</source>
-        <translation type="unfinished"></translation>
+        <translation>表</translation>
     </message>
     <message>
         <source>the id of an asset</source>
-        <translation type="unfinished"></translation>
+        <translation>资源的 id</translation>
     </message>
     <message>
         <source>%1 must be %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是%2</translation>
     </message>
     <message>
         <source>%1 needs at least 1 row; it has %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至少需要 1 行；现有 %2 行</translation>
     </message>
     <message>
         <source>%1 needs at least %2 rows; it has %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至少需要 %2 行；现有 %3 行</translation>
     </message>
     <message>
         <source>%1 has %2 columns, but %3 units</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 有 %2 列，但有 %3 个单位</translation>
     </message>
     <message>
         <source>row %1 of %2 has %3 cells; there are %4 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的第 %1 行有 %3 个单元格；现有 %4 列</translation>
     </message>
     <message>
         <source>%1 is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 为空</translation>
     </message>
     <message>
         <source>%1 must not be empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不得为空</translation>
     </message>
     <message>
         <source>%1 must be given (&apos;%2&apos; is missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>必须给出 %1（缺少 &apos;%2&apos;）</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%1 [%4]&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos; 的列 &apos;%1&apos; 是%3；缺少其单位：请写 &quot;%1 [%4]&quot;</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; &apos;%4&apos; is the unit of %5</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos; 的列 &apos;%1&apos; 是%3；&apos;%4&apos; 是%5的单位</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in K, not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos; 的列 &apos;%1&apos; 是温度差：请以 K 给出，不要以 %3</translation>
     </message>
     <message>
         <source>there is no field &apos;%1&apos; here%2</source>
-        <translation type="unfinished"></translation>
+        <translation>此处没有字段 &apos;%1&apos;%2</translation>
     </message>
     <message>
         <source>a length</source>
-        <translation type="unfinished"></translation>
+        <translation>长度</translation>
     </message>
     <message>
         <source>an area</source>
-        <translation type="unfinished"></translation>
+        <translation>面积</translation>
     </message>
     <message>
         <source>a volume</source>
-        <translation type="unfinished"></translation>
+        <translation>体积</translation>
     </message>
     <message>
         <source>a mass</source>
-        <translation type="unfinished"></translation>
+        <translation>质量</translation>
     </message>
     <message>
         <source>a time</source>
-        <translation type="unfinished"></translation>
+        <translation>时间</translation>
     </message>
     <message>
         <source>a frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>频率</translation>
     </message>
     <message>
         <source>an electric current</source>
-        <translation type="unfinished"></translation>
+        <translation>电流</translation>
     </message>
     <message>
         <source>a temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>温度</translation>
     </message>
     <message>
         <source>an expansion coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>膨胀系数</translation>
     </message>
     <message>
         <source>an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>角度</translation>
     </message>
     <message>
         <source>a velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
     <message>
         <source>an acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>加速度</translation>
     </message>
     <message>
         <source>a force</source>
-        <translation type="unfinished"></translation>
+        <translation>力</translation>
     </message>
     <message>
         <source>a moment</source>
-        <translation type="unfinished"></translation>
+        <translation>力矩</translation>
     </message>
     <message>
         <source>a pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>压力</translation>
     </message>
     <message>
         <source>a stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>刚度</translation>
     </message>
     <message>
         <source>a voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>电压</translation>
     </message>
     <message>
         <source>an electric resistance</source>
-        <translation type="unfinished"></translation>
+        <translation>电阻</translation>
     </message>
     <message>
         <source>an electric charge</source>
-        <translation type="unfinished"></translation>
+        <translation>电荷</translation>
     </message>
     <message>
         <source>a capacitance</source>
-        <translation type="unfinished"></translation>
+        <translation>电容</translation>
     </message>
     <message>
         <source>an inductance</source>
-        <translation type="unfinished"></translation>
+        <translation>电感</translation>
     </message>
     <message>
         <source>a magnetic flux density</source>
-        <translation type="unfinished"></translation>
+        <translation>磁通密度</translation>
     </message>
     <message>
         <source>a magnetic flux</source>
-        <translation type="unfinished"></translation>
+        <translation>磁通量</translation>
     </message>
     <message>
         <source>a power</source>
-        <translation type="unfinished"></translation>
+        <translation>功率</translation>
     </message>
     <message>
         <source>an amount of substance</source>
-        <translation type="unfinished"></translation>
+        <translation>物质的量</translation>
     </message>
     <message>
         <source>a luminous intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>发光强度</translation>
     </message>
     <message>
         <source>an angular velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>角速度</translation>
     </message>
     <message>
         <source>a density</source>
-        <translation type="unfinished"></translation>
+        <translation>密度</translation>
     </message>
     <message>
         <source> (did you mean &apos;%1&apos;?)</source>
-        <translation type="unfinished"></translation>
+        <translation> （是否指 &apos;%1&apos;？）</translation>
     </message>
     <message>
         <source>%1 must be a finite number; it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是有限数；现为 %2</translation>
     </message>
     <message>
         <source>%1 is too large to be computed with (at most 1e100): it is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 过大，无法计算（至多 1e100）：现为 %2</translation>
     </message>
     <message>
         <source>%1 is %2; %3 has no unit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 为%2；%3 没有单位</translation>
     </message>
     <message>
         <source>%1 is %2; %3 is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 为%2；%3 为%4</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: give it in K, not in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是温度差：请以 K 给出，不要以 %2</translation>
     </message>
     <message>
         <source>the result does not represent the measurand: more than 1 % of the trials have no value</source>
@@ -7509,55 +7509,55 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the number of significant digits of the numerical tolerance must be 1, 2, 3 or 4</source>
-        <translation type="unfinished"></translation>
+        <translation>数值容差的有效位数必须是 1、2、3 或 4</translation>
     </message>
     <message>
         <source>the numerical tolerance must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>数值容差必须大于零</translation>
     </message>
     <message>
         <source>the adaptive procedure needs at least two batches</source>
-        <translation type="unfinished"></translation>
+        <translation>自适应程序至少需要两批</translation>
     </message>
     <message>
         <source>the adaptive procedure needs at least two batches: allow %1 trials or more</source>
-        <translation type="unfinished"></translation>
+        <translation>自适应程序至少需要两批：请允许 %1 次或更多试验</translation>
     </message>
     <message>
         <source>a Monte Carlo run needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>蒙特卡洛运行至少需要两次试验</translation>
     </message>
     <message>
         <source>the coverage probability must lie between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>包含概率必须在 0 和 1 之间</translation>
     </message>
     <message>
         <source>the coverage probability is too near to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>包含概率过于接近 1</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>包含因子必须大于零</translation>
     </message>
     <message>
         <source>one-at-a-time Monte Carlo needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>逐一蒙特卡洛至少需要两次试验</translation>
     </message>
     <message>
         <source>Monte Carlo without a contributor needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉一个贡献源的蒙特卡洛至少需要两次试验</translation>
     </message>
     <message>
         <source>Sobol indices need at least 100 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobol 指数至少需要 100 次试验</translation>
     </message>
     <message>
         <source>the evaluation was stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>评定已停止</translation>
     </message>
     <message>
         <source>none of the trials has a value: the measurement model cannot be evaluated within the uncertainties of its inputs; check the standard uncertainties and the geometry</source>
-        <translation type="unfinished"></translation>
+        <translation>没有一次试验有值：测量模型在其输入的不确定度范围内不能评定；请检查标准不确定度和几何</translation>
     </message>
     <message>
         <source>the linear part explains %1 % of the variance: a gain of %2</source>
@@ -7569,51 +7569,51 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>no trial has a value</source>
-        <translation type="unfinished"></translation>
+        <translation>没有试验有值</translation>
     </message>
     <message>
         <source>the measurement model has no sensitivity coefficients near the estimates: second-order terms do not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>测量模型在估计值附近没有灵敏系数：不存在二阶项</translation>
     </message>
     <message>
         <source>there are too many quantities for them</source>
-        <translation type="unfinished"></translation>
+        <translation>量过多</translation>
     </message>
     <message>
         <source>the degrees of freedom of %1 must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的自由度必须大于零</translation>
     </message>
     <message>
         <source>the degrees of freedom of %1 are too few: there must be at least 0.2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的自由度过少：必须至少为 0.2</translation>
     </message>
     <message>
         <source>the distribution of %1 has no finite mean or standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的分布没有有限的均值或标准不确定度</translation>
     </message>
     <message>
         <source>the estimate of %1 is not a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的估计值不是有限数</translation>
     </message>
     <message>
         <source>quantity %1 refers to a component that does not exist, or with a factor that is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>量 %1 引用了不存在的分量，或其因子不是有限数</translation>
     </message>
     <message>
         <source>the measurement model has %1 input quantities, but %2 were given</source>
-        <translation type="unfinished"></translation>
+        <translation>测量模型有 %1 个输入量，但给出了 %2 个</translation>
     </message>
     <message>
         <source>the measurement model has no output quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>测量模型没有输出量</translation>
     </message>
     <message>
         <source>its correlated components are not normally distributed</source>
-        <translation type="unfinished"></translation>
+        <translation>其相关的分量不是正态分布</translation>
     </message>
     <message>
         <source>its sensitivity coefficients are zero</source>
-        <translation type="unfinished"></translation>
+        <translation>其灵敏系数为零</translation>
     </message>
     <message>
         <source>no spread</source>
@@ -7645,11 +7645,11 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>Second-order terms are left out: the formula of JCGM 100 5.1.2 assumes independent components, and some of these are correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>略去二阶项：JCGM 100 5.1.2 的公式假定分量独立，而其中一些是相关的。</translation>
     </message>
     <message>
         <source>Second-order terms are left out: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>略去二阶项：%1。</translation>
     </message>
     <message>
         <source>%1 of %2 trials (%3 %) have no value (the measurement model cannot be evaluated there) and are not part of the statistics.</source>
@@ -7661,11 +7661,11 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>The adaptive procedure stopped at %1 trials before its results were stable: allow more trials, or ask for fewer significant digits.</source>
-        <translation type="unfinished"></translation>
+        <translation>自适应程序在其结果稳定之前于 %1 次试验停止：请允许更多试验，或要求更少的有效位数。</translation>
     </message>
     <message>
         <source>Coverage intervals are interpolated in fine cells: there are too many trials to keep the values of the tails in memory.</source>
-        <translation type="unfinished"></translation>
+        <translation>包含区间在细单元中内插：试验过多，内存不能保留尾部的值。</translation>
     </message>
     <message>
         <source>The correlations stated cannot all hold with these distributions: the nearest that can are drawn, with coefficients that differ by up to %1.</source>
@@ -7673,39 +7673,39 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>The angle %1%2 is hardly determined: its standard uncertainty exceeds 1 rad.</source>
-        <translation type="unfinished"></translation>
+        <translation>角度 %1%2 几乎不能确定：其标准不确定度超过 1 rad。</translation>
     </message>
     <message>
         <source>Nothing is gained by variance reduction, and standard errors are not known: there are fewer than %1 batches of %2 trials.</source>
-        <translation type="unfinished"></translation>
+        <translation>方差缩减没有增益，标准误差未知：%2 次试验的批少于 %1 批。</translation>
     </message>
     <message>
         <source>Control variates are not used: the linear part of the trials that have a value has another distribution than that of all trials.</source>
-        <translation type="unfinished"></translation>
+        <translation>不使用控制变量：有值的试验的线性部分与所有试验的分布不同。</translation>
     </message>
     <message>
         <source>Without control variate: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有控制变量：%1。</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 does not exist, because a Student t distribution with two degrees of freedom or fewer has no finite standard deviation: it is shown as infinite, and U is half the width of the coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的蒙特卡洛标准不确定度不存在，因为自由度不超过 2 的学生 t 分布没有有限的标准偏差：显示为无穷大，U 为包含区间的半宽。</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 cannot stabilise, because Student t distributions with four degrees of freedom or fewer have no finite fourth moment: the adaptive procedure judges by the coverage intervals; use these.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的蒙特卡洛标准不确定度不能稳定，因为自由度不超过 4 的学生 t 分布没有有限的四阶矩：自适应程序按包含区间判断；请使用包含区间。</translation>
     </message>
     <message>
         <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
-        <translation type="unfinished"></translation>
+        <translation>测量模型在其输入量的估计值处没有值%1：请检查标称几何和输入的值</translation>
     </message>
     <message>
         <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
-        <translation type="unfinished"></translation>
+        <translation>测量模型在其输入量的估计值处没有灵敏系数%1：它在那里不可微（几何奇异）</translation>
     </message>
     <message>
         <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
-        <translation type="unfinished"></translation>
+        <translation>有效自由度是近似的：Welch-Satterthwaite 公式假定分量独立，而有自由度有限的相关分量参与贡献。蒙特卡洛包含区间是更好的依据。</translation>
     </message>
     <message>
         <source>1 vector of random direction has coordinates with different distributions after editing: they are drawn independently.</source>
@@ -7717,7 +7717,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>The angle %1 is hardly determined: its standard uncertainty by the law of propagation exceeds 1 rad.</source>
-        <translation type="unfinished"></translation>
+        <translation>角度 %1 几乎不能确定：按传播律其标准不确定度超过 1 rad。</translation>
     </message>
     <message>
         <source>a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)</source>
@@ -7725,43 +7725,43 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>to correct the bias of coordinate %1, give the number of observations n in its row: the uncertainty of the correction is u_var/sqrt(n)</source>
-        <translation type="unfinished"></translation>
+        <translation>要修正坐标 %1 的偏倚，请在其行中给出观测次数 n：修正的不确定度为 u_var/sqrt(n)</translation>
     </message>
     <message>
         <source>there are two points called &apos;%1&apos;; rename one</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个点名为 &apos;%1&apos;；请将其中一个改名</translation>
     </message>
     <message>
         <source>there is no calibrated point called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有名为 &apos;%1&apos; 的校准点</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must consist of the letters x, y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 必须由字母 x、y 和 z 组成</translation>
     </message>
     <message>
         <source>coordinate %1 has fewer than two observations that do not define the frame: measure more points or runs</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标 %1 不定义坐标系的观测少于两个：请测量更多点或次数</translation>
     </message>
     <message>
         <source>coordinate %1 has %2 rows; it must have one</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标 %1 有 %2 行；必须为一行</translation>
     </message>
     <message>
         <source>the length standard needs at least two observations</source>
-        <translation type="unfinished"></translation>
+        <translation>长度标准至少需要两个观测值</translation>
     </message>
     <message>
         <source>the table must have one row; it has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>该表必须有一行；现有 %1 行</translation>
     </message>
     <message>
         <source>the analysis has no point called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>该分析没有名为 &apos;%1&apos; 的点</translation>
     </message>
     <message>
         <source>point %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1：%2</translation>
     </message>
     <message>
         <source>it is at the place of the instrument</source>
@@ -7773,23 +7773,23 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>correlated coordinates of a station are combinations of independent deviations, which are normal: leave the distribution normal, or the correlation out</source>
-        <translation type="unfinished"></translation>
+        <translation>测站的相关坐标是独立偏差的组合，而独立偏差为正态：请保留正态分布，或去掉相关</translation>
     </message>
     <message>
         <source>a coordinate of the station is correlated with itself; name two different ones</source>
-        <translation type="unfinished"></translation>
+        <translation>测站的坐标与自身相关；请写两个不同的坐标</translation>
     </message>
     <message>
         <source>the range ends before it begins: the longest distance must be greater than the shortest</source>
-        <translation type="unfinished"></translation>
+        <translation>量程在开始之前结束：最长距离必须大于最短距离</translation>
     </message>
     <message>
         <source>the sensor reads nothing: choose a distance or an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>该传感器不读取任何量：请选择距离或角度</translation>
     </message>
     <message>
         <source>these coefficients are not possible together: their matrix has a negative eigenvalue</source>
-        <translation type="unfinished"></translation>
+        <translation>这些系数不能同时成立：其矩阵有负特征值</translation>
     </message>
     <message>
         <source>it is at the place of %1</source>
@@ -7805,91 +7805,91 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the readings do not lead to a position of every target: the estimation does not converge from the nominal coordinates; look for exchanged or mistyped readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数不能得出每个目标的位置：由标称坐标开始的估计不收敛；请查找对调或误输的读数</translation>
     </message>
     <message>
         <source>%1 looks away from target %2: its angles point to the opposite side</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 背向目标 %2：其角度指向相反一侧</translation>
     </message>
     <message>
         <source>there is no target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有目标 %1</translation>
     </message>
     <message>
         <source>%1 does not see target %2: it is out of its range or field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 看不到目标 %2：它在其量程或视场之外</translation>
     </message>
     <message>
         <source>%1 does not see %2 of the %3 targets: they are out of its range or field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 看不到 %3 个目标中的 %2 个：它们在其量程或视场之外</translation>
     </message>
     <message>
         <source>the sensor %1 is not listed in the network</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器 %1 未列在网络中</translation>
     </message>
     <message>
         <source>%1 reads no %2 according to its description</source>
-        <translation type="unfinished"></translation>
+        <translation>按其说明，%1 不读取 %2</translation>
     </message>
     <message>
         <source>more than %1 rows for target %2</source>
-        <translation type="unfinished"></translation>
+        <translation>目标 %2 超过 %1 行</translation>
     </message>
     <message>
         <source>target %1 is at the place of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>目标 %1 位于 %2 的位置</translation>
     </message>
     <message>
         <source>target %1 is behind the camera %2</source>
-        <translation type="unfinished"></translation>
+        <translation>目标 %1 在相机 %2 之后</translation>
     </message>
     <message>
         <source>a network has at most %1 sensors; divide it into several analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>一个网络最多有 %1 个传感器；请将其分为多个分析</translation>
     </message>
     <message>
         <source>two targets are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个目标名为 %1</translation>
     </message>
     <message>
         <source>a distance needs two targets at different places</source>
-        <translation type="unfinished"></translation>
+        <translation>距离需要位于不同位置的两个目标</translation>
     </message>
     <message>
         <source>a calibrated length needs two targets at different places</source>
-        <translation type="unfinished"></translation>
+        <translation>校准长度需要位于不同位置的两个目标</translation>
     </message>
     <message>
         <source>the calibrated length is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少校准长度</translation>
     </message>
     <message>
         <source>the nominal targets of the %1 are at another distance than its calibrated length; the design takes their distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的标称目标之间的距离与其校准长度不同；设计取它们的距离</translation>
     </message>
     <message>
         <source>a calibrated length can be a constraint only of the non-linear estimator with weights from readings and stations</source>
-        <translation type="unfinished"></translation>
+        <translation>只有非线性估计且权来自读数和测站时，校准长度才能作为约束</translation>
     </message>
     <message>
         <source>the targets of the %1 belong to two set-ups, which are estimated one after the other: it can only be a check</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的目标属于两次设站，两者先后估计：它只能作为检核</translation>
     </message>
     <message>
         <source>the targets of an angle must be at three places off one line: at 0° and 180° an angle has no sign and no derivative</source>
-        <translation type="unfinished"></translation>
+        <translation>角度的目标必须在不共线的三个位置：在 0° 和 180° 处角度没有符号也没有导数</translation>
     </message>
     <message>
         <source>the name %1 is taken by another frame or a target</source>
-        <translation type="unfinished"></translation>
+        <translation>名称 %1 已被另一坐标系或目标使用</translation>
     </message>
     <message>
         <source>the three targets of frame %1 lie on one line: its axes are undefined</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系 %1 的三个目标在一条直线上：其轴不确定</translation>
     </message>
     <message>
         <source>the x-axis of frame %1 is vertical: its Z-Y-X angles are undefined (gimbal lock)</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系 %1 的 x 轴是竖直的：其 Z-Y-X 角不确定（万向锁）</translation>
     </message>
     <message>
         <source>scale bar %1 – %2</source>
@@ -7897,11 +7897,11 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the sensor %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器 %1 列出了两次</translation>
     </message>
     <message>
         <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or figures of the instruments that are too small</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 残差大于不确定度所允许的；相对其不确定度最大的是 %2。请查找误输或对调的读数，或过小的仪器数值</translation>
     </message>
     <message>
         <source>distance of %1 by %2</source>
@@ -7929,59 +7929,59 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>target %1 has no linear equations that localise it (a distance without angles has none): use the non-linear estimator</source>
-        <translation type="unfinished"></translation>
+        <translation>目标 %1 没有能将其定位的线性方程（没有角度的距离没有）：请使用非线性估计</translation>
     </message>
     <message>
         <source>target %1 cannot be localised from what %2 read: the readings leave a direction undetermined; add a sensor or a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>目标 %1 不能由 %2 的读数定位：读数使一个方向不确定；请增加传感器或读数</translation>
     </message>
     <message>
         <source>target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m</source>
-        <translation type="unfinished"></translation>
+        <translation>目标 %1 几乎不能定位：在一个方向上，距离 %3 m 处 u 为 %2 m</translation>
     </message>
     <message>
         <source>the stations that measure target %1 lie in one plane and read distances only: its mirror image behind that plane fits as well; the one near the nominal coordinates is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>测量目标 %1 的测站在一个平面内且只读取距离：其在该平面后的镜像同样符合；取靠近标称坐标的那个</translation>
     </message>
     <message>
         <source>a calibrated length cannot be a constraint of a set-up with more than %1 readings (this one has %2): make it a check</source>
-        <translation type="unfinished"></translation>
+        <translation>校准长度不能作为读数超过 %1 个的设站的约束（此设站有 %2 个）：请改为检核</translation>
     </message>
     <message>
         <source>the %1 readings of one set-up are too many to be weighed together: each target is estimated from its own readings, weighted with the stations</source>
-        <translation type="unfinished"></translation>
+        <translation>一次设站的 %1 个读数过多，不能一起加权：每个目标由其自身的读数估计，与测站一起加权</translation>
     </message>
     <message>
         <source>the standard uncertainty of a coordinate, %1 mm, is more than a tenth of the distance of point %2 from the x-axis, %3 mm: the law of propagation is not reliable here, look at Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标的标准不确定度 %1 mm 超过点 %2 到 x 轴距离 %3 mm 的十分之一：此处传播律不可靠，请看蒙特卡洛</translation>
     </message>
     <message>
         <source>the frame made from these points lies %1 mm and %2° away from the axes in which they are given, so results differ from the table of poses; check the side of point 3 and the shift of the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>由这些点构成的坐标系与给出它们的轴相差 %1 mm 和 %2°，因此结果与位姿表不同；请检查点 3 所在的一侧和原点的偏移</translation>
     </message>
     <message>
         <source>%1: beta is within 2° of ±90°, where Z-Y-X angles are undefined (gimbal lock); state the orientation as a rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：beta 距 ±90° 不足 2°，该处 Z-Y-X 角不确定（万向锁）；请以旋转向量说明姿态</translation>
     </message>
     <message>
         <source>%1: beta is within 2° of 0° or 180°, where Z-Y-Z angles are undefined (gimbal lock); state the orientation as Z-Y-X angles or a rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：beta 距 0° 或 180° 不足 2°，该处 Z-Y-Z 角不确定（万向锁）；请以 Z-Y-X 角或旋转向量说明姿态</translation>
     </message>
     <message>
         <source>%1: the rotation is within 4° of half a turn, where the sign of the axis is undefined; state the orientation as angles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：转动距半圈不足 4°，该处轴的符号不确定；请以角度说明姿态</translation>
     </message>
     <message>
         <source>the analysis %1 has no point called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>分析 %1 没有名为 &apos;%2&apos; 的点</translation>
     </message>
     <message>
         <source>point %1 cannot be measured by %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1 不能由 %2 测量：%3</translation>
     </message>
     <message>
         <source>the 3-2-1 method uses the first three points; point %1 and those after it are not used: choose least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>3-2-1 法使用前三个点；点 %1 及其后的点不使用：请选择最小二乘</translation>
     </message>
     <message>
         <source>the base frame is undefined</source>
@@ -7993,19 +7993,19 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>points %1 and %2 coincide: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1 和 %2 重合：%3</translation>
     </message>
     <message>
         <source>point %1 lies on the line through %2 and %3: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1 位于通过 %2 和 %3 的直线上：%4</translation>
     </message>
     <message>
         <source>all points lie on one line or coincide: their frame is undefined</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点在一条直线上或重合：其坐标系不确定</translation>
     </message>
     <message>
         <source>not used: the uncertainties come from an artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>不使用：不确定度来自标准件或仪器</translation>
     </message>
     <message>
         <source>there are two poses called &apos;%1&apos;; rename one</source>
@@ -8013,19 +8013,19 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>no pose may be called &apos;base&apos;: that names the base among the measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿不得名为 &apos;base&apos;：它在测得的点中指基座</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is neither &apos;base&apos; nor the name of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 既不是 &apos;base&apos; 也不是位姿的名称</translation>
     </message>
     <message>
         <source>there is no point called &apos;%1&apos; in that frame</source>
-        <translation type="unfinished"></translation>
+        <translation>该坐标系中没有名为 &apos;%1&apos; 的点</translation>
     </message>
     <message>
         <source>point %1 of &apos;%2&apos; was not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos; 的点 %1 没有测量</translation>
     </message>
     <message>
         <source>the mirrored coordinates leave %1 instead of %2: frame 0 is left-handed, check the signs and the order of its axes</source>
@@ -8053,11 +8053,11 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the lengths of support %1 do not meet at its height: they miss by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>支座 %1 的长度在其高度处不相交：相差 %2</translation>
     </message>
     <message>
         <source>a set has at most %1 supports</source>
-        <translation type="unfinished"></translation>
+        <translation>一组最多有 %1 个支座</translation>
     </message>
     <message>
         <source>the rotation about %1</source>
@@ -8065,51 +8065,51 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>%1 has %2 points; a plane needs three, and some more to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 有 %2 个点；平面需要三个，以及另外一些供检核</translation>
     </message>
     <message>
         <source>%1 has a span of zero: all its points coincide</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的跨度为零：其所有点重合</translation>
     </message>
     <message>
         <source>the tool centre point lies on the axis of %1 (or the tool has no length): it traces no circle; turn about another axis</source>
-        <translation type="unfinished"></translation>
+        <translation>工具中心点位于 %1 的轴上（或工具没有长度）：它不画圆；请绕另一轴转动</translation>
     </message>
     <message>
         <source>the arc of %1 spans only %2°: uncertainties grow as the inverse square of the span and may be %3 times those of half a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的圆弧仅跨 %2°：不确定度按跨度平方的倒数增大，可能为半圈时的 %3 倍</translation>
     </message>
     <message>
         <source>point %1 is %2 mm on the other side of the supports&apos; plane, where the ballbars look for no solution; change their placement or their side</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1 在支座平面另一侧 %2 mm 处，球杆仪不在那里求解；请更改其放置或所在的一侧</translation>
     </message>
     <message>
         <source>point %1 is only %2 mm from the supports&apos; plane, with a standard uncertainty of %3 mm in that direction: in some trials the lengths will not meet (negative root), and u is not to be trusted</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1 距支座平面仅 %2 mm，该方向的标准不确定度为 %3 mm：某些试验中长度将不相交（负数的根），u 不可信</translation>
     </message>
     <message>
         <source>the measured points determine no sphere and no axes: they lie on one circle, or coincide; check their axes and angles</source>
-        <translation type="unfinished"></translation>
+        <translation>测得的点不能确定球面和轴：它们在一个圆上或重合；请检查其轴和角度</translation>
     </message>
     <message>
         <source>a procedure has at most %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>一个程序最多有 %1 个点</translation>
     </message>
     <message>
         <source>two points are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个点名为 %1</translation>
     </message>
     <message>
         <source>the flange turns about %1 in two rotations; put their points into one</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰在两个转动中绕 %1 转动；请将其点合并为一个</translation>
     </message>
     <message>
         <source>one rotation traces one circle, which leaves the centre of the flange and its axes undetermined: add a rotation about another axis</source>
-        <translation type="unfinished"></translation>
+        <translation>一个转动画一个圆，法兰的中心和轴仍不确定：请添加绕另一轴的转动</translation>
     </message>
     <message>
         <source>no rotation measures axis %1: choose another way to make the axes, or add the rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>没有转动测量轴 %1：请选择其他构成轴的方式，或添加该转动</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not offer &apos;%2&apos;</source>
@@ -8137,15 +8137,15 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>no joint leads to a link called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有关节通向名为 %1 的连杆</translation>
     </message>
     <message>
         <source>no moving joint leads to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有活动关节通向 %1</translation>
     </message>
     <message>
         <source>the links form a ring; URDF describes trees</source>
-        <translation type="unfinished"></translation>
+        <translation>连杆构成环；URDF 描述树</translation>
     </message>
     <message>
         <source>joint %1 on the way to %2 is of the type %3: freeze it, --freeze %1=0</source>
@@ -8185,11 +8185,11 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the file has no moving joint</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有活动关节</translation>
     </message>
     <message>
         <source>the file has several arms of equal length, ending at %1 and %2: name the tip link of the one to import</source>
-        <translation type="unfinished"></translation>
+        <translation>文件有多条等长的臂，末端为 %1 和 %2：请指明要导入者的末端连杆</translation>
     </message>
     <message>
         <source>frozen: %1</source>
@@ -8197,47 +8197,47 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;%1&apos; is not three numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 不是三个数字</translation>
     </message>
     <message>
         <source>joint %1 does not say which links it joins</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1 没有说明它连接哪些连杆</translation>
     </message>
     <message>
         <source>joint %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1：%2</translation>
     </message>
     <message>
         <source>joint %1: its axis has no direction</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1：其轴没有方向</translation>
     </message>
     <message>
         <source>not readable as XML: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不能作为 XML 读取：%1</translation>
     </message>
     <message>
         <source>no URDF: its root element &lt;robot&gt; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>不是 URDF：缺少根元素 &lt;robot&gt;</translation>
     </message>
     <message>
         <source>the file has xacro macros: expand them first (xacro FILE &gt; arm.urdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>文件有 xacro 宏：请先展开 (xacro FILE &gt; arm.urdf)</translation>
     </message>
     <message>
         <source>link %1 hangs on two joints; URDF describes trees</source>
-        <translation type="unfinished"></translation>
+        <translation>连杆 %1 挂在两个关节上；URDF 描述树</translation>
     </message>
     <message>
         <source>there is no joint %1 to freeze%2</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可固定的关节 %1%2</translation>
     </message>
     <message>
         <source>joint %1 does not move, or is frozen twice</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1 不活动，或被固定两次</translation>
     </message>
     <message>
         <source>joint %1 is of the type %2: it can be frozen at 0 only</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1 的类型为 %2：只能固定在 0</translation>
     </message>
     <message>
         <source>frozen at %1, beyond its limits</source>
@@ -8249,7 +8249,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>an arm has at most %1 joints here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处臂最多有 %1 个关节</translation>
     </message>
     <message>
         <source>joint %1 slides: state its readings as lengths, in the columns of s</source>
@@ -8265,59 +8265,59 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>only the convention with Ry(beta) has a beta; leave it empty for %1, or choose that convention</source>
-        <translation type="unfinished"></translation>
+        <translation>只有含 Ry(beta) 的约定才有 beta；请将 %1 的 beta 留空，或选择该约定</translation>
     </message>
     <message>
         <source>d and beta of %1 describe the same place of a parallel axis: where beta is given, d is 0 by definition</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的 d 和 beta 描述平行轴的同一位置：给出 beta 时，d 按定义为 0</translation>
     </message>
     <message>
         <source>the lowest reading of %1 is not below its highest</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的最小读数不低于其最大读数</translation>
     </message>
     <message>
         <source>the robot has no joint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人没有关节 %1</translation>
     </message>
     <message>
         <source>%1 is 0 by definition, because the axis is parallel to the next</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 按定义为 0，因为该轴与下一轴平行</translation>
     </message>
     <message>
         <source>%1 is no parameter of this robot: give beta in the table of joints where axes are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是此机器人的参数：请在关节表中轴平行处给出 beta</translation>
     </message>
     <message>
         <source>a parameter is correlated with itself; name two different ones</source>
-        <translation type="unfinished"></translation>
+        <translation>参数与自身相关；请写两个不同的参数</translation>
     </message>
     <message>
         <source>there is no parameter &apos;%1&apos; with an uncertainty; write its symbol, such as d_3</source>
-        <translation type="unfinished"></translation>
+        <translation>没有带不确定度的参数 &apos;%1&apos;；请写其符号，如 d_3</translation>
     </message>
     <message>
         <source>%1 has several components of uncertainty: give it one, the combined, so that it can be correlated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 有多个不确定度分量：请给它一个合成的分量，使其可以相关</translation>
     </message>
     <message>
         <source>there is no pose: give joint readings or a place of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>没有位姿：请给出关节读数或工具的位置</translation>
     </message>
     <message>
         <source>two poses are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个位姿名为 %1</translation>
     </message>
     <message>
         <source>pose %1: reading %2 of joint %3 is beyond its limits, %4 to %5</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 %1：关节 %3 的读数 %2 超出其限位 %4 至 %5</translation>
     </message>
     <message>
         <source>pose %1: the orientation is within 2° of one that %2 cannot state (gimbal lock, half turn); state it otherwise</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 %1：姿态距 %2 不能表述的姿态不足 2°（万向锁、半圈）；请以其他方式说明</translation>
     </message>
     <message>
         <source>%1 has only %2 joints; leave %3 empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 只有 %2 个关节；请将 %3 留空</translation>
     </message>
     <message>
         <source>joint %1 of %2 slides: its reading is %3</source>
@@ -8329,7 +8329,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>pose %1: give all three angles or none</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 %1：请给出全部三个角度或都不给</translation>
     </message>
     <message>
         <source>pose %1: no readings within the limits of the joints bring the tool there; the nearest attempt misses the place by %2 but not the orientation</source>
@@ -8377,55 +8377,55 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the chain to %1 has %2 moving joints; an arm has at most %3 here: freeze those before the arm, --freeze %4=0</source>
-        <translation type="unfinished"></translation>
+        <translation>通向 %1 的链有 %2 个活动关节；此处臂最多有 %3 个：请固定臂之前的关节，--freeze %4=0</translation>
     </message>
     <message>
         <source>pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). Look at this pose first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 %1：其 %2 的残差是其标准不确定度的 %3 倍（限值 %4）。请先查看此位姿；以 use = check 将其保留</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the uncertainties of points and readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
-        <translation type="unfinished"></translation>
+        <translation>残差是各点和读数的不确定度所能解释的 %1 倍：还有其他因素（关节的弹性、温度、离群值），所给出的参数不确定度过小</translation>
     </message>
     <message>
         <source>these poses hardly tell %1 apart (condition %2): turn more joints further, or hold one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>这些位姿几乎不能区分 %1（条件数 %2）：请让更多关节转得更远，或固定其中之一</translation>
     </message>
     <message>
         <source>no parameter of the arm can be told from these poses: every one of them is coupled with others or held</source>
-        <translation type="unfinished"></translation>
+        <translation>由这些位姿不能得出臂的任何参数：每个参数都与其他参数耦合或被固定</translation>
     </message>
     <message>
         <source>the poses of the fit give %1 coordinates, no more than there are unknowns to find: measure more poses, or hold parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>参与拟合的位姿给出 %1 个坐标，不多于待求的未知数：请测量更多位姿，或固定参数</translation>
     </message>
     <message>
         <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, and for a nominal robot that is another arm</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合不收敛：请查找对调的位姿、符号或单位错误的读数，以及是否为另一种臂的标称机器人</translation>
     </message>
     <message>
         <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
-        <translation type="unfinished"></translation>
+        <translation>在解处不能区分各未知数；请固定可观测性表中所列者之一</translation>
     </message>
     <message>
         <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1 是滑动的：只辨识关节均转动的臂；请取不含它的臂，保持测量时的状态</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合有 %1 个位姿；至少需要三个，要得出所有参数约需二十个</translation>
     </message>
     <message>
         <source>the robot has only %1 joints; leave %2 empty</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人只有 %1 个关节；请将 %2 留空</translation>
     </message>
     <message>
         <source>pose %1: its orientation is missing; give alpha, beta and gamma of every pose, or fit positions alone</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 %1：缺少姿态；请给出每个位姿的 alpha、beta 和 gamma，或只拟合位置</translation>
     </message>
     <message>
         <source>the robot has no parameter &apos;%1&apos; to hold; write its symbol, such as d_3</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人没有可固定的参数 &apos;%1&apos;；请写其符号，如 d_3</translation>
     </message>
     <message>
         <source>rotation about %1</source>
@@ -8441,11 +8441,11 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the points do not lead to parameters of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>这些点不能得出臂的参数</translation>
     </message>
     <message>
         <source>the points of %1 run against the positive direction of the joint: reverse their order, or give its readings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的点与关节的正方向相反：请颠倒其顺序，或给出其读数</translation>
     </message>
     <message>
         <source>the axes of joints %1 and %2</source>
@@ -8453,211 +8453,211 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>%1 are nearly parallel (%2): they are described by beta with d = 0, because the place of their common perpendicular is hardly determined</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 几乎平行（%2）：以 beta 且 d = 0 描述，因为其公垂线的位置几乎不能确定</translation>
     </message>
     <message>
         <source>%1 are %2 apart: they are described by d without beta, although the nominal robot has beta</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 相距 %2：以 d 而无 beta 描述，尽管标称机器人有 beta</translation>
     </message>
     <message>
         <source>the axes of joints %1 and %2 are the same line: nothing tells their frames apart</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1 和 %2 的轴是同一直线：无法区分其坐标系</translation>
     </message>
     <message>
         <source>parameters are identified by Eq 5: describe the nominal robot in that convention, not in Craig&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>参数按式 5 辨识：请以该约定而不是 Craig 约定描述标称机器人</translation>
     </message>
     <message>
         <source>joint %1 slides and draws no circle: take an arm without it, as it stands during the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1 是滑动的，不画圆：请取不含它的臂，保持测量时的状态</translation>
     </message>
     <message>
         <source>an arm of one joint has no parameters between two axes</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一个关节的臂没有两轴之间的参数</translation>
     </message>
     <message>
         <source>the robot has no %1</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人没有 %1</translation>
     </message>
     <message>
         <source>%1 has %2 points; a circle needs three or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 有 %2 个点；圆至少需要三个</translation>
     </message>
     <message>
         <source>the ball hardly moves while %1 turns: it lies on the axis of that joint and draws no circle. Fix the ball off the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 转动时球几乎不动：它位于该关节的轴上，不画圆。请将球固定在轴外</translation>
     </message>
     <message>
         <source>the points of %1 lie on a straight line, as far as their uncertainty lets it be seen: no circle goes through them. Turn the joint further</source>
-        <translation type="unfinished"></translation>
+        <translation>就其不确定度所能看出的，%1 的点在一条直线上：没有圆通过它们。请让关节转得更远</translation>
     </message>
     <message>
         <source>the arc of %1 over %2 is short for the uncertainty of its points: its axis will be known poorly</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在 %2 上的圆弧相对其点的不确定度过短：其轴将很不准确</translation>
     </message>
     <message>
         <source>the plane of %1 passes the origin at %2: Eq 1 excludes planes through the origin and fails near it. Use total least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的平面在 %2 处经过原点：式 1 排除通过原点的平面，在其附近失效。请使用总体最小二乘</translation>
     </message>
     <message>
         <source>no circle fits the points of %1; look for exchanged points</source>
-        <translation type="unfinished"></translation>
+        <translation>没有圆符合 %1 的点；请查找对调的点</translation>
     </message>
     <message>
         <source>the calibration matrix is singular: the channels answer to loads on %1 alike, so these cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>校准矩阵奇异：各通道对 %1 上的载荷响应相同，因此不能区分</translation>
     </message>
     <message>
         <source>the calibration matrix has the condition number %1: loads on %2 are hardly told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>校准矩阵的条件数为 %1：%2 上的载荷几乎不能区分</translation>
     </message>
     <message>
         <source>add a row of loads to be evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>请添加一行要评定的载荷</translation>
     </message>
     <message>
         <source>add a row of readings to be decoupled</source>
-        <translation type="unfinished"></translation>
+        <translation>请添加一行要解耦的读数</translation>
     </message>
     <message>
         <source>two cases are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>有两种情况名为 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>channel %1 has no reading: all channels are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>通道 %1 没有读数：需要所有通道</translation>
     </message>
     <message>
         <source>the sensor has no channel %1</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器没有通道 %1</translation>
     </message>
     <message>
         <source>no load gives these readings by the calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>按校准矩阵没有载荷给出这些读数</translation>
     </message>
     <message>
         <source>the load on %1 is %2 % of its rated load: the calibration says nothing about it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 上的载荷为其额定载荷的 %2 %：校准对此没有说明</translation>
     </message>
     <message>
         <source>loads on %1 are too few for this calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 上的载荷对此校准矩阵来说过少</translation>
     </message>
     <message>
         <source>the interference of %1 is known without signs: it cannot be compensated. Give raw readings, or a table with signs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的串扰不知符号：不能补偿。请给出原始读数，或带符号的表</translation>
     </message>
     <message>
         <source>quadratic terms need raw readings; %1 has a summary only</source>
-        <translation type="unfinished"></translation>
+        <translation>二次项需要原始读数；%1 只有汇总</translation>
     </message>
     <message>
         <source>channel %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>通道 %1 列出了两次</translation>
     </message>
     <message>
         <source>moment</source>
-        <translation type="unfinished"></translation>
+        <translation>力矩</translation>
     </message>
     <message>
         <source>force</source>
-        <translation type="unfinished"></translation>
+        <translation>力</translation>
     </message>
     <message>
         <source>channel %1 needs its rated load, a %2</source>
-        <translation type="unfinished"></translation>
+        <translation>通道 %1 需要其额定载荷，即%2</translation>
     </message>
     <message>
         <source>%1 states no uncertainty of its load on %2: add it to its certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有说明其在 %2 上载荷的不确定度：请将其加入其证书</translation>
     </message>
     <message>
         <source>increasing loads</source>
-        <translation type="unfinished"></translation>
+        <translation>递增载荷</translation>
     </message>
     <message>
         <source>unloaded reading before</source>
-        <translation type="unfinished"></translation>
+        <translation>之前的空载读数</translation>
     </message>
     <message>
         <source>run %1 of %2 has no %3: it is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的第 %1 次运行没有%3：将其省略</translation>
     </message>
     <message>
         <source>%1 was not calibrated: there are no runs with its axis loaded</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有校准：没有其轴受载的运行</translation>
     </message>
     <message>
         <source>%1 has one run only: its repeatability needs two or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 只有一次运行：其重复性需要两次或更多</translation>
     </message>
     <message>
         <source>%1 has %2 runs, %3 are planned: its means have %4 degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 有 %2 次运行，计划为 %3 次：其均值的自由度为 %4</translation>
     </message>
     <message>
         <source>%1 has %2 preloads, %3 are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 有 %2 次预载，计划为 %3 次</translation>
     </message>
     <message>
         <source>, and it says nothing about repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>，且不能说明重复性</translation>
     </message>
     <message>
         <source>step %1 of %2 is missing in %3 of %4 runs: its mean is that of %5%6</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的第 %1 级在 %4 次运行中的 %3 次缺失：其均值为 %5 次的均值%6</translation>
     </message>
     <message>
         <source>%1 was loaded in %2 steps, %3 are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 分 %2 级加载，计划为 %3 级</translation>
     </message>
     <message>
         <source>the largest load on %1 is %2; the rated output needs the rated load, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 上的最大载荷为 %2；额定输出需要额定载荷 %3</translation>
     </message>
     <message>
         <source>%1 has the same reading in all runs: its repeatability is evaluated as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在所有运行中读数相同：其重复性评定为零</translation>
     </message>
     <message>
         <source>%1 has no unloaded readings after a run: its non-zero error is taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在运行之后没有空载读数：其零点误差取为零</translation>
     </message>
     <message>
         <source>%1 has no decreasing loads: its hysteresis is not known and is taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有递减载荷：其滞后未知，取为零</translation>
     </message>
     <message>
         <source>run %1 of %2 reads the same at steps %3 and %4 although the load rises: the indicator is saturated or the channel is stuck</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的第 %1 次运行在第 %3 级和第 %4 级读数相同，尽管载荷上升：指示器饱和或通道卡住</translation>
     </message>
     <message>
         <source>run %1 of %2: only %3 s between steps %4 and %5, %6 s are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的第 %1 次运行：第 %4 级和第 %5 级之间仅 %3 s，计划为 %6 s</translation>
     </message>
     <message>
         <source>run %1 of %2 begins %3 s after the one before was unloaded, %4 s are planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的第 %1 次运行在前一次卸载后 %3 s 开始，计划为 %4 s</translation>
     </message>
     <message>
         <source>channel %1 does not respond to its load: %2 at the rated load; look at its cable and its column</source>
-        <translation type="unfinished"></translation>
+        <translation>通道 %1 不响应其载荷：在额定载荷下为 %2；请检查其电缆和其列</translation>
     </message>
     <message>
         <source>channel %1 responds to %2 more than to its own load: are columns exchanged?</source>
-        <translation type="unfinished"></translation>
+        <translation>通道 %1 对 %2 的响应大于对其自身载荷的响应：列是否对调了？</translation>
     </message>
     <message>
         <source>there are no readings: import them from a CSV file, or choose summary tables</source>
-        <translation type="unfinished"></translation>
+        <translation>没有读数：请从 CSV 文件导入，或选择汇总表</translation>
     </message>
     <message>
         <source>the sensor has no channel %1: list it among its channels</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器没有通道 %1：请将其列入通道</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no unit of a load: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 不是载荷的单位：%2</translation>
     </message>
     <message>
         <source>%1 is a moment, but its load is in %2: are forces and moments, or their units, exchanged?</source>
@@ -8669,83 +8669,83 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>a load of %1 is more than 1.2 times the rated load of %2, %3: is its unit right?</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷 %1 超过 %2 额定载荷 %3 的 1.2 倍：其单位对吗？</translation>
     </message>
     <message>
         <source>channel %1 has no reading in this row</source>
-        <translation type="unfinished"></translation>
+        <translation>通道 %1 在此行没有读数</translation>
     </message>
     <message>
         <source>channel %1 indicates %2 mV/V, which is the end of the indicator&apos;s range: the reading is saturated</source>
-        <translation type="unfinished"></translation>
+        <translation>通道 %1 指示 %2 mV/V，即指示器量程的末端：读数饱和</translation>
     </message>
     <message>
         <source>this run has its unloaded reading already</source>
-        <translation type="unfinished"></translation>
+        <translation>此次运行已有空载读数</translation>
     </message>
     <message>
         <source>step %1 of this run is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>此次运行的第 %1 级给出了两次</translation>
     </message>
     <message>
         <source>channel %1 has no row in the summary</source>
-        <translation type="unfinished"></translation>
+        <translation>通道 %1 在汇总中没有行</translation>
     </message>
     <message>
         <source>%1 has no row in the table of interference: taken as zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在串扰表中没有行：取为零</translation>
     </message>
     <message>
         <source>axis %1 is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>轴 %1 列出了两次</translation>
     </message>
     <message>
         <source>the sensor&apos;s calibration is a summary: there are no steps to pool over, so the largest standard deviation is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器的校准是汇总：没有可合并的各级，因此取最大标准偏差</translation>
     </message>
     <message>
         <source>the name is one of a function or a word of the equations; choose another</source>
-        <translation type="unfinished"></translation>
+        <translation>该名称是方程的函数或词；请另选一个</translation>
     </message>
     <message>
         <source>a symbol is made of letters, Greek ones too, digits and &apos;_&apos;, a letter first</source>
-        <translation type="unfinished"></translation>
+        <translation>符号由字母（包括希腊字母）、数字和 &apos;_&apos; 组成，以字母开头</translation>
     </message>
     <message>
         <source>only the first row of a symbol has a value; further rows add components</source>
-        <translation type="unfinished"></translation>
+        <translation>只有符号的第一行有值；其后的行添加分量</translation>
     </message>
     <message>
         <source>the component is in %1, the quantity in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>该分量以 %1 为单位，该量以 %2 为单位</translation>
     </message>
     <message>
         <source>a further row states a component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>其后的行说明一个不确定度分量</translation>
     </message>
     <message>
         <source>the instrument of the project is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少项目的仪器</translation>
     </message>
     <message>
         <source>the reading of an instrument needs a value</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器的读数需要值</translation>
     </message>
     <message>
         <source>an instrument reads distances here; the unit must be one of length</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器在此读取距离；单位必须是长度单位</translation>
     </message>
     <message>
         <source>%1 reads no distances</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不读取距离</translation>
     </message>
     <message>
         <source>the value is missing, and no statement gives it</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少值，也没有表述给出它</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has observations and no row in the table of quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 有观测值而在量的表中没有行</translation>
     </message>
     <message>
         <source>Newton&apos;s method finds no solution of this equation from the starting value, at the estimates of the quantities</source>
@@ -8757,15 +8757,15 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>it has several series: leave out the name of the one that is measured now</source>
-        <translation type="unfinished"></translation>
+        <translation>它有多个系列：现在测量的那个请省去名称</translation>
     </message>
     <message>
         <source>the table of observations has no rows for it</source>
-        <translation type="unfinished"></translation>
+        <translation>观测值表中没有它的行</translation>
     </message>
     <message>
         <source>&apos;a&apos; is missing: number of observations of which the value is the mean</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少 &apos;a&apos;：该值为其均值的观测次数</translation>
     </message>
     <message>
         <source>there is no equation: write one, y = x_1 + x_2</source>
@@ -8773,71 +8773,71 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;%1&apos; is defined by an equation: it cannot be a quantity too</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 由方程定义：它不能同时是量</translation>
     </message>
     <message>
         <source>no equation uses &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有方程使用 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>no equation defines &apos;%1&apos;%2</source>
-        <translation type="unfinished"></translation>
+        <translation>没有方程定义 &apos;%1&apos;%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 列出了两次</translation>
     </message>
     <message>
         <source>group &apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>组 &apos;%1&apos;：%2</translation>
     </message>
     <message>
         <source>an analysis of variance needs at least two groups</source>
-        <translation type="unfinished"></translation>
+        <translation>方差分析至少需要两组</translation>
     </message>
     <message>
         <source>no group has more than one observation: nothing tells the scatter within the groups from that between them</source>
-        <translation type="unfinished"></translation>
+        <translation>没有组有一个以上的观测值：无法区分组内与组间的分散</translation>
     </message>
     <message>
         <source>the curve does not reach %1</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线达不到 %1</translation>
     </message>
     <message>
         <source>, outside of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>，在其点之外</translation>
     </message>
     <message>
         <source>the curve reaches %1 at x = %2%3: say in &apos;near&apos; which of them is meant</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线在 x = %2 处达到 %1%3：请在 &apos;near&apos; 中说明指哪一个</translation>
     </message>
     <message>
         <source>no curve of this degree was found: the iteration for the uncertainties of x does not settle on these points</source>
-        <translation type="unfinished"></translation>
+        <translation>没有找到此次数的曲线：计入 x 的不确定度的迭代对这些点不稳定</translation>
     </message>
     <message>
         <source>the points do not determine a curve of this degree</source>
-        <translation type="unfinished"></translation>
+        <translation>这些点不能确定此次数的曲线</translation>
     </message>
     <message>
         <source>the x of y = %1 lies outside of the points of the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>y = %1 的 x 在校准的点之外</translation>
     </message>
     <message>
         <source>the standard uncertainty of y is missing in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行缺少 y 的标准不确定度</translation>
     </message>
     <message>
         <source>the standard uncertainty of y must be greater than zero in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行 y 的标准不确定度必须大于零</translation>
     </message>
     <message>
         <source>readings have the scatter of the residuals, which stated uncertainties do not use: give u_y in row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>读数具有残差的分散，而所述的不确定度不使用它：请在第 %1 行给出 u_y</translation>
     </message>
     <message>
         <source>a curve through the origin needs differences: give y in K</source>
-        <translation type="unfinished"></translation>
+        <translation>通过原点的曲线需要差值：y 请以 K 给出</translation>
     </message>
     <message>
         <source>a polynomial of this degree needs points at %1 different places or more beside the origin</source>
@@ -8849,7 +8849,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>residuals say nothing about the uncertainty unless there are more points than coefficients: add points, or state u_y</source>
-        <translation type="unfinished"></translation>
+        <translation>除非点多于系数，残差不能说明不确定度：请添加点，或说明 u_y</translation>
     </message>
     <message>
         <source>line %1, %2</source>
@@ -8901,35 +8901,35 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>target uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>目标不确定度</translation>
     </message>
     <message>
         <source>mean of the prior</source>
-        <translation type="unfinished"></translation>
+        <translation>先验的均值</translation>
     </message>
     <message>
         <source>standard deviation of the prior</source>
-        <translation type="unfinished"></translation>
+        <translation>先验的标准偏差</translation>
     </message>
     <message>
         <source>the %1 must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1必须大于零</translation>
     </message>
     <message>
         <source>the %1 must be above the lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1必须高于下限</translation>
     </message>
     <message>
         <source>the guard factor of %1 must lie between -10 and 10; 1 is a guard band of U, 0 simple acceptance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的保护因子必须在 -10 和 10 之间；1 为保护带 U，0 为简单接受</translation>
     </message>
     <message>
         <source>the prior of %1 needs both a mean and a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的先验需要均值和标准偏差两者</translation>
     </message>
     <message>
         <source>the prior of %1 is of use only with a tolerance: give a limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的先验只有在有公差时才有用：请给出限值</translation>
     </message>
     <message>
         <source> in %1</source>
@@ -8937,67 +8937,67 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the model has no output quantity %1%2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>模型没有输出量 %1%2%3</translation>
     </message>
     <message>
         <source>the id %1 is used twice</source>
-        <translation type="unfinished"></translation>
+        <translation>id %1 使用了两次</translation>
     </message>
     <message>
         <source>an axis needs at least two values</source>
-        <translation type="unfinished"></translation>
+        <translation>轴至少需要两个值</translation>
     </message>
     <message>
         <source>&apos;from&apos; and &apos;to&apos; must be two different numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;from&apos; 和 &apos;to&apos; 必须是两个不同的数字</translation>
     </message>
     <message>
         <source>with logarithmic spacing both ends must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>对数间隔时两端都必须大于零</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes whole numbers: there are fewer than %2 between the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 取整数：两端之间少于 %2 个</translation>
     </message>
     <message>
         <source>the id %1 must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>id %1 必须由字母、数字、&apos;-&apos; 和 &apos;_&apos; 组成</translation>
     </message>
     <message>
         <source>a study has one to three axes; this one has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究有一至三个轴；此处有 %1 个</translation>
     </message>
     <message>
         <source>%1 is varied by two axes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 由两个轴改变</translation>
     </message>
     <message>
         <source>Monte Carlo needs at least two trials</source>
-        <translation type="unfinished"></translation>
+        <translation>蒙特卡洛至少需要两次试验</translation>
     </message>
     <message>
         <source>the grid has %1 points; a study may have %2</source>
-        <translation type="unfinished"></translation>
+        <translation>网格有 %1 个点；参数研究最多可有 %2 个</translation>
     </message>
     <message>
         <source>the uncertainty of an input quantity can be varied by a factor only</source>
-        <translation type="unfinished"></translation>
+        <translation>输入量的不确定度只能以因子改变</translation>
     </message>
     <message>
         <source>a factor has no unit</source>
-        <translation type="unfinished"></translation>
+        <translation>因子没有单位</translation>
     </message>
     <message>
         <source>a factor of an uncertainty must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度的因子不得为负</translation>
     </message>
     <message>
         <source>a temperature in %1 cannot be multiplied; add to it, or give its values</source>
-        <translation type="unfinished"></translation>
+        <translation>以 %1 表示的温度不能相乘；请对其相加，或给出其值</translation>
     </message>
     <message>
         <source>a difference of temperatures is given in K</source>
-        <translation type="unfinished"></translation>
+        <translation>温度差以 K 给出</translation>
     </message>
     <message>
         <source>a number that varies</source>
@@ -9017,103 +9017,103 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>only numbers of the set-up of an asset can be varied</source>
-        <translation type="unfinished"></translation>
+        <translation>只能改变资源的测量设置中的数字</translation>
     </message>
     <message>
         <source>a target is written as &quot;/setup/KEY&quot;, &quot;/setup/KEY/rows/0/COLUMN&quot;, &quot;/inputs/SYMBOL/estimate&quot; or &quot;/inputs/SYMBOL/components&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>目标写作 &quot;/setup/KEY&quot;、&quot;/setup/KEY/rows/0/COLUMN&quot;、&quot;/inputs/SYMBOL/estimate&quot; 或 &quot;/inputs/SYMBOL/components&quot;</translation>
     </message>
     <message>
         <source>%1 cannot be varied: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>不能改变 %1：%2</translation>
     </message>
     <message>
         <source>there is no asset %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有资源 %1</translation>
     </message>
     <message>
         <source>the set-up has no schema</source>
-        <translation type="unfinished"></translation>
+        <translation>该测量设置没有模式</translation>
     </message>
     <message>
         <source>the set-up has no field %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>该测量设置没有字段 %1%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not used with the present choices of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>按测量设置目前的选择不使用 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 不是数字</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not given, so there is nothing to change</source>
-        <translation type="unfinished"></translation>
+        <translation>没有给出 &apos;%1&apos;，因此没有可改变的</translation>
     </message>
     <message>
         <source>a coordinate of the pose &apos;%1&apos; is written as &quot;/setup/%2/position/0&quot; or &quot;/setup/%3/angles/2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 &apos;%1&apos; 的坐标写作 &quot;/setup/%2/position/0&quot; 或 &quot;/setup/%3/angles/2&quot;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not given</source>
-        <translation type="unfinished"></translation>
+        <translation>没有给出 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a number of the table &apos;%1&apos; is written as &quot;/setup/%2/rows/0/COLUMN&quot; or &quot;/setup/%3/columns/COLUMN&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>表 &apos;%1&apos; 的数字写作 &quot;/setup/%2/rows/0/COLUMN&quot; 或 &quot;/setup/%3/columns/COLUMN&quot;</translation>
     </message>
     <message>
         <source>the table &apos;%1&apos; has no column %2</source>
-        <translation type="unfinished"></translation>
+        <translation>表 &apos;%1&apos; 没有列 %2</translation>
     </message>
     <message>
         <source>the column %1 does not hold numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>列 %1 中不是数字</translation>
     </message>
     <message>
         <source>the table &apos;%1&apos; is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>表 &apos;%1&apos; 为空</translation>
     </message>
     <message>
         <source>the table &apos;%1&apos; has %2 rows, counted from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>表 &apos;%1&apos; 有 %2 行，从 0 计数</translation>
     </message>
     <message>
         <source>the cell is empty, so there is nothing to change</source>
-        <translation type="unfinished"></translation>
+        <translation>该单元格为空，因此没有可改变的</translation>
     </message>
     <message>
         <source>the column is empty, so there is nothing to change</source>
-        <translation type="unfinished"></translation>
+        <translation>该列为空，因此没有可改变的</translation>
     </message>
     <message>
         <source>of an input quantity, &quot;estimate&quot; or &quot;components&quot; can be varied</source>
-        <translation type="unfinished"></translation>
+        <translation>输入量中可改变 &quot;estimate&quot; 或 &quot;components&quot;</translation>
     </message>
     <message>
         <source>the model has no input quantity %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>模型没有输入量 %1%2</translation>
     </message>
     <message>
         <source>there is no component %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>没有分量 %1%2</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; has no unit; it is not a measured number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos; 的列 &apos;%1&apos; 没有单位；它不是测得的数字</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少 &apos;%2&apos; 的列 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no column &apos;%2&apos;%3; its columns are %4</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 没有列 &apos;%2&apos;%3；其列为 %4</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos; 的列 &apos;%1&apos; 给出了两次</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be one of %2; it is &apos;%3&apos;%4</source>
@@ -9125,15 +9125,15 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>a unit is needed here, such as &quot;mm&quot;, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>此处需要单位，如 &quot;mm&quot;，而不是 %1</translation>
     </message>
     <message>
         <source>a unit with a dimension is needed here, not &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>此处需要有量纲的单位，而不是 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is of the same dimension as a unit before it; give one of each</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 与其前的一个单位量纲相同；请各给一个</translation>
     </message>
     <message>
         <source>what the project states for results</source>
@@ -9141,19 +9141,19 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;digits&apos; 必须为 1 或 2 (JCGM 100 7.2.6)</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>包含因子必须大于零；没有时 k 由自由度或包含区间得出</translation>
     </message>
     <message>
         <source>a report has no chapter %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>报告没有章节 %1%2</translation>
     </message>
     <message>
         <source>there is no analysis %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>没有分析 %1%2</translation>
     </message>
     <message>
         <source>the contents of the report</source>
@@ -9165,15 +9165,15 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>a unit of length is needed here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>此处需要长度单位，而不是 %1</translation>
     </message>
     <message>
         <source>the size of a view must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>视图的大小必须大于零</translation>
     </message>
     <message>
         <source>&apos;direction&apos; and &apos;up&apos; must be two different directions, not of length zero</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;direction&apos; 和 &apos;up&apos; 必须是两个不同的方向，长度不为零</translation>
     </message>
     <message>
         <source>a view</source>
@@ -9181,63 +9181,63 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>%1 is the name of a standard view</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是标准视图的名称</translation>
     </message>
     <message>
         <source>the name %1 is used twice</source>
-        <translation type="unfinished"></translation>
+        <translation>名称 %1 使用了两次</translation>
     </message>
     <message>
         <source>there is no single value here, but a list or a group</source>
-        <translation type="unfinished"></translation>
+        <translation>此处不是单个值，而是列表或组</translation>
     </message>
     <message>
         <source>there is nothing called &apos;%1&apos; to set</source>
-        <translation type="unfinished"></translation>
+        <translation>没有名为 &apos;%1&apos; 的内容可设</translation>
     </message>
     <message>
         <source>there is nothing called &apos;%1&apos; to set%2</source>
-        <translation type="unfinished"></translation>
+        <translation>没有名为 &apos;%1&apos; 的内容可设%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not of the form /PLACE/IN/THE/PROJECT=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 不是 /PLACE/IN/THE/PROJECT=VALUE 的形式</translation>
     </message>
     <message>
         <source>%1 is a table: it needs &quot;columns&quot; and &quot;rows&quot;, or the name of a &quot;csv&quot; file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是表：它需要 &quot;columns&quot; 和 &quot;rows&quot;，或 &quot;csv&quot; 文件的名称</translation>
     </message>
     <message>
         <source>the columns of %1 must be texts in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的列必须是带引号的文本</translation>
     </message>
     <message>
         <source>row %1 of %2 must be a list in brackets, not %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的第 %1 行必须是方括号中的列表，而不是 %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%3 第 %2 行的 &apos;%1&apos; 必须是%4，而不是 %5</translation>
     </message>
     <message>
         <source>a text in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>带引号的文本</translation>
     </message>
     <message>
         <source>the columns of the CSV file of %1 must be an object in braces: a header of the file and the column it stands for</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的 CSV 文件的列必须是花括号中的对象：文件的标题及其所代表的列</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must stand for a column of %2 (a text), or for none (an empty text)</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 必须代表 %2 的列（文本），或不代表任何列（空文本）</translation>
     </message>
     <message>
         <source>the CSV file &apos;%1&apos; of %2 must be named relative to the project&apos;s folder and lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的 CSV 文件 &apos;%1&apos; 必须相对于项目的文件夹命名并位于其中</translation>
     </message>
     <message>
         <source>the CSV file of %1 does not exist: looked for &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的 CSV 文件不存在：查找了 &apos;%2&apos;</translation>
     </message>
     <message>
         <source>CSV file of %1: %2</source>
@@ -9245,31 +9245,31 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>%1 must be a whole number, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是整数，而不是 %2</translation>
     </message>
     <message>
         <source>%1 is %2; its unit is missing: write {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;}</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是%2；缺少其单位：请写 {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;}</translation>
     </message>
     <message>
         <source>%1 must be a number, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是数字，而不是 %2</translation>
     </message>
     <message>
         <source>%1 must be a text in quotes, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是带引号的文本，而不是 %2</translation>
     </message>
     <message>
         <source>the lines of %1 must be texts in quotes, each one line</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的各行必须是带引号的文本，每个一行</translation>
     </message>
     <message>
         <source>%1 must be true or false, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是 true 或 false，而不是 %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; of %2 must be a list of three numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的 &apos;%1&apos; 必须是三个数字的列表</translation>
     </message>
     <message>
         <source>this set-up</source>
@@ -9277,19 +9277,19 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;%1&apos; must be three numbers: x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 必须是三个数字：x、y、z</translation>
     </message>
     <message>
         <source>a text is needed here, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>此处需要文本，而不是 %1</translation>
     </message>
     <message>
         <source>the file is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>文件为空</translation>
     </message>
     <message>
         <source>the project ends before this: nothing may follow its closing &apos;}&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>项目在此之前已结束：其结尾的 &apos;}&apos; 之后不得有内容</translation>
     </message>
     <message>
         <source>%1 (column %2)</source>
@@ -9301,7 +9301,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>lists and objects are nested too deeply</source>
-        <translation type="unfinished"></translation>
+        <translation>列表和对象嵌套过深</translation>
     </message>
     <message>
         <source>where a value is expected</source>
@@ -9309,7 +9309,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;%1&apos; is too large a number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 的数值过大</translation>
     </message>
     <message>
         <source>in the middle of a value</source>
@@ -9317,19 +9317,19 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>a value is expected here (a number, a text in quotes, a list or an object), not &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>此处应为值（数字、带引号的文本、列表或对象），而不是 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a number that a project file can hold: give a finite number, or null where infinity is meant</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 不是项目文件能容纳的数字：请给出有限数，表示无穷大处用 null</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a value: texts stand in double quotes, numbers are written like -12.5e-3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 不是值：文本用双引号，数字写作 -12.5e-3</translation>
     </message>
     <message>
         <source>the text that begins here is not closed by a double quote on its line</source>
-        <translation type="unfinished"></translation>
+        <translation>此处开始的文本在其行中没有以双引号结束</translation>
     </message>
     <message>
         <source>in the middle of a text</source>
@@ -9341,7 +9341,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;,&apos; or &apos;%1&apos; is expected here, inside %2, not &apos;%3&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 中此处应为 &apos;,&apos; 或 &apos;%1&apos;，而不是 &apos;%3&apos;</translation>
     </message>
     <message>
         <source>an object</source>
@@ -9349,11 +9349,11 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>a key in double quotes is expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处应为双引号中的键</translation>
     </message>
     <message>
         <source>the key before this is not a valid text</source>
-        <translation type="unfinished"></translation>
+        <translation>此前的键不是有效文本</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is given twice in the same object</source>
@@ -9365,7 +9365,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;:&apos; is expected after the key &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>键 &apos;%1&apos; 之后应为 &apos;:&apos;</translation>
     </message>
     <message>
         <source>a list</source>
@@ -9373,15 +9373,15 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>there is no kind of asset &apos;%1&apos;%2; known are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>没有资源种类 &apos;%1&apos;%2；已知的有 %3</translation>
     </message>
     <message>
         <source>there is no measurement model &apos;%1&apos;%2; known are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>没有测量模型 &apos;%1&apos;%2；已知的有 %3</translation>
     </message>
     <message>
         <source>%1 is taken from another analysis, with all its uncertainty: remove either this or the link</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 连同其全部不确定度取自另一分析：请去掉此项或该链接</translation>
     </message>
     <message>
         <source>the analysis %1 has errors of its own: %2</source>
@@ -9393,39 +9393,39 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the component %1 is not stated alike (held, or edited) by all analyses of the chain: they are taken as independent</source>
-        <translation type="unfinished"></translation>
+        <translation>链中各分析对分量 %1 的规定不同（固定或编辑）：按独立处理</translation>
     </message>
     <message>
         <source>%1 is linked twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 链接了两次</translation>
     </message>
     <message>
         <source>%1 is %2; %3 of %4 is %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 为%2；%4 的 %3 为%5</translation>
     </message>
     <message>
         <source>the analysis %1 would be made of itself: %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>分析 %1 会由其自身构成：%2%3</translation>
     </message>
     <message>
         <source>more than %1 analyses feed each other in a row</source>
-        <translation type="unfinished"></translation>
+        <translation>连续互相输入的分析超过 %1 个</translation>
     </message>
     <message>
         <source>the analysis %1 has no output %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>分析 %1 没有输出 %2%3</translation>
     </message>
     <message>
         <source>&apos;schemaVersion&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少 &apos;schemaVersion&apos;</translation>
     </message>
     <message>
         <source>&apos;schemaVersion&apos; must be a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;schemaVersion&apos; 必须是整数</translation>
     </message>
     <message>
         <source>written by a newer version of Covaria (schema %1, this program reads up to %2); nothing was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>由更新版本的 Covaria 写入（模式 %1，本程序读取到 %2）；未作任何更改</translation>
     </message>
     <message>
         <source>the text &apos;%1&apos;</source>
@@ -9437,15 +9437,15 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>%1 must be an object in braces, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是花括号中的对象，而不是 %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 中缺少 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be %2, not %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 必须是%2，而不是 %3</translation>
     </message>
     <message>
         <source>a list in brackets</source>
@@ -9453,31 +9453,31 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>there is no &apos;%1&apos; in %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 中没有 &apos;%1&apos;%3</translation>
     </message>
     <message>
         <source>a number with its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>带单位的数字</translation>
     </message>
     <message>
         <source>a whole number from 0 to 18446744073709551615, in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>引号中 0 至 18446744073709551615 的整数</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be %2; it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 必须是%2；现为 %3</translation>
     </message>
     <message>
         <source>one of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之一</translation>
     </message>
     <message>
         <source>a whole number that is not negative</source>
-        <translation type="unfinished"></translation>
+        <translation>非负整数</translation>
     </message>
     <message>
         <source>a text here is not valid UTF-8 or has a wrong \ sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>此处的文本不是有效的 UTF-8，或有错误的 \ 序列</translation>
     </message>
     <message>
         <source>the project</source>
@@ -9485,27 +9485,27 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>an asset</source>
-        <translation type="unfinished"></translation>
+        <translation>资源</translation>
     </message>
     <message>
         <source>an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>分析</translation>
     </message>
     <message>
         <source>this is not a project of Covaria: it does not begin with &quot;format&quot;: &quot;covaria&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是 Covaria 的项目：它不以 &quot;format&quot;: &quot;covaria&quot; 开头</translation>
     </message>
     <message>
         <source>it has %1 MB, and projects of up to %2 MB are read: put its long tables into CSV files beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>它有 %1 MB，可读取不超过 %2 MB 的项目：请将其长表放入旁边的 CSV 文件</translation>
     </message>
     <message>
         <source>the project was not saved: it holds a number that is not finite, or fields that belong to no known kind of asset or model</source>
-        <translation type="unfinished"></translation>
+        <translation>项目未保存：其中有不是有限的数字，或不属于任何已知资源种类或模型的字段</translation>
     </message>
     <message>
         <source>the project was not saved: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>项目未保存：%1</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be two capital letters, such as DE; it is &apos;%2&apos;</source>
@@ -9537,63 +9537,63 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;%1&apos;%2 must be stated (ISO/IEC 17025 %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>必须说明 &apos;%1&apos;%2 (ISO/IEC 17025 %3)</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be stated (Digital Calibration Certificate)</source>
-        <translation type="unfinished"></translation>
+        <translation>必须说明 &apos;%1&apos;（数字校准证书）</translation>
     </message>
     <message>
         <source>the certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>证书</translation>
     </message>
     <message>
         <source>%1 has more than 2 MB, too much for a logo</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 超过 2 MB，作为徽标过大</translation>
     </message>
     <message>
         <source>%1 is neither a PNG nor a JPEG picture</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 既不是 PNG 也不是 JPEG 图片</translation>
     </message>
     <message>
         <source>The certificate has no logo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>证书没有徽标：%1</translation>
     </message>
     <message>
         <source>more than %1 columns are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 列不读取</translation>
     </message>
     <message>
         <source>the quote that begins here is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>此处开始的引号没有关闭</translation>
     </message>
     <message>
         <source>text follows the closing quote of a cell; write a quote inside a quoted cell twice</source>
-        <translation type="unfinished"></translation>
+        <translation>单元格的结束引号之后有文本；引号内的单元格中的引号请写两次</translation>
     </message>
     <message>
         <source>the text is encoded as UTF-16; save it as UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>文本编码为 UTF-16；请另存为 UTF-8</translation>
     </message>
     <message>
         <source>the text is not encoded as UTF-8; save it as UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>文本编码不是 UTF-8；请另存为 UTF-8</translation>
     </message>
     <message>
         <source>this row has %1 cells; there are %2 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>此行有 %1 个单元格；现有 %2 列</translation>
     </message>
     <message>
         <source>column &apos;%1&apos;: &apos;%2&apos; is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>列 &apos;%1&apos;：&apos;%2&apos; 不是数字</translation>
     </message>
     <message>
         <source>column &apos;%1&apos;: &apos;%2&apos; is neither true nor false</source>
-        <translation type="unfinished"></translation>
+        <translation>列 &apos;%1&apos;：&apos;%2&apos; 既不是 true 也不是 false</translation>
     </message>
     <message>
         <source>the file has no column &apos;%1&apos;%2; its columns are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有列 &apos;%1&apos;%2；其列为 %3</translation>
     </message>
     <message>
         <source>there is no row with the names of the columns</source>
@@ -9605,71 +9605,71 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>a table to choose from is written as &quot;/setup/KEY/rows&quot;; it is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>供选择的表写作 &quot;/setup/KEY/rows&quot;；现为 %1</translation>
     </message>
     <message>
         <source>a design needs &apos;variables&apos;, a table to &apos;choose&apos; from, or &apos;reductions&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>设计需要 &apos;variables&apos;、供 &apos;choose&apos; 的表，或 &apos;reductions&apos;</translation>
     </message>
     <message>
         <source>the cheapest reductions are a design of their own, without variables and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>最省费用的减小是单独的设计，没有变量和行</translation>
     </message>
     <message>
         <source>a design has at most %1 reductions</source>
-        <translation type="unfinished"></translation>
+        <translation>一个设计最多有 %1 个减小项</translation>
     </message>
     <message>
         <source>a design has at most %1 variables</source>
-        <translation type="unfinished"></translation>
+        <translation>一个设计最多有 %1 个变量</translation>
     </message>
     <message>
         <source>the cost is that of rows with &apos;prices&apos;: it needs a table to choose from, and no variables</source>
-        <translation type="unfinished"></translation>
+        <translation>费用是带 &apos;prices&apos; 的行的费用：它需要供选择的表，且没有变量</translation>
     </message>
     <message>
         <source>a tolerance must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>容差不得为负</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes whole numbers: a study shows what each of them gives</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 取整数：参数研究可显示每个取值的结果</translation>
     </message>
     <message>
         <source>%1 is chosen by two variables</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 由两个变量选择</translation>
     </message>
     <message>
         <source>the smallest factor is between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>最小因子在 0 和 1 之间</translation>
     </message>
     <message>
         <source>a price must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>价格不得为负</translation>
     </message>
     <message>
         <source>%1 is reduced twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 减小了两次</translation>
     </message>
     <message>
         <source>of %1 rows, %2 to %3 can be kept; it is %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 行中可保留 %2 至 %3 行；现为 %4</translation>
     </message>
     <message>
         <source>there are %1 rows, counted from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>共有 %1 行，从 0 计数</translation>
     </message>
     <message>
         <source>row %1 is fixed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行固定了两次</translation>
     </message>
     <message>
         <source>more rows are fixed than kept</source>
-        <translation type="unfinished"></translation>
+        <translation>固定的行多于保留的行</translation>
     </message>
     <message>
         <source>there is one price for all rows, or one for each of the %1; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>所有行用一个价格，或 %1 行各一个；现有 %2 个</translation>
     </message>
     <message>
         <source>a box</source>
@@ -9677,7 +9677,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>every coordinate of &apos;to&apos; must be greater than that of &apos;from&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;to&apos; 的每个坐标必须大于 &apos;from&apos; 的坐标</translation>
     </message>
     <message>
         <source>the least distance</source>
@@ -9685,23 +9685,23 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the least distance must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>最小距离必须大于零</translation>
     </message>
     <message>
         <source>there are 1 to %1 starts</source>
-        <translation type="unfinished"></translation>
+        <translation>起始点为 1 至 %1 个</translation>
     </message>
     <message>
         <source>at least one evaluation is needed</source>
-        <translation type="unfinished"></translation>
+        <translation>至少需要一次评定</translation>
     </message>
     <message>
         <source>the set-up has no table %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>测量设置没有表 %1%2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be %2; it is &apos;%3&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 必须是%2；现为 &apos;%3&apos;</translation>
     </message>
     <message>
         <source>a variable of a design</source>
@@ -9729,7 +9729,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;%1&apos; must be a list of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 必须是数字的列表</translation>
     </message>
     <message>
         <source>the parameters of &apos;%1&apos;</source>
@@ -9741,11 +9741,11 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>there is no distribution &apos;%1&apos;%2; known are %3</source>
-        <translation type="unfinished"></translation>
+        <translation>没有分布 &apos;%1&apos;%2；已知的有 %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing in a component</source>
-        <translation type="unfinished"></translation>
+        <translation>分量中缺少 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a component</source>
@@ -9777,43 +9777,43 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>%1 is %2; the unit %3 of %4 is the unit of %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 为%2；%4 的单位 %3 是%5的单位</translation>
     </message>
     <message>
         <source>%1: the degrees of freedom must be greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：自由度必须大于零</translation>
     </message>
     <message>
         <source>%1 is a component, not an input quantity: it can be held, but not be edited otherwise</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是分量，不是输入量：可以固定，但不能以其他方式编辑</translation>
     </message>
     <message>
         <source>%1 has no uncertainty to be correlated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有可相关的不确定度</translation>
     </message>
     <message>
         <source>there is no component or quantity %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>没有分量或量 %1%2</translation>
     </message>
     <message>
         <source>%1 cannot be correlated with itself</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不能与自身相关</translation>
     </message>
     <message>
         <source>a correlation coefficient must lie between -1 and 1; it is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>相关系数必须在 -1 和 1 之间；现为 %1</translation>
     </message>
     <message>
         <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 和 %2 共有分量 %3，因而相关；请改为说明其他分量的相关</translation>
     </message>
     <message>
         <source>%1 is edited twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 编辑了两次</translation>
     </message>
     <message>
         <source>the correlation of %1 and %2 is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 和 %2 的相关给出了两次</translation>
     </message>
     <message>
         <source>a number is needed here; it is %1</source>
@@ -9825,27 +9825,27 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>the frame of %1 is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少 %1 的坐标系</translation>
     </message>
     <message>
         <source>no calibration of a robot: &apos;kinematics&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>不是机器人的标定：缺少 &apos;kinematics&apos;</translation>
     </message>
     <message>
         <source>calibration %1</source>
-        <translation type="unfinished"></translation>
+        <translation>标定 %1</translation>
     </message>
     <message>
         <source>lengths in m, angles in rad, about fixed axes as in URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>长度以 m、角度以 rad 为单位，绕固定轴，如 URDF</translation>
     </message>
     <message>
         <source>%1 is called %2 here</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在此称为 %2</translation>
     </message>
     <message>
         <source>an input without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>没有名称的输入</translation>
     </message>
     <message>
         <source>its %1 must be a number</source>
@@ -9873,7 +9873,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>more than %1 observations are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 个观测值不读取</translation>
     </message>
     <message>
         <source>numnewmeas must be a number from 1</source>
@@ -9885,7 +9885,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>%1 %2 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 不是数字</translation>
     </message>
     <message>
         <source>%1 %2 is %3</source>
@@ -9897,599 +9897,599 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>; it has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>；它有 %1</translation>
     </message>
     <message>
         <source>the file has no calculation of mode &apos;uncertainty&apos; or &apos;system&apos;%1</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有模式为 &apos;uncertainty&apos; 或 &apos;system&apos; 的计算%1</translation>
     </message>
     <message>
         <source>%1: %2 quantities, %3 results</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 个量，%3 个结果</translation>
     </message>
     <message>
         <source>the calculation has no inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>该计算没有输入</translation>
     </message>
     <message>
         <source>the calculation has no functions</source>
-        <translation type="unfinished"></translation>
+        <translation>该计算没有函数</translation>
     </message>
     <message>
         <source>the system has no quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>该系统没有量</translation>
     </message>
     <message>
         <source>quantities of type %1 are not read; those that are: direct, indirect</source>
-        <translation type="unfinished"></translation>
+        <translation>不读取类型为 %1 的量；可读取的有：direct, indirect</translation>
     </message>
     <message>
         <source>the system has no direct quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>该系统没有 direct 的量</translation>
     </message>
     <message>
         <source>more than %1 inputs are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 个输入不读取</translation>
     </message>
     <message>
         <source>more than %1 functions are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 个函数不读取</translation>
     </message>
     <message>
         <source>a function has the name of an input or of another function</source>
-        <translation type="unfinished"></translation>
+        <translation>有函数与输入或其他函数同名</translation>
     </message>
     <message>
         <source>%1: in %2 instead of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：以 %2 而不是 %3</translation>
     </message>
     <message>
         <source>%1: no starting value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：没有初始值</translation>
     </message>
     <message>
         <source>%1: state the unit of what is solved for under &apos;units&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：请在 &apos;units&apos; 下说明所求量的单位</translation>
     </message>
     <message>
         <source>a correlation needs var1 and var2, two inputs, and cor, a number between -1 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>相关需要 var1 和 var2（两个输入）以及 cor（-1 和 1 之间的数字）</translation>
     </message>
     <message>
         <source>no unit can be stated for %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>不能为 %1 说明单位%2</translation>
     </message>
     <message>
         <source>the file has no Excel workbook in it</source>
-        <translation type="unfinished"></translation>
+        <translation>文件中没有 Excel 工作簿</translation>
     </message>
     <message>
         <source>the file has no sheet with cells</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有带单元格的工作表</translation>
     </message>
     <message>
         <source>%1: %2 is no place of a cell</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 不是单元格的位置</translation>
     </message>
     <message>
         <source>%1: more than %2 cells are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：超过 %2 个单元格不读取</translation>
     </message>
     <message>
         <source>its text is missing from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>文件中缺少其文本</translation>
     </message>
     <message>
         <source>the file has a password or the old format .xls: save it as .xlsx without a password</source>
-        <translation type="unfinished"></translation>
+        <translation>文件有密码或为旧格式 .xls：请另存为无密码的 .xlsx</translation>
     </message>
     <message>
         <source>XML of more than %1 MB is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 MB 的 XML 不读取</translation>
     </message>
     <message>
         <source>a document type declaration: files that declare entities are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>文档类型声明：声明实体的文件不读取</translation>
     </message>
     <message>
         <source>an alias (*name): write out what it stands for, aliases are not expanded</source>
-        <translation type="unfinished"></translation>
+        <translation>别名 (*name)：请写出它所代表的内容，别名不展开</translation>
     </message>
     <message>
         <source>more than %1 entries are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 个条目不读取</translation>
     </message>
     <message>
         <source>more than %1 levels are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 层不读取</translation>
     </message>
     <message>
         <source>a key must be a word</source>
-        <translation type="unfinished"></translation>
+        <translation>键必须是一个词</translation>
     </message>
     <message>
         <source>the key %1 stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>键 %1 出现两次</translation>
     </message>
     <message>
         <source>more than 1000 keys are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 1000 个键不读取</translation>
     </message>
     <message>
         <source>YAML of more than %1 kB is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 kB 的 YAML 不读取</translation>
     </message>
     <message>
         <source>the file has no YAML document</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有 YAML 文档</translation>
     </message>
     <message>
         <source>not readable as YAML: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不能作为 YAML 读取：%1</translation>
     </message>
     <message>
         <source>the file has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>文件有%1</translation>
     </message>
     <message>
         <source>no readable zip archive in it (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>其中没有可读的 zip 压缩包（%1）</translation>
     </message>
     <message>
         <source>more than %1 parts, which are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 个部分，不读取</translation>
     </message>
     <message>
         <source>no part %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有部分 %1</translation>
     </message>
     <message>
         <source>a part %1 that cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>不能读取的部分 %1</translation>
     </message>
     <message>
         <source>an encrypted part %1: save it without a password</source>
-        <translation type="unfinished"></translation>
+        <translation>加密的部分 %1：请不带密码保存</translation>
     </message>
     <message>
         <source>a part %1 that cannot be unpacked</source>
-        <translation type="unfinished"></translation>
+        <translation>不能解压的部分 %1</translation>
     </message>
     <message>
         <source>a damaged part %1</source>
-        <translation type="unfinished"></translation>
+        <translation>损坏的部分 %1</translation>
     </message>
     <message>
         <source>parts that unpack to more than %1 MB (at %2), which are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>解压后超过 %1 MB 的部分（在 %2），不读取</translation>
     </message>
     <message>
         <source>no network of GNU Gama: &lt;gama-local&gt; with a &lt;network&gt; is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>不是 GNU Gama 的网：应为带 &lt;network&gt; 的 &lt;gama-local&gt;</translation>
     </message>
     <message>
         <source>the stated unit of lengths: coordinates of Gama are in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>所述的长度单位：Gama 的坐标以米为单位</translation>
     </message>
     <message>
         <source>&lt;parameters&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;parameters&gt;</translation>
     </message>
     <message>
         <source>%1 &lt;%2&gt; with observations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个带观测的 &lt;%2&gt;</translation>
     </message>
     <message>
         <source>%1 points without x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个没有 x 和 y 的点</translation>
     </message>
     <message>
         <source>%1 points have no z: it is taken as 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点没有 z：取为 0</translation>
     </message>
     <message>
         <source>the network has no points with coordinates x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>网中没有带坐标 x 和 y 的点</translation>
     </message>
     <message>
         <source>%1 points are to be adjusted: their coordinates are approximate ones</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点有待平差：其坐标是近似坐标</translation>
     </message>
     <message>
         <source>: a left-handed frame; x and y are taken as they stand</source>
-        <translation type="unfinished"></translation>
+        <translation>：左手坐标系；x 和 y 按原样采用</translation>
     </message>
     <message>
         <source>coordinates in metres, axes-xy = %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>以米为单位的坐标，axes-xy = %1%2</translation>
     </message>
     <message>
         <source>%1 = %2 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2 不是数字</translation>
     </message>
     <message>
         <source>too many points: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>点过多：请拆分文件</translation>
     </message>
     <message>
         <source>&lt;coordinates&gt;: point %1 has no x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;coordinates&gt;：点 %1 没有 x 和 y</translation>
     </message>
     <message>
         <source>a covariance matrix of more than %1 coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 个坐标的协方差矩阵</translation>
     </message>
     <message>
         <source>the file has no adjusted coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有平差后的坐标</translation>
     </message>
     <message>
         <source>point %1 has no x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1 没有 x 和 y</translation>
     </message>
     <message>
         <source>adjusted coordinates in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>以米为单位的平差后坐标</translation>
     </message>
     <message>
         <source>uncertainties: the file has no &lt;cov-mat&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度：文件没有 &lt;cov-mat&gt;</translation>
     </message>
     <message>
         <source>residuals and orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>残差和定向</translation>
     </message>
     <message>
         <source>its dim must be at least the %1 adjusted coordinates, its band less than it</source>
-        <translation type="unfinished"></translation>
+        <translation>其 dim 必须至少为 %1 个平差后的坐标，其 band 小于它</translation>
     </message>
     <message>
         <source>element %1, %2 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>元素 %1, %2 不是数字</translation>
     </message>
     <message>
         <source>its dim must be the %1 %2, its band less than that</source>
-        <translation type="unfinished"></translation>
+        <translation>其 dim 必须为 %1 个%2，其 band 小于它</translation>
     </message>
     <message>
         <source>element %1, %2: %3 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>元素 %1, %2：%3 不是数字</translation>
     </message>
     <message>
         <source>a covariance matrix of observations that are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>被略去的观测的协方差矩阵</translation>
     </message>
     <message>
         <source>the standard deviation %1 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>标准偏差 %1 不是数字</translation>
     </message>
     <message>
         <source>the standard deviation %1 must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>标准偏差 %1 不得为负</translation>
     </message>
     <message>
         <source>, %1 of them without a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>，其中 %1 个没有标准偏差</translation>
     </message>
     <message>
         <source>, %1 correlations</source>
-        <translation type="unfinished"></translation>
+        <translation>，%1 个相关</translation>
     </message>
     <message>
         <source>%1 observations%2%3; each is its own result: write the equations of what you measure with them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个观测%2%3；每个都是其自身的结果：请用它们写出所测量的方程</translation>
     </message>
     <message>
         <source>%1 observations: more than %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个观测：超过 %2</translation>
     </message>
     <message>
         <source>the stated unit of lengths: words of GSI state theirs</source>
-        <translation type="unfinished"></translation>
+        <translation>所述的长度单位：GSI 的字自带单位</translation>
     </message>
     <message>
         <source>words %1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>字 %1（%2）</translation>
     </message>
     <message>
         <source>%1 readings of reflectors above their points: the targets are the reflectors</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个对点上方反射器的读数：目标为反射器</translation>
     </message>
     <message>
         <source>the file has neither coordinates nor readings with a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>文件既没有坐标也没有带距离的读数</translation>
     </message>
     <message>
         <source>the reading of %1: angles and a distance are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的读数：需要角度和距离</translation>
     </message>
     <message>
         <source>coordinates E, N, H become x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标 E、N、H 成为 x、y、z</translation>
     </message>
     <message>
         <source>%1: more than %2 set-ups; divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：超过 %2 次设站；请拆分文件</translation>
     </message>
     <message>
         <source>%1: its coordinates are not in the file: 0, 0, 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：其坐标不在文件中：0, 0, 0</translation>
     </message>
     <message>
         <source>%1: readings of points that have coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：对有坐标的点的读数</translation>
     </message>
     <message>
         <source>%1: readings do not repeat, or are too far apart for it, and say nothing of their uncertainty: points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：读数没有重复，或相差过大，不能说明其不确定度：点</translation>
     </message>
     <message>
         <source>no word of GSI: index, information, sign and data are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>不是 GSI 的字：应为字索引、信息、符号和数据</translation>
     </message>
     <message>
         <source>more than %1 blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 个块</translation>
     </message>
     <message>
         <source>a block begins with the word 11 or 41</source>
-        <translation type="unfinished"></translation>
+        <translation>块以字 11 或 41 开头</translation>
     </message>
     <message>
         <source>the data of a word must be digits</source>
-        <translation type="unfinished"></translation>
+        <translation>字的数据必须是数字</translation>
     </message>
     <message>
         <source>the unit &apos;%1&apos; is none of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>单位 &apos;%1&apos; 不是 %2 之一</translation>
     </message>
     <message>
         <source>the file has no blocks of GSI</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有 GSI 的块</translation>
     </message>
     <message>
         <source>more than %1 lines are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 行不读取</translation>
     </message>
     <message>
         <source>the name of a section is not closed by &apos;]&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>节的名称没有以 &apos;]&apos; 结束</translation>
     </message>
     <message>
         <source>the section %1 stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>节 %1 出现两次</translation>
     </message>
     <message>
         <source>neither a section [...] nor a line name=value of one</source>
-        <translation type="unfinished"></translation>
+        <translation>既不是节 [...] 也不是其中的行 名称=值</translation>
     </message>
     <message>
         <source>no quantity with a value and an uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>没有带值和不确定度的量</translation>
     </message>
     <message>
         <source>the file has no equation (Model[1]=)</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有方程 (Model[1]=)</translation>
     </message>
     <message>
         <source>log may be the natural or the decimal logarithm: write ln or log10</source>
-        <translation type="unfinished"></translation>
+        <translation>log 可以是自然对数或常用对数：请写 ln 或 log10</translation>
     </message>
     <message>
         <source>no file of GUM Workbench: the section [Components] is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>不是 GUM Workbench 的文件：缺少节 [Components]</translation>
     </message>
     <message>
         <source>the section [COMP %1] is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少节 [COMP %1]</translation>
     </message>
     <message>
         <source>more than %1 quantities are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 个量不读取</translation>
     </message>
     <message>
         <source>%1= is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少 %1=</translation>
     </message>
     <message>
         <source>quantities of type %1 are not known; those that are: Result, TypBNormal, TypBRectang, TypAPooled</source>
-        <translation type="unfinished"></translation>
+        <translation>未知类型为 %1 的量；已知的有：Result, TypBNormal, TypBRectang, TypAPooled</translation>
     </message>
     <message>
         <source>result %1 as the file states it: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>文件所述的结果 %1：%2</translation>
     </message>
     <message>
         <source>section [%1]</source>
-        <translation type="unfinished"></translation>
+        <translation>节 [%1]</translation>
     </message>
     <message>
         <source>1 point</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个点</translation>
     </message>
     <message>
         <source>%1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点</translation>
     </message>
     <message>
         <source>1 name occur again and have got a number: first %1</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个名称重复出现并加了编号：首个为 %1</translation>
     </message>
     <message>
         <source>%1 names occur again and have got a number: first %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个名称重复出现并加了编号：首个为 %2</translation>
     </message>
     <message>
         <source>%1 groups in one artefact: their names stand before those of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>一个标准件中有 %1 个组：其名称放在点名之前</translation>
     </message>
     <message>
         <source>no uncertainties are stated: u_cal is 0 until you state it</source>
-        <translation type="unfinished"></translation>
+        <translation>没有说明不确定度：在您说明之前 u_cal 为 0</translation>
     </message>
     <message>
         <source>u_cal is the largest of the stated standard uncertainties: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>u_cal 为所述标准不确定度中最大者：%1</translation>
     </message>
     <message>
         <source>u_cal as stated: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>所述的 u_cal：%1</translation>
     </message>
     <message>
         <source>%1 without a stated one</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有所述的不确定度</translation>
     </message>
     <message>
         <source>the uncertainty of each point by itself, and correlations: only up to %1 have an analysis of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>各点自身的不确定度和相关：只有不超过 %1 的才有其自身的分析</translation>
     </message>
     <message>
         <source> and 1 correlation coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation> 和 1 个相关系数</translation>
     </message>
     <message>
         <source> and %1 correlation coefficients</source>
-        <translation type="unfinished"></translation>
+        <translation> 和 %1 个相关系数</translation>
     </message>
     <message>
         <source>analysis &apos;Points as stated&apos;: every coordinate with its own uncertainty%1</source>
-        <translation type="unfinished"></translation>
+        <translation>分析 &apos;Points as stated&apos;：每个坐标带其自身的不确定度%1</translation>
     </message>
     <message>
         <source>the file has no points</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有点</translation>
     </message>
     <message>
         <source>the file has no line &apos;Frame,Time (Seconds),...&apos; with data below</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有其下带数据的行 &apos;Frame,Time (Seconds),...&apos;</translation>
     </message>
     <message>
         <source>the file must begin with &apos;Format Version,&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>文件必须以 &apos;Format Version,&apos; 开头</translation>
     </message>
     <message>
         <source>rotations of type %1 are not read: export the take with quaternions</source>
-        <translation type="unfinished"></translation>
+        <translation>不读取类型为 %1 的转动：请以四元数导出该 take</translation>
     </message>
     <message>
         <source>the file does not state its unit of lengths; state it</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有说明其长度单位；请说明</translation>
     </message>
     <message>
         <source>take %1, lengths in %2, coordinate space %3</source>
-        <translation type="unfinished"></translation>
+        <translation>take %1，长度以 %2 为单位，坐标空间 %3</translation>
     </message>
     <message>
         <source>%1 columns of markers</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 列标记点</translation>
     </message>
     <message>
         <source>more than %1 rigid bodies are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 个刚体不读取</translation>
     </message>
     <message>
         <source>rigid body %1: columns of its rotation (X, Y, Z, W) or position (X, Y, Z) are missing</source>
-        <translation type="unfinished"></translation>
+        <translation>刚体 %1：缺少其转动 (X, Y, Z, W) 或位置 (X, Y, Z) 的列</translation>
     </message>
     <message>
         <source>the take has no rigid body</source>
-        <translation type="unfinished"></translation>
+        <translation>该 take 没有刚体</translation>
     </message>
     <message>
         <source>%1 is not a number of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是位姿的数字</translation>
     </message>
     <message>
         <source>the quaternion of %1 has not the length 1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的四元数长度不为 1</translation>
     </message>
     <message>
         <source>the angles about z and x of %1 are not determined: turned by 90 degrees about y. Turn the axes of the body in Motive by 90 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 绕 z 和 x 的角度不能确定：绕 y 转了 90 度。请在 Motive 中将刚体的轴转 90 度</translation>
     </message>
     <message>
         <source>%1: %2 frames in which it was not seen</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 帧中没有看到它</translation>
     </message>
     <message>
         <source>rigid body %1: at least two frames in which it is seen are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>刚体 %1：至少需要两帧看到它</translation>
     </message>
     <message>
         <source>rigid body %1: mean pose of %2 frames, Type A with covariance; the body must not have moved, and the frames are taken as independent</source>
-        <translation type="unfinished"></translation>
+        <translation>刚体 %1：%2 帧的平均位姿，A 类，带协方差；该刚体不得移动过，各帧视为独立</translation>
     </message>
     <message>
         <source>unit &quot;%1&quot;: write it without parentheses</source>
-        <translation type="unfinished"></translation>
+        <translation>单位“%1”：请不用括号书写</translation>
     </message>
     <message>
         <source>the exponents are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>指数过大</translation>
     </message>
     <message>
         <source>%1; state the columns: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1；请说明各列：%2</translation>
     </message>
     <message>
         <source>there is no column %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>没有列 %1%2</translation>
     </message>
     <message>
         <source>more than %1 points: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 %1 个点：请拆分文件</translation>
     </message>
     <message>
         <source> is empty</source>
-        <translation type="unfinished"></translation>
+        <translation> 为空</translation>
     </message>
     <message>
         <source> is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation> 不是数字</translation>
     </message>
     <message>
         <source>: an uncertainty must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>：不确定度不得为负</translation>
     </message>
     <message>
         <source> is too large</source>
-        <translation type="unfinished"></translation>
+        <translation> 过大</translation>
     </message>
     <message>
         <source>the line has %1 columns instead of %2; put names that contain blanks into quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>该行有 %1 列而不是 %2 列；含空格的名称请加引号</translation>
     </message>
     <message>
         <source>what stands behind column %1</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 列之后的内容</translation>
     </message>
     <message>
         <source>lengths are taken as mm: the file does not say its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>长度按 mm 处理：文件没有说明其单位</translation>
     </message>
     <message>
         <source>column %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>列 %1%2</translation>
     </message>
     <message>
         <source>%1 lines above the headers</source>
-        <translation type="unfinished"></translation>
+        <translation>标题上方的 %1 行</translation>
     </message>
     <message>
         <source>%1 lines of comment</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 行注释</translation>
     </message>
     <message>
         <source>the table has no line of headers; state the columns: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>该表没有标题行；请说明各列：%1</translation>
     </message>
     <message>
         <source>its columns may mean several things (names that are numbers, offsets, weights, tolerances, notes); state the columns: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>其列可能有多种含义（为数字的名称、偏移、权、公差、备注）；请说明各列：%1</translation>
     </message>
     <message>
         <source>six numbers may be X Y Z Ux Uy Uz, but also X Y Z with weights, a vector or the angles of a frame: name the reader if they are uncertainties, or state the columns: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>六个数字可能是 X Y Z Ux Uy Uz，也可能是 X Y Z 加权、向量或坐标系的角度：若为不确定度请指明读取器，或说明各列：%1</translation>
     </message>
     <message>
         <source>read as %1 (%2)</source>
@@ -10521,207 +10521,207 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>no reader recognises the file; name the one to read it with</source>
-        <translation type="unfinished"></translation>
+        <translation>没有读取器识别该文件；请指明用于读取的读取器</translation>
     </message>
     <message>
         <source>several readers recognise the file: %1; name one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>多个读取器识别该文件：%1；请指明其中一个</translation>
     </message>
     <message>
         <source>a column cannot be %1; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>列不能为 %1；现有 %2 列</translation>
     </message>
     <message>
         <source>the columns %1 and %2 mean the same; state the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>列 %1 和 %2 含义相同；请说明各列</translation>
     </message>
     <message>
         <source>a budget needs columns for the quantity or its name, for an uncertainty (u, U or limits) and one more; state the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>预算需要量或其名称的列、不确定度（u, U 或界限）的列，以及另外一列；请说明各列</translation>
     </message>
     <message>
         <source>the distribution %1 is not known; there are normal, rectangular, triangular, U-shaped</source>
-        <translation type="unfinished"></translation>
+        <translation>未知分布 %1；有 normal, rectangular, triangular, U-shaped</translation>
     </message>
     <message>
         <source>the divisor must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>除数必须大于 0</translation>
     </message>
     <message>
         <source>an uncertainty must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度不得为负</translation>
     </message>
     <message>
         <source>no uncertainty is stated</source>
-        <translation type="unfinished"></translation>
+        <translation>没有说明不确定度</translation>
     </message>
     <message>
         <source>neither divisor, k nor distribution says what the uncertainty %1 is</source>
-        <translation type="unfinished"></translation>
+        <translation>除数、k 和分布都没有说明不确定度 %1 是什么</translation>
     </message>
     <message>
         <source>a normal distribution needs a divisor or k for the uncertainty %1</source>
-        <translation type="unfinished"></translation>
+        <translation>对于不确定度 %1，正态分布需要除数或 k</translation>
     </message>
     <message>
         <source>no row has a number in the stated columns</source>
-        <translation type="unfinished"></translation>
+        <translation>所说明的列中没有一行有数字</translation>
     </message>
     <message>
         <source>there is no sheet %1 with cells; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>没有带单元格的工作表 %1；现有 %2</translation>
     </message>
     <message>
         <source>the workbook has several sheets, %1: name the sheet whose columns are stated</source>
-        <translation type="unfinished"></translation>
+        <translation>工作簿有多个工作表，%1：请指明说明了列的工作表</translation>
     </message>
     <message>
         <source>no row of headers of a budget was found; state the columns (quantity, value, unit, U, divisor ...)</source>
-        <translation type="unfinished"></translation>
+        <translation>没有找到预算的标题行；请说明各列（quantity, value, unit, U, divisor ...）</translation>
     </message>
     <message>
         <source>several sheets have a budget: %1; name one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>多个工作表有预算：%1；请指明其中一个</translation>
     </message>
     <message>
         <source>a file that it includes: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>它所包含的文件：%1</translation>
     </message>
     <message>
         <source>the code of a point is expected, a digit</source>
-        <translation type="unfinished"></translation>
+        <translation>应为点的代码，即一位数字</translation>
     </message>
     <message>
         <source>a point that is not to be used: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不使用的点：%1</translation>
     </message>
     <message>
         <source>code, name, x, y, z, three standard deviations and two deflections of the vertical are expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>应有代码、名称、x、y、z、三个标准偏差和两个垂线偏差，现有 %1 列</translation>
     </message>
     <message>
         <source>none of their coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>没有坐标</translation>
     </message>
     <message>
         <source>%1 only</source>
-        <translation type="unfinished"></translation>
+        <translation>仅 %1</translation>
     </message>
     <message>
         <source>standard deviations of %1 points of code %2: it constrains %3</source>
-        <translation type="unfinished"></translation>
+        <translation>代码为 %2 的 %1 个点的标准偏差：它约束 %3</translation>
     </message>
     <message>
         <source>deflections of the vertical of %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点的垂线偏差</translation>
     </message>
     <message>
         <source>%1 points are not constrained: their coordinates are approximate ones for the adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点未受约束：其坐标是平差的近似坐标</translation>
     </message>
     <message>
         <source>%1 comments</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 条注释</translation>
     </message>
     <message>
         <source>%1 is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是数字</translation>
     </message>
     <message>
         <source>%1: the constraint of %2, which is switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 的约束，已关闭</translation>
     </message>
     <message>
         <source>coordinates in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>以米为单位的坐标</translation>
     </message>
     <message>
         <source>the stated unit of lengths: coordinates of Comp3D are in metres</source>
-        <translation type="unfinished"></translation>
+        <translation>所述的长度单位：Comp3D 的坐标以米为单位</translation>
     </message>
     <message>
         <source>the code of an observation is expected, a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>应为观测的代码，即整数</translation>
     </message>
     <message>
         <source>an observation of code %1</source>
-        <translation type="unfinished"></translation>
+        <translation>代码为 %1 的观测</translation>
     </message>
     <message>
         <source>code, two points, value, one or two standard deviations and two heights are expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>应有代码、两个点、值、一个或两个标准偏差和两个高度，现有 %1 列</translation>
     </message>
     <message>
         <source>%1 %2: it is switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2：已关闭</translation>
     </message>
     <message>
         <source>the file has no observation that is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>文件中没有可采用的观测</translation>
     </message>
     <message>
         <source>%1 observations, lengths in metres; each is its own result: write the equations of what you measure with them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个观测，长度以米为单位；每个都是其自身的结果：请用它们写出所测量的方程</translation>
     </message>
     <message>
         <source>the unit of angles must be one of an angle: gon, deg, rad</source>
-        <translation type="unfinished"></translation>
+        <translation>角度的单位必须是角度单位：gon, deg, rad</translation>
     </message>
     <message>
         <source>%1 %2: the part of its standard deviation that depends on the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2：其标准偏差中取决于距离的部分</translation>
     </message>
     <message>
         <source>%1: it is switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：已关闭</translation>
     </message>
     <message>
         <source>a variance of its covariance matrix is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>其协方差矩阵的一个方差为负</translation>
     </message>
     <message>
         <source>its covariance matrix is not symmetric</source>
-        <translation type="unfinished"></translation>
+        <translation>其协方差矩阵不对称</translation>
     </message>
     <message>
         <source>its matrix is no covariance matrix: a variance of some combination is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>其矩阵不是协方差矩阵：某个组合的方差为负</translation>
     </message>
     <message>
         <source>no Digital Calibration Certificate: its root is &lt;%1&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>不是数字校准证书：其根元素为 &lt;%1&gt;</translation>
     </message>
     <message>
         <source>the certificate has no results with numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>证书没有带数字的结果</translation>
     </message>
     <message>
         <source>schema version %1</source>
-        <translation type="unfinished"></translation>
+        <translation>模式版本 %1</translation>
     </message>
     <message>
         <source>what this version of the schema has beyond version 3</source>
-        <translation type="unfinished"></translation>
+        <translation>该模式版本中超出版本 3 的内容</translation>
     </message>
     <message>
         <source>the stated unit of lengths: a certificate states its units</source>
-        <translation type="unfinished"></translation>
+        <translation>所述的长度单位：证书自有其单位</translation>
     </message>
     <message>
         <source>%1: &lt;measurementMetaData&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：&lt;measurementMetaData&gt;</translation>
     </message>
     <message>
         <source>a quantity: more than %1 values</source>
-        <translation type="unfinished"></translation>
+        <translation>一个量：超过 %1 个值</translation>
     </message>
     <message>
         <source>%1 as a length standard: more than %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 作为长度标准：超过 %2</translation>
     </message>
     <message>
         <source>the signature: it is not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>签名：未经验证</translation>
     </message>
     <message>
         <source>%1 values, %2 of them with an uncertainty</source>
@@ -10733,175 +10733,175 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>length standard %1: delete it where the length is no standard</source>
-        <translation type="unfinished"></translation>
+        <translation>长度标准 %1：若该长度不是标准，请删除它</translation>
     </message>
     <message>
         <source>a value as &lt;%1&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>以 &lt;%1&gt; 表示的值</translation>
     </message>
     <message>
         <source>its relative uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>其相对不确定度</translation>
     </message>
     <message>
         <source>the same in other units (%1 is taken)</source>
-        <translation type="unfinished"></translation>
+        <translation>以其他单位表示的同一内容（取 %1）</translation>
     </message>
     <message>
         <source>its lists have different lengths than the %1 values</source>
-        <translation type="unfinished"></translation>
+        <translation>其列表的长度与 %1 个值不同</translation>
     </message>
     <message>
         <source>its covariance matrix: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>其协方差矩阵：%1</translation>
     </message>
     <message>
         <source>its covariance matrix has not %1 x %2 elements</source>
-        <translation type="unfinished"></translation>
+        <translation>其协方差矩阵没有 %1 x %2 个元素</translation>
     </message>
     <message>
         <source>p must be between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>p 必须在 0 和 1 之间</translation>
     </message>
     <message>
         <source>k must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>k 必须大于 0</translation>
     </message>
     <message>
         <source>its uncertainty is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>其不确定度为负</translation>
     </message>
     <message>
         <source>it does not begin with \</source>
-        <translation type="unfinished"></translation>
+        <translation>它不以 \ 开头</translation>
     </message>
     <message>
         <source>a brace is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>有花括号没有关闭</translation>
     </message>
     <message>
         <source>its power &apos;%1&apos; is no small integer</source>
-        <translation type="unfinished"></translation>
+        <translation>其幂 &apos;%1&apos; 不是小整数</translation>
     </message>
     <message>
         <source>&apos;\%1&apos; is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>未知 &apos;\%1&apos;</translation>
     </message>
     <message>
         <source>it ends too early</source>
-        <translation type="unfinished"></translation>
+        <translation>它过早结束</translation>
     </message>
     <message>
         <source>the unit %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>单位 %1：%2</translation>
     </message>
     <message>
         <source>sheet %1, columns: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>工作表 %1，列：%2</translation>
     </message>
     <message>
         <source>%1 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是数字</translation>
     </message>
     <message>
         <source>its unit differs from that of the other uncertainty of the row</source>
-        <translation type="unfinished"></translation>
+        <translation>其单位与该行另一个不确定度的单位不同</translation>
     </message>
     <message>
         <source>%1 is no divisor</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是除数</translation>
     </message>
     <message>
         <source>degrees of freedom must be greater than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>自由度必须大于 0</translation>
     </message>
     <message>
         <source>row %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行：%2</translation>
     </message>
     <message>
         <source>the contribution %1: c and u give %2</source>
-        <translation type="unfinished"></translation>
+        <translation>贡献 %1：c 和 u 得出 %2</translation>
     </message>
     <message>
         <source>the contribution does not follow from c and u in any unit; state the unit behind the coefficient (&apos;-575 nm/K&apos;)</source>
-        <translation type="unfinished"></translation>
+        <translation>在任何单位下贡献都不能由 c 和 u 得出；请在系数后写明单位 (&apos;-575 nm/K&apos;)</translation>
     </message>
     <message>
         <source>its unit makes no coefficient of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>其单位不能构成结果的系数</translation>
     </message>
     <message>
         <source>its unit may be %1 or %2: state it behind the coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>其单位可能是 %1 或 %2：请在系数后写明</translation>
     </message>
     <message>
         <source>what stands below the budget, to row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>预算之下直至第 %1 行的内容</translation>
     </message>
     <message>
         <source>there is no quantity with an uncertainty below</source>
-        <translation type="unfinished"></translation>
+        <translation>其下没有带不确定度的量</translation>
     </message>
     <message>
         <source>row without a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>没有量的行</translation>
     </message>
     <message>
         <source>row %1 without figures</source>
-        <translation type="unfinished"></translation>
+        <translation>没有数值的第 %1 行</translation>
     </message>
     <message>
         <source>the quantity has no name</source>
-        <translation type="unfinished"></translation>
+        <translation>该量没有名称</translation>
     </message>
     <message>
         <source>row %1: computed anew</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行：重新计算</translation>
     </message>
     <message>
         <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有说明结果的单位：请给结果单独一行，把单位写在贡献的标题之后，或作为 &apos;result&apos; 的单位给出</translation>
     </message>
     <message>
         <source>the result is not the sum of c x: %1 is the difference</source>
-        <translation type="unfinished"></translation>
+        <translation>结果不是 c x 之和：差为 %1</translation>
     </message>
     <message>
         <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
-        <translation type="unfinished"></translation>
+        <translation>模型：%1；该表只有灵敏系数，如果有方程，请改写为您的方程</translation>
     </message>
     <message>
         <source>%1 quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个量</translation>
     </message>
     <message>
         <source>sheet %1</source>
-        <translation type="unfinished"></translation>
+        <translation>工作表 %1</translation>
     </message>
     <message>
         <source>no input quantity has an uncertainty, so that U is 0 everywhere: state the uncertainties of what the analysis uses</source>
-        <translation type="unfinished"></translation>
+        <translation>没有输入量有不确定度，因此 U 处处为 0：请说明分析所用内容的不确定度</translation>
     </message>
     <message>
         <source>%1; the run is to end at %2 trials and will not be stable then. Choose a larger tolerance or fewer digits</source>
-        <translation type="unfinished"></translation>
+        <translation>%1；运行将在 %2 次试验时结束，届时不会稳定。请选择更大的容差或更少的位数</translation>
     </message>
     <message>
         <source>it cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>不能读取</translation>
     </message>
     <message>
         <source>%1 has no analysis &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有分析“%2”</translation>
     </message>
     <message>
         <source>%1 refers to other assets of the project and cannot be kept alone</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 引用项目的其他资源，不能单独保留</translation>
     </message>
     <message>
         <source>%1 has errors; open it and repair it before adding to it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 有错误；请在添加之前打开并修复</translation>
     </message>
     <message>
         <source>asset %1: %2</source>
@@ -10917,35 +10917,35 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>%1, which does not offer %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，它不提供 %2</translation>
     </message>
     <message>
         <source>it cannot be made</source>
-        <translation type="unfinished"></translation>
+        <translation>不能生成</translation>
     </message>
     <message>
         <source>the analysis &apos;%1&apos; has errors of its own: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>分析 &apos;%1&apos; 自身有错误：%2</translation>
     </message>
     <message>
         <source>%1, which has errors of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，它自身有错误</translation>
     </message>
     <message>
         <source>%1, which is of the kind &apos;%2&apos; and does not offer %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，其种类为 &apos;%2&apos;，不提供 %3</translation>
     </message>
     <message>
         <source>%1, which refers back to this one: %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，它反过来引用本项：%2%3</translation>
     </message>
     <message>
         <source>%1: only analyses take something from analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：只有分析能取自分析</translation>
     </message>
     <message>
         <source>%1, which does not exist%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，它不存在%2</translation>
     </message>
     <message>
         <source>the values given lead to a %1</source>
@@ -11717,35 +11717,35 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>there are no results for the certificate to state</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可供证书陈述的结果</translation>
     </message>
     <message>
         <source>the standard uncertainty of %1 is not finite; a Digital Calibration Certificate has no place for that</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的标准不确定度不是有限的；数字校准证书无法容纳</translation>
     </message>
     <message>
         <source>there is no robot to write: no analysis uses or finds one</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可写入的机器人：没有分析使用或求得机器人</translation>
     </message>
     <message>
         <source>the file is of one robot, and there are %1: choose an analysis that uses or finds the one to write (--analysis)</source>
-        <translation type="unfinished"></translation>
+        <translation>文件只容一个机器人，而现有 %1 个：请选择使用或求得所要机器人的分析 (--analysis)</translation>
     </message>
     <message>
         <source>there are no points to write: no analysis has a result with coordinates x, y, z of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可写入的点：没有分析的结果含有点的坐标 x、y、z</translation>
     </message>
     <message>
         <source>robot %1: the file is of six joints that turn (shoulder to wrist_3); write it as URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人 %1：该文件用于六个转动关节（shoulder 至 wrist_3）；请写为 URDF</translation>
     </message>
     <message>
         <source>there are no results to write</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可写入的结果</translation>
     </message>
     <message>
         <source>the workbook cannot be made in the folder for temporary files</source>
-        <translation type="unfinished"></translation>
+        <translation>不能在临时文件的文件夹中生成工作簿</translation>
     </message>
     <message>
         <source>the report carries no results to compare with (results.json)</source>
