@@ -7565,7 +7565,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
+        <translation>%2의 %1</translation>
     </message>
     <message>
         <source>no trial has a value</source>
@@ -8853,7 +8853,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>line %1, %2</source>
-        <translation>줄 %1, %2</translation>
+        <translation>%1행, %2</translation>
     </message>
     <message>
         <source>The mesh is not drawn: %1: %2</source>
@@ -10509,7 +10509,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>줄 %1: %2</translation>
+        <translation>%1행: %2</translation>
     </message>
     <message>
         <source>and %1 more</source>

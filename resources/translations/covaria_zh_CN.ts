@@ -7565,7 +7565,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
+        <translation>%2 的 %1</translation>
     </message>
     <message>
         <source>no trial has a value</source>
