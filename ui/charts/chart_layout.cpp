@@ -184,7 +184,7 @@ private:
         const double top = geometry.area.bottom() + std::round(5.0 * sheet_.unit);
         const double cell = geometry.area.width() / (geometry.view.x_high - geometry.view.x_low);
         const std::size_t step = every(cell, sheet_.turned ? closest_lines * sheet_.line
-                                                            : sheet_.widest_x_category() + 6.0 * sheet_.unit);
+                                                           : sheet_.widest_x_category() + 6.0 * sheet_.unit);
         for (std::size_t i = 0; i < sheet_.plot.x.categories.size(); ++i) {
             const double x = geometry.x_at(static_cast<double>(i));
             if (i % step != 0 || x < geometry.area.left() || x > geometry.area.right()) continue;
