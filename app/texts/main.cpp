@@ -14,6 +14,7 @@
 #include "core/made/library.h"
 #include "core/made/load_project.h"
 #include "core/manual/help_words.h"
+#include "core/math/rotation_convention.h"
 #include "core/project/certificate.h"
 #include "core/project/design_fields.h"
 #include "core/project/option_fields.h"
@@ -126,6 +127,9 @@ void say_parts_of_project(TextList& list) {
     for (const FieldKind kind : {FieldKind::number, FieldKind::integer, FieldKind::choice, FieldKind::text,
                                  FieldKind::flag, FieldKind::pose, FieldKind::table, FieldKind::reference})
         list.say_word("What a field takes", kind_words(kind));
+    for (const RotationConventionInfo& convention : rotation_conventions())
+        for (const RotationCoordinate& coordinate : convention.coordinates)
+            list.say_word("Coordinate of a rotation", coordinate.name);
     for (const char* words : Message::all_words()) list.say_word("Words of messages and reports", words);
     for (const ReportChapterField& chapter : report_chapters())
         list.say("Chapter of a report", chapter.title);
@@ -155,7 +159,7 @@ void say_table(TextList& list, const Table& table, const std::set<std::string>& 
         if (without.contains(column.key)) continue;
         say_plain(list, "Head of a column of results", column.title);
         if (!column.is_symbol) list.say_word("Head of a column of results in a report", column.head);
-        list.say("Help on a column of results", column.help);
+        list.say("Help on a column of results", column.help.english());
         for (const std::string& word : column.undeclared) list.say("Cell of a table of results", word);
     }
 }

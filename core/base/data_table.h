@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/unit.h"
 
 namespace covaria {
@@ -26,7 +27,7 @@ struct DataTable {
     std::string title;
     std::vector<TableColumn> columns;
     std::vector<std::vector<TableCell>> rows;
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
 };
 
 }  // namespace covaria

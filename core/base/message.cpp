@@ -24,15 +24,15 @@ const std::vector<const char*>& Message::all_words() {
 }
 
 Message Message::of_words(const char* english, std::vector<Message> arguments) {
-    Message message(english);
+    Message message;
+    message.known_ = english;
     message.arguments_ = std::move(arguments);
-    message.translated_ = true;
     return message;
 }
 
 Message Message::declared(std::string_view english) {
     Message message(english);
-    message.translated_ = true;
+    message.declared_ = true;
     return message;
 }
 
@@ -41,7 +41,7 @@ std::string Message::english() const {
 }
 
 std::string Message::in(const Words& translate) const {
-    std::string text = translated_ && !words_.empty() ? translate(words_) : words_;
+    std::string text = known_ ? translate(known_) : declared_ && !text_.empty() ? translate(text_) : text_;
     if (arguments_.empty()) return text;
     std::vector<std::string> arguments;
     for (const Message& argument : arguments_) arguments.push_back(argument.in(translate));

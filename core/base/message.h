@@ -22,25 +22,25 @@ public:
 
     Message() = default;
     /// As it is in every language: names that people gave, numbers, words of other programs.
-    Message(std::string as_it_is) : words_(std::move(as_it_is)) {}
-    Message(const char* as_it_is) : words_(as_it_is) {}
-    Message(std::string_view as_it_is) : words_(as_it_is) {}
+    Message(std::string as_it_is) : text_(std::move(as_it_is)) {}
+    Message(const char* as_it_is) : text_(as_it_is) {}
+    Message(std::string_view as_it_is) : text_(as_it_is) {}
     template <std::integral Count>
     requires(!std::same_as<Count, bool>) Message(Count count) {
         if constexpr (std::same_as<Count, char>)
-            words_ = count;
+            text_ = count;
         else
-            words_ = std::to_string(count);
+            text_ = std::to_string(count);
     }
 
-    /// "%1" to "%9" stand for the arguments.
+    /// "%1" to "%9" stand for the arguments; the words live as long as the program.
     static Message of_words(const char* english, std::vector<Message> arguments);
     /// What a registry declares: the title of a field.
     static Message declared(std::string_view english);
 
     std::string english() const;
     std::string in(const Words& translate) const;
-    bool empty() const { return words_.empty(); }
+    bool empty() const { return !known_ && text_.empty(); }
 
     Message& operator+=(Message more);
     friend Message operator+(Message first, Message second) { return first += std::move(second); }
@@ -51,9 +51,10 @@ public:
     static const std::vector<const char*>& all_words();
 
 private:
-    std::string words_;
+    const char* known_ = nullptr;  ///< of `tell`; else:
+    std::string text_;
     std::vector<Message> arguments_;
-    bool translated_ = false;
+    bool declared_ = false;  ///< the text has a translation
 };
 
 namespace detail {

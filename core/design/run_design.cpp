@@ -140,7 +140,8 @@ private:
             if (j == verified.outputs.size() || j >= verified.budget.rows.size()) return;
             for (const BudgetRow& row : verified.budget.rows[j]) {
                 const BudgetComponent& component = verified.budget.components[row.component];
-                auto& of_origin = shares[of_assets.contains(component.id) ? component.origin : component.id];
+                auto& of_origin =
+                    shares[of_assets.contains(component.id) ? component.origin.english() : component.id];
                 of_origin.resize(result_.goals.size(), 0.0);
                 of_origin[k] += row.share;
             }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/message.h"
 #include "core/base/unit.h"
 
 namespace covaria {
@@ -14,7 +15,7 @@ enum class OutputRole {
 
 struct OutputQuantity {
     std::string symbol = {};  ///< unique within its group: "x", "alpha"
-    std::string name = {};    ///< "x of the platform"
+    Message name = {};        ///< "x of the platform"
     Unit unit = {};           ///< for display and results.json; values are SI
     std::string group = {};   ///< "pose 7"; one joint coverage region per group of measurands
     OutputRole role = OutputRole::measurand;

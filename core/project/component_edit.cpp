@@ -59,12 +59,12 @@ ComponentEdit in_unit(ComponentEdit edit, const Unit& unit) {
     return edit;
 }
 
-ComponentEdit to_edit(const UncertaintyComponent& component) {
+ComponentEdit to_edit(const UncertaintyComponent& component, const DocumentLanguage& in) {
     ComponentEdit edit;
-    edit.name = component.name;
+    edit.name = in.say(component.name);
     edit.unit = component.unit.interval();
     edit.type = component.type;
-    edit.origin = component.origin;
+    edit.origin = in.say(component.origin);
     if (std::isfinite(component.degrees_of_freedom)) edit.degrees_of_freedom = component.degrees_of_freedom;
     set_distribution(edit, component.distribution);
     return edit;

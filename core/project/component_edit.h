@@ -6,6 +6,7 @@
 
 #include "core/project/project.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/document_language.h"
 
 namespace covaria {
 
@@ -16,6 +17,7 @@ void set_distribution(ComponentEdit& edit, const Distribution& distribution);
 /// The same component with its parameters in another unit of the same dimension.
 ComponentEdit in_unit(ComponentEdit edit, const Unit& unit);
 /// What an edit would have to say to give this component.
-ComponentEdit to_edit(const UncertaintyComponent& component);
+ComponentEdit to_edit(const UncertaintyComponent& component,
+                      const DocumentLanguage& in = DocumentLanguage::english());
 
 }  // namespace covaria

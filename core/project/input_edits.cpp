@@ -74,7 +74,6 @@ private:
     UncertaintyComponent component(const ComponentEdit& edit, std::size_t i) {
         const std::string place =
             path_ + input_edit_fields().place(&InputEdit::components) + "/" + std::to_string(i);
-        const std::string name = edit.name.empty() ? "component " + std::to_string(i + 1) : edit.name;
         const Message shown = edit.name.empty() ? tell<"component %1">(i + 1) : Message(edit.name);
         const Message what = tell<"%1 of %2">(in_quotes(shown), in_quotes(edit_.symbol));
         if (edit.unit.dimension() != quantity_.unit.dimension())
@@ -86,7 +85,7 @@ private:
         if (!distribution)
             problems_.error(place + component_fields().place(&ComponentEdit::parameters),
                             what + ": " + distribution.error().message);
-        UncertaintyComponent made{edit_.symbol + ".edit" + std::to_string(i + 1), name, edit.unit};
+        UncertaintyComponent made{edit_.symbol + ".edit" + std::to_string(i + 1), shown, edit.unit};
         if (distribution) made.distribution = *distribution;
         made.type = edit.type;
         made.degrees_of_freedom = edit.degrees_of_freedom.value_or(made.distribution.degrees_of_freedom());

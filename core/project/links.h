@@ -14,7 +14,8 @@ namespace covaria {
 
 /// An input quantity of an analysis as its chain gives it, by the law of propagation.
 struct LinkedInput {
-    std::string symbol, name;
+    std::string symbol;
+    Message name;
     Unit unit = {};
     std::string analysis, analysis_name;
     OutputQuantity output;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <future>
 
 #include "core/propagation/parallel_blocks.h"
 
@@ -11,6 +13,7 @@ namespace {
 
 std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
     std::vector<BudgetComponent> result;
+    result.reserve(inputs.components.size());
     for (const UncertaintyComponent& c : inputs.components) {
         BudgetComponent b;
         b.id = c.id;
@@ -59,6 +62,8 @@ std::vector<BudgetRow> rows_of(const LawOfPropagation& law, Eigen::Index output)
     return rows;
 }
 
+constexpr std::size_t most_components_one_by_one = 10'000;
+
 }  // namespace
 
 std::vector<double> trial_uncertainties(const TrialSource& source, std::uint64_t trials, RunMonitor& monitor,
@@ -88,9 +93,12 @@ std::vector<double> trial_uncertainties(const TrialSource& source, std::uint64_t
 }
 
 UncertaintyBudget budget_of(const InputSet& inputs, const LawOfPropagation& law) {
+    const bool large = inputs.components.size() > most_components_one_by_one;
     UncertaintyBudget budget;
-    budget.components = budget_components(inputs);
+    std::future<std::vector<BudgetComponent>> components =
+        std::async(large ? std::launch::async : std::launch::deferred, budget_components, std::cref(inputs));
     for (Eigen::Index j = 0; j < law.estimate.size(); ++j) budget.rows.push_back(rows_of(law, j));
+    budget.components = components.get();
     return budget;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "core/propagation/adaptive.h"
 #include "core/propagation/contributions.h"
@@ -36,6 +37,11 @@ std::uint64_t planned_trials(const EvaluationOptions& options) {
     return options.method == Method::monte_carlo ? options.trials : 0;
 }
 
+bool has_trials(const EvaluationOptions& options) {
+    return options.method != Method::first_order || options.one_at_a_time_trials > 0 ||
+           options.sobol_trials > 0 || options.contributor_trials > 0;
+}
+
 std::string in_a_row(const std::vector<std::string>& symbols) {
     std::string text;
     for (const std::string& symbol : symbols) text += (text.empty() ? "" : ", ") + symbol;
@@ -53,7 +59,7 @@ RunSize size_of_run(const EvaluationOptions& options) {
 /// What is evaluated.
 struct Subject {
     const MeasurementModel& model;
-    const InputSet& inputs;
+    SharedInputs inputs;
     const Propagation& propagation;
 };
 
@@ -92,7 +98,7 @@ private:
     Result<void> add_regions();
 
     const MeasurementModel& model_;
-    const InputSet& inputs_;
+    const SharedInputs inputs_;
     const Correlations& correlations_;
     const LawOfPropagation& law_;
     const EvaluationOptions& options_;
@@ -111,8 +117,9 @@ Result<UncertaintyResult> Evaluation::run() {
     if (options_.second_order)
         if (auto ok = add_second_order(); !ok) return fail(ok.error());
 
-    const DrawPlan plan(inputs_, correlations_);
-    source_ = {&model_, &plan, options_.seed, law_.estimate};
+    std::optional<DrawPlan> plan;
+    if (has_trials(options_)) plan.emplace(inputs_, correlations_);
+    source_ = {&model_, plan ? &*plan : nullptr, options_.seed, law_.estimate};
     if (options_.method != Method::first_order)
         if (auto ok = add_monte_carlo(); !ok) return fail(ok.error());
     if (auto ok = add_contributions(); !ok) return fail(ok.error());
@@ -211,7 +218,7 @@ Result<void> Evaluation::add_monte_carlo() {
     if (!run) return fail(run.error());
     auto outputs = outputs_of(*run, options_.coverage_probability, monitor_);
     if (!outputs) return fail(outputs.error());
-    result_.covariance = run->moments.covariance();
+    result_.covariance_before_trials = std::exchange(result_.covariance, run->moments.covariance());
     if (reduced_) {
         reduced_->apply(*run, *outputs);
         result_.covariance = reduced_->covariance(*run, *outputs);
@@ -369,7 +376,8 @@ Result<UncertaintyResult> evaluate(const PropagatedModel& model, const Evaluatio
     if (auto ok = detail::check_options(options); !ok) return fail(ok.error());
     const auto& propagation = model.propagation();
     if (!propagation) return fail(propagation.error());
-    return detail::Evaluation({*model.model(), model.inputs(), *propagation}, options, control, {}).run();
+    return detail::Evaluation({*model.model(), model.shared_inputs(), *propagation}, options, control, {})
+        .run();
 }
 
 std::uint64_t units_of_run(const EvaluationOptions& options) {

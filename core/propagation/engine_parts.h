@@ -19,7 +19,7 @@ OutputResult output_result(const OutputQuantity& quantity, const LawOfPropagatio
                            const EvaluationOptions& options);
 
 /// The first-order part of a result: outputs, covariance, budget, regions, warnings.
-Result<UncertaintyResult> first_order_result(const MeasurementModel& model, const InputSet& inputs,
+Result<UncertaintyResult> first_order_result(const MeasurementModel& model, const SharedInputs& inputs,
                                              const EvaluationOptions& options, const LawOfPropagation& law);
 
 }  // namespace covaria::detail

@@ -31,8 +31,8 @@ void warn(const LawOfPropagation& law, UncertaintyResult& result) {
             tell<"Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes "
                  "independent components, and correlated components with finite degrees of freedom "
                  "contribute. The Monte Carlo coverage interval is the better guide.">());
-    std::size_t torn = result.inputs.vectors.size() - vectors_of_random_direction(result.inputs).size();
-    for (const IsotropicVector& vector : result.inputs.vectors)
+    std::size_t torn = result.inputs->vectors.size() - vectors_of_random_direction(result.inputs).size();
+    for (const IsotropicVector& vector : result.inputs->vectors)
         if (is_independent(result.inputs, vector)) --torn;
     if (torn > 0)
         result.warnings.push_back(
@@ -64,7 +64,7 @@ OutputResult output_result(const OutputQuantity& quantity, const LawOfPropagatio
     return output;
 }
 
-Result<UncertaintyResult> first_order_result(const MeasurementModel& model, const InputSet& inputs,
+Result<UncertaintyResult> first_order_result(const MeasurementModel& model, const SharedInputs& inputs,
                                              const EvaluationOptions& options, const LawOfPropagation& law) {
     UncertaintyResult result;
     result.inputs = inputs;
@@ -76,7 +76,7 @@ Result<UncertaintyResult> first_order_result(const MeasurementModel& model, cons
         result.outputs.push_back(
             output_result(model.outputs()[static_cast<std::size_t>(j)], law, j, options));
     for (OutputResult& output : result.outputs) state_expanded_uncertainty(output, result);
-    result.covariance_first_order = result.covariance = law.covariance;
+    result.covariance = law.covariance;
     result.budget = budget_of(inputs, law);
     result.regions = declare_regions(model.outputs(), options.coverage_probability);
     for (CoverageRegion& region : result.regions)

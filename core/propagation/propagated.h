@@ -28,6 +28,7 @@ public:
 
     const std::shared_ptr<const MeasurementModel>& model() const { return model_; }
     const InputSet& inputs() const { return *inputs_; }
+    const std::shared_ptr<const InputSet>& shared_inputs() const { return inputs_; }
     /// Errors: as `propagate`.
     const Result<Propagation>& propagation() const;
     /// Whether somebody has asked for it.

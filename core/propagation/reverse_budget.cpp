@@ -36,13 +36,13 @@ public:
     LinearForm(const UncertaintyResult& result, std::size_t output,
                const std::vector<ComponentCorrelation>& correlations)
         : outputs_{result.outputs[output].quantity} {
-        std::vector<std::size_t> place(result.inputs.components.size(), InputSet::npos);
+        std::vector<std::size_t> place(result.inputs->components.size(), InputSet::npos);
         for (const BudgetRow& row : result.budget.rows[output]) {
-            place[row.component] = inputs_.add(result.inputs.components[row.component]);
+            place[row.component] = inputs_.add(result.inputs->components[row.component]);
             row_.push_back({inputs_.quantities.size(), row.sensitivity});
             inputs_.quantities.push_back({.symbol = {}, .name = {}, .shares = {{place[row.component], 1.0}}});
         }
-        for (const VarianceEstimate& estimate : result.inputs.variance_estimates)
+        for (const VarianceEstimate& estimate : result.inputs->variance_estimates)
             for (const std::size_t c : estimate.components)
                 if (place[c] != InputSet::npos) inputs_.rest_on_estimate(estimate.id, place[c]);
         for (const ComponentCorrelation& r : correlations)
@@ -110,7 +110,7 @@ public:
           output_(output),
           correlations_(correlations),
           quiet_{control.stop, {}, control.threads} {
-        const double draws = static_cast<double>(result.inputs.components.size() + 1);
+        const double draws = static_cast<double>(result.inputs->components.size() + 1);
         trials_ = std::min({result.trials, most_trials,
                             std::max(least_trials, static_cast<std::uint64_t>(most_draws / draws))});
     }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/unit.h"
 #include "core/quantity/distribution.h"
 
@@ -28,9 +29,9 @@ struct GroupTag {
 
 /// One component of uncertainty epsilon_j. Its index in InputSet::components is its address for random draws.
 struct UncertaintyComponent {
-    std::string id = {};    ///< unique in the set: "b_1x.calibration"
-    std::string name = {};  ///< for people: "calibration of the artefact"
-    Unit unit = {};         ///< for display
+    std::string id = {};  ///< unique in the set: "b_1x.calibration"
+    Message name = {};    ///< for people: "calibration of the artefact"
+    Unit unit = {};       ///< for display
     Distribution distribution = {};
     EvaluationType type = EvaluationType::type_b;
     /// Of the standard uncertainty, which for few of them is itself an estimate: see `drawn_distribution`.
@@ -38,8 +39,8 @@ struct UncertaintyComponent {
     /// The user asks for normal draws in spite of finite degrees of freedom, which then count in the law of
     /// propagation alone.
     bool normal_draws = false;
-    std::string origin = {};  ///< where the figure comes from: "artefact plate-2d, Eq. 2", "certificate ..."
-    bool held = false;        ///< held at its mean: contributes nothing ("ideal robot"); keeps its address
+    Message origin = {};  ///< where the figure comes from: "artefact plate-2d, Eq. 2", "certificate ..."
+    bool held = false;    ///< held at its mean: contributes nothing ("ideal robot"); keeps its address
     /// Who brings it in, for results with all of a contributor held: the id of an asset, "" = the set-up.
     std::string contributor = {};
     std::string contributor_name = {};  ///< for people; empty: as `contributor`
@@ -77,7 +78,7 @@ enum class Combination {
 
 struct InputQuantity {
     std::string symbol = {};  ///< "b_1x"
-    std::string name = {};    ///< "base point 1, x"
+    Message name = {};        ///< "base point 1, x"
     Unit unit = {};           ///< for display
     double offset = 0.0;
     std::vector<Share> shares = {};

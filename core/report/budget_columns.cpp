@@ -78,9 +78,8 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
         .of_symbols();
     add("component", [](L l) -> Cell { return l.component.name; }).window("Component of uncertainty");
     add("component in words",
-        [language](L l) -> Cell {
-            return l.component.held ? language.say(tell<"%1 (constant)">(l.component.name))
-                                    : l.component.name;
+        [](L l) -> Cell {
+            return l.component.held ? tell<"%1 (constant)">(l.component.name) : l.component.name;
         })
         .print("Component")
         .not_in_files();

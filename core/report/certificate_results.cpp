@@ -46,8 +46,7 @@ std::string symbol_in_text(const std::string& symbol) {
 
 /// "Length of the gauge block (pose 7)", or the symbol alone.
 std::string name_of_result(const OutputQuantity& quantity, const DocumentLanguage& in) {
-    const std::string name =
-        quantity.name.empty() ? symbol_in_text(quantity.symbol) : in.say_declared(quantity.name);
+    const std::string name = quantity.name.empty() ? symbol_in_text(quantity.symbol) : in.say(quantity.name);
     return quantity.group.empty() ? name : name + " (" + quantity.group + ")";
 }
 

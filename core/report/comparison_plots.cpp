@@ -44,11 +44,12 @@ void extend(PlotAxis& axis, const PlottedOutput& y, bool first) {
     axis.high = first ? high : std::max(axis.high, high);
 }
 
-Text component_label(const ResultComparison& comparison, const ComparedPlace& place) {
+Text component_label(const ResultComparison& comparison, const ComparedPlace& place,
+                     const DocumentLanguage& language) {
     const Table table = compared_budget_table(comparison, {place});
     const Cell cell = table.cell(0, "quantity");
     const Symbols& symbols = std::get<Symbols>(cell);
-    const std::string name = std::get<std::string>(table.cell(0, "component"));
+    const std::string name = language.say(std::get<Message>(table.cell(0, "component")));
     const Text words = running_text(name);
     if (symbols.size() != 1) return name.empty() ? Text(std::get<std::string>(table.cell(0, "id"))) : words;
     const Text symbol = symbol_text(symbols.front());
@@ -117,7 +118,7 @@ PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::s
             rest += change;
             continue;
         }
-        plot.y.categories.push_back(component_label(comparison, places[i]));
+        plot.y.categories.push_back(component_label(comparison, places[i], language));
         bars.x.push_back(change);
     }
     if (shown < places.size()) {

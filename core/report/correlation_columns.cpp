@@ -41,7 +41,8 @@ Table correlation_table(const UncertaintyResult& result, const std::vector<std::
                      return Measured{(*matrix)(static_cast<Eigen::Index>(row), column)};
                  })
             .print_symbol(q.symbol)
-            .window(symbol_text(q.symbol) + (one_group || q.group.empty() ? "" : ", " + q.group), q.name)
+            .window(symbol_text(q.symbol) + (one_group || q.group.empty() ? "" : ", " + q.group))
+            .tip(q.name)
             .round({.decimals = 3});
     }
     return table;

@@ -184,7 +184,7 @@ struct HtmlWriter {
         const std::vector<int> widest = widest_decimals(block);
         for (std::size_t r = 0; r < table.rows.size(); ++r) row(block, r, widest);
         out += "</tbody></table>\n";
-        for (const std::string& note : table.notes) out += element("p", rich(note), "note") + "\n";
+        for (const Message& note : table.notes) out += element("p", rich(note.english()), "note") + "\n";
         out += "</div>\n";
     }
     void operator()(const SignatureBlock& signature) {

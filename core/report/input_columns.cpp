@@ -31,9 +31,9 @@ struct InputLine {
 };
 using L = const InputLine&;
 
-std::string name_of(L l) {
+Message name_of(L l) {
     if (l.row.part) return "– " + l.component()->name;
-    const std::string& first = l.quantity().name;
+    const Message& first = l.quantity().name;
     return l.row.quantities.size() == 1 ? first
                                         : first + " … " + l.inputs.quantities[l.row.quantities.back()].name;
 }
@@ -60,12 +60,12 @@ Message row_distribution(L l) {
 }
 
 /// The origin that all components of the quantity have in common: "typed", else nothing.
-std::string common_origin(L l) {
+Message common_origin(L l) {
     const std::vector<Share>& shares = l.quantity().shares;
-    const std::string& origin = l.component_of(shares.front()).origin;
+    const Message& origin = l.component_of(shares.front()).origin;
     const bool same = std::all_of(shares.begin(), shares.end(),
                                   [&](const Share& share) { return l.component_of(share).origin == origin; });
-    return same ? origin : "";
+    return same ? origin : Message();
 }
 
 Message row_origin(L l) {
@@ -75,7 +75,7 @@ Message row_origin(L l) {
     const Message count = l.quantity().combination == Combination::arithmetic
                               ? tell<"%1 components, added arithmetically">(shares.size())
                               : tell<"%1 components, in quadrature">(shares.size());
-    const std::string common = common_origin(l);
+    const Message common = common_origin(l);
     return common.empty() ? count : common + "; " + count;
 }
 
@@ -88,10 +88,8 @@ Cell row_degrees_of_freedom(L l) {
 /// Adds columns whose cells are made from lines.
 class InputColumns {
 public:
-    InputColumns(const InputSet& inputs, std::vector<InputRow> rows, const DocumentLanguage& language)
-        : inputs_(inputs),
-          rows_(std::make_shared<const std::vector<InputRow>>(std::move(rows))),
-          language_(language) {}
+    InputColumns(const InputSet& inputs, std::vector<InputRow> rows)
+        : inputs_(inputs), rows_(std::make_shared<const std::vector<InputRow>>(std::move(rows))) {}
 
     Table make() {
         table_.rows = rows_->size();
@@ -137,7 +135,7 @@ private:
 
     /// What print says in one row, of the quantity or of a part of it.
     void add_row() {
-        add("row distribution", [in = language_](L l) -> Cell { return in.say(row_distribution(l)); })
+        add("row distribution", [](L l) -> Cell { return row_distribution(l); })
             .print("Distribution")
             .not_in_files();
         add("row type",
@@ -151,9 +149,9 @@ private:
             .round({.degrees_of_freedom = true})
             .not_in_files();
         add("row origin",
-            [in = language_](L l) -> Cell {
-                const Message origin = row_origin(l);
-                return origin.empty() ? Cell() : Cell(in.say(origin));
+            [](L l) -> Cell {
+                Message origin = row_origin(l);
+                return origin.empty() ? Cell() : Cell(std::move(origin));
             })
             .print("Origin")
             .not_in_files();
@@ -179,7 +177,6 @@ private:
 
     const InputSet& inputs_;
     std::shared_ptr<const std::vector<InputRow>> rows_;
-    DocumentLanguage language_;  ///< of what print says
     Table table_{"inputs", "Input quantities and their components"};
 };
 
@@ -194,8 +191,8 @@ std::vector<InputRow> all_shares(const InputSet& inputs) {
     return rows;
 }
 
-Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows, const DocumentLanguage& language) {
-    return InputColumns(inputs, std::move(rows), language).make();
+Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows) {
+    return InputColumns(inputs, std::move(rows)).make();
 }
 
 }  // namespace covaria

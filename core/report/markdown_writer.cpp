@@ -108,7 +108,7 @@ struct MarkdownWriter {
             out += "|\n";
         }
         out += "\n";
-        for (const std::string& note : table.notes) out += escaped_block(note) + "\n\n";
+        for (const Message& note : table.notes) out += escaped_block(note.english()) + "\n\n";
     }
     void operator()(const SignatureBlock& signature) {
         out += escaped_block(signature.statement) + "\n\n" + escaped(signature.date) + "\n\n" +

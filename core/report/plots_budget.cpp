@@ -17,7 +17,8 @@ using plot_parts::PlottedOutput;
 
 /// "b₁ₓ" if that names the component among those shown, else "b₁ₓ, calibration"; the name alone where several
 /// quantities share the component.
-std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows) {
+std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,
+                                   const DocumentLanguage& in) {
     std::map<std::vector<std::string>, int> uses;
     for (const BudgetRow& row : rows) ++uses[budget.components[row.component].quantities];
     std::vector<Text> labels;
@@ -25,12 +26,12 @@ std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::v
         const BudgetComponent& component = budget.components[row.component];
         if (component.quantities.size() != 1) {
             labels.push_back(component.name.empty() ? symbols_text(component.id)
-                                                    : running_text(component.name));
+                                                    : running_text(in.say(component.name)));
             continue;
         }
         const Text symbol = symbol_text(component.quantities.front());
         const bool twice = uses[component.quantities] > 1 && !component.name.empty();
-        labels.push_back(twice ? symbol + ", " + running_text(component.name) : symbol);
+        labels.push_back(twice ? symbol + ", " + running_text(in.say(component.name)) : symbol);
     }
     return labels;
 }
@@ -48,7 +49,7 @@ Bars bars_of(const UncertaintyResult& result, std::size_t output, std::size_t mo
     const std::vector<BudgetRow> rows(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(shown));
     const double u = result.outputs[output].standard_uncertainty;
     Bars bars;
-    bars.labels = component_labels(result.budget, rows);
+    bars.labels = component_labels(result.budget, rows, language);
     for (const BudgetRow& row : rows) bars.share.push_back(100.0 * row.share);
     const bool alone =
         std::all_of(rows.begin(), rows.end(), [](const BudgetRow& r) { return r.one_at_a_time; });

@@ -43,7 +43,7 @@ struct LineCount {
     double operator()(const TableBlock& block) const {
         double lines = 4.5;
         for (const auto& row : block.table.rows) lines += 1.05 * lines_of_row(row);
-        for (const std::string& note : block.table.notes) lines += lines_of_text(note, letters_of_line);
+        for (const Message& note : block.table.notes) lines += lines_of_text(note.english(), letters_of_line);
         return lines;
     }
     double operator()(const PlotBlock&) const { return 9.0; }  // two stand side by side

@@ -60,6 +60,7 @@ TableCell print_cell(const Column& column, std::size_t row, const DocumentLangua
     const Cell cell = column.cell(row);
     if (const auto* text = std::get_if<std::string>(&cell))
         return column.own_words ? in.say_declared(*text) : *text;
+    if (const auto* message = std::get_if<Message>(&cell)) return in.say(*message);
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return short_list(*symbols);
     if (const auto* unit = std::get_if<Unit>(&cell)) return unit_text(*unit);
     if (const auto* answer = std::get_if<Answer>(&cell))
@@ -138,6 +139,7 @@ TableBlock said_table(DataTable table, const DocumentLanguage& in) {
     table.title = in.say_declared(table.title);
     for (TableColumn& column : table.columns)
         if (!column.is_symbol) column.header = in.say_declared(column.header);
+    for (Message& note : table.notes) note = in.say(note);
     return {std::move(table), {}, in.numbers()};
 }
 

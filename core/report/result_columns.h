@@ -38,7 +38,7 @@ struct InputRow {
     std::optional<std::size_t> share = {};
     bool part = false;  ///< below the row of its quantity, whose symbol and estimate it leaves out
 };
-Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows, const DocumentLanguage& language = {});
+Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows);
 /// Every share of every quantity.
 std::vector<InputRow> all_shares(const InputSet& inputs);
 

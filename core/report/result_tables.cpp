@@ -34,7 +34,7 @@ DataTable links_table(const std::vector<LinkedInput>& linked) {
                                   "output group", "output", "linearised"});
     for (const LinkedInput& input : linked)
         table.rows.push_back(
-            {input.symbol, input.name, input.unit.text(), value_in(input.unit, input.estimate),
+            {input.symbol, input.name.english(), input.unit.text(), value_in(input.unit, input.estimate),
              interval_in(input.unit, input.standard_uncertainty), input.degrees_of_freedom, input.analysis,
              input.output.group, input.output.symbol, std::string(input.linearised ? "yes" : "no")});
     return table;

@@ -60,6 +60,7 @@ std::string pretty(const OrderedJson& value, const std::string& indent) {
 
 OrderedJson json_of(const Cell& cell) {
     if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (const auto* message = std::get_if<Message>(&cell)) return message->english();
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return symbols->front();
     if (const auto* unit = std::get_if<Unit>(&cell)) return unit->text();
     if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is;

@@ -37,9 +37,7 @@ public:
           places_(places_that_count(result_, output)),
           table_("budget-" + evaluated.analysis->id + "-" +
                      id_part(output_.quantity.symbol + " " + output_.quantity.group),
-                 tell<"Budget of %1, %2">(output_label(output_.quantity),
-                                          Message::declared(output_.quantity.name)),
-                 in) {
+                 tell<"Budget of %1, %2">(output_label(output_.quantity), output_.quantity.name), in) {
         if (!places_.empty() && row(0).one_at_a_time) keys_.insert(keys_.end() - 1, "one at a time");
     }
 

@@ -23,8 +23,9 @@ std::string signature(const InputSet& inputs, std::size_t index) {
     if (combined) text += "\n" + format_significant(standard_uncertainty_of(inputs, index), 4);
     for (const Share& share : quantity.shares) {
         const UncertaintyComponent& c = inputs.components[share.component];
-        text += "\n" + c.name + "|" + std::string(c.distribution.kind()) + "|" + c.origin + "|" +
-                format_exact(c.degrees_of_freedom) + type_text(c.type) + (c.held ? "h" : "");
+        text += "\n" + c.name.english() + "|" + std::string(c.distribution.kind()) + "|" +
+                c.origin.english() + "|" + format_exact(c.degrees_of_freedom) + type_text(c.type) +
+                (c.held ? "h" : "");
         if (!combined)
             text += "|" + format_exact(std::abs(share.factor) * c.distribution.standard_uncertainty());
     }
@@ -92,7 +93,7 @@ void add_inputs(Blocks& blocks, const ReportSource& source, const EvaluatedAnaly
     const std::vector<Members> rows = rows_of(inputs);
     std::vector<InputRow> lines;
     for (const Members& members : rows) add_rows(inputs, members, lines);
-    const Table all = inputs_table(inputs, std::move(lines), in);
+    const Table all = inputs_table(inputs, std::move(lines));
     static const std::vector<std::string> keys = {"symbol",    "name",
                                                   "estimate",  "unit",
                                                   "u",         "row distribution",

@@ -45,7 +45,7 @@ void add_links(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Documen
     table.text(tell<"Its result">());
     for (const LinkedInput& input : linked)
         table.row(
-            {input.symbol, input.name, value_in(input.unit, input.estimate), unit_text(input.unit),
+            {input.symbol, in.say(input.name), value_in(input.unit, input.estimate), unit_text(input.unit),
              interval_in(input.unit, input.standard_uncertainty),
              shown_degrees_of_freedom(input.degrees_of_freedom),
              input.linearised ? in.say(tell<"%1, linearised">(upstream_title(input))) : upstream_title(input),

@@ -76,7 +76,8 @@ void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedA
     table.text(tell<"Remark">());
     for (const ReverseBudget::Reduction& reduction : budget->reductions) {
         const BudgetComponent& c = result.budget.components[reduction.component];
-        table.row({c.name + " (" + c.id + ")", unit_text(c.unit), interval_in(c.unit, reduction.now),
+        table.row({in.say(tell<"%1 (%2)">(c.name, c.id)), unit_text(c.unit),
+                   interval_in(c.unit, reduction.now),
                    reduction.needed ? TableCell(interval_in(c.unit, *reduction.needed)) : TableCell{},
                    reduction.needed ? "" : in.say(tell<"not enough by itself, even if it vanished">())});
     }

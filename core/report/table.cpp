@@ -15,6 +15,7 @@ std::string joined(const Symbols& symbols) {
 
 TableCell file_cell(const Cell& cell, const DisplayUnits& units) {
     if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (const auto* message = std::get_if<Message>(&cell)) return message->english();
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return joined(*symbols);
     if (const auto* unit = std::get_if<Unit>(&cell)) return units.of(*unit).text();
     if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? answer->yes : answer->no;
@@ -99,13 +100,16 @@ Text cell_shown(const Table& table, const Column& column, std::size_t row, const
         NumberRule rule = column.rule;
         if (view.digits > 0 && !rule.typed) rule.digits = view.digits;
         return grouped_digits(format_by(rule, *number, matched_to(table, column, row, view.units)),
-                              view.locale);
+                              view.language.numbers());
     }
     if (const auto* unit = std::get_if<Unit>(&cell)) return view.units.of(*unit).display();
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return symbols_text(joined(*symbols));
-    if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? "yes" : "no";
+    if (const auto* answer = std::get_if<Answer>(&cell))
+        return view.language.say_declared(answer->is ? "yes" : "no");
+    if (const auto* message = std::get_if<Message>(&cell)) return view.language.say(*message);
     const auto* words = std::get_if<std::string>(&cell);
-    return words ? Text(*words) : Text();
+    if (!words) return {};
+    return column.own_words ? view.language.say_title(*words) : Text(*words);
 }
 
 }  // namespace covaria

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "core/base/data_table.h"
+#include "core/base/message.h"
 #include "core/text/display_units.h"
+#include "core/text/document_language.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
@@ -33,7 +35,7 @@ struct Answer {
     std::string yes = "yes", no = "no";  ///< in files
 };
 /// What a cell says. A unit is shown as the view's choice for it.
-using Cell = std::variant<std::monostate, std::string, Symbols, Unit, Answer, Measured>;
+using Cell = std::variant<std::monostate, std::string, Message, Symbols, Unit, Answer, Measured>;
 
 /// How the numbers of a column are rounded for people.
 struct NumberRule {
@@ -53,7 +55,7 @@ struct Column {
     bool is_symbol = false;  ///< the head
     bool symbols = false;    ///< the cells
     Text title = {};         ///< head in the window
-    std::string help = {};   ///< for the window
+    Message help = {};       ///< for the window
     NumberRule rule = {};
     std::optional<Unit> unit = {};  ///< of all its numbers: the head says it
     bool in_files = true;
@@ -63,9 +65,10 @@ struct Column {
     // To write columns down on a line.
     Column& print(std::string words) { return head = std::move(words), *this; }
     Column& print_symbol(std::string symbol) { return head = std::move(symbol), is_symbol = true, *this; }
-    Column& window(Text words, std::string tip = {}) {
-        return title = std::move(words), help = std::move(tip), *this;
+    Column& window(Text words, std::string_view tip = {}) {
+        return title = std::move(words), help = Message::declared(tip), *this;
     }
+    Column& tip(Message words) { return help = std::move(words), *this; }
     Column& round(NumberRule by) { return rule = std::move(by), *this; }
     Column& digits(int significant) { return rule.digits = significant, *this; }
     Column& match(std::string to) { return rule.match = std::move(to), *this; }
@@ -100,13 +103,13 @@ DataTable data_table(const Table& table);
 struct TableView {
     DisplayUnits units = {};
     int digits = 0;  ///< significant digits of uncertainties; 0: those of the columns
-    NumberLocale locale = {};
+    DocumentLanguage language = {};
 };
 /// Head with its unit: "|c|·u / mm".
 Text head_shown(const Column& column, const TableView& view);
 /// Likewise, under another title.
 Text head_shown(const Text& title, const Column& column, const TableView& view);
-/// Rounded, typeset; words as they are.
+/// Rounded, typeset; the program's words in the view's language.
 Text cell_shown(const Table& table, const Column& column, std::size_t row, const TableView& view);
 /// By its rule, plain: `other` is the uncertainty that it is matched to.
 std::string format_by(const NumberRule& rule, double value, std::optional<double> other);

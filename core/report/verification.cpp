@@ -73,7 +73,7 @@ std::map<std::string, Figure> all_figures() {
         {"low", {value, false, first_order_end(-1.0)}},
         {"high", {value, false, first_order_end(1.0)}},
         {"correlation",
-         {number, false, [](const Subject& s) { return correlation(s.result.covariance_first_order, s); }}},
+         {number, false, [](const Subject& s) { return correlation(first_order_covariance(s.result), s); }}},
         {"ellipsoid", {number, false, region([](R r) { return r.ellipsoid_first_order; })}},
         {"rectangle", {number, false, region([](R r) { return r.rectangle_first_order; })}},
         {"validated", {number, false, column("clause 8")}},

@@ -26,7 +26,7 @@ public:
     Key id(std::size_t row) const { return {component(row).id}; }
     Key name(std::size_t row) const {
         Key key = component(row).quantities;
-        key.push_back(component(row).name);
+        key.push_back(component(row).name.english());
         return key;
     }
 

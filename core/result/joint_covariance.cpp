@@ -7,7 +7,7 @@
 namespace covaria {
 
 JointCovariance::JointCovariance(const UncertaintyResult& result) : result_(result) {
-    for (const UncertaintyComponent& component : result.inputs.components)
+    for (const UncertaintyComponent& component : result.inputs->components)
         u_.push_back(component.held ? 0.0 : component.distribution.standard_uncertainty());
     if (auto correlations = resolved_correlations(result.inputs)) correlations_ = std::move(*correlations);
 }
@@ -15,7 +15,7 @@ JointCovariance::JointCovariance(const UncertaintyResult& result) : result_(resu
 bool JointCovariance::has(const PointCoordinates& point) const {
     const std::size_t count = point.kind == PointCoordinates::Kind::outputs
                                   ? result_.outputs.size()
-                                  : result_.inputs.quantities.size();
+                                  : result_.inputs->quantities.size();
     return std::all_of(point.index.begin(), point.index.end(), [&](std::size_t i) { return i < count; });
 }
 
@@ -52,7 +52,7 @@ Eigen::RowVectorXd JointCovariance::sensitivities(PointCoordinates::Kind kind, s
         if (component < u_.size()) c[static_cast<Eigen::Index>(component)] += factor;
     };
     if (kind == PointCoordinates::Kind::inputs)
-        for (const Share& share : result_.inputs.quantities[quantity].shares)
+        for (const Share& share : result_.inputs->quantities[quantity].shares)
             add(share.component, share.factor);
     else
         for (const BudgetRow& row : result_.budget.rows[quantity]) add(row.component, row.sensitivity);

@@ -15,7 +15,7 @@ std::string name_of_contributor(const UncertaintyComponent& c) {
 
 void take_names(UncertaintyResult& result, const std::vector<OutputQuantity>& outputs,
                 const InputSet& inputs) {
-    const auto& before = result.inputs.components;
+    const auto& before = result.inputs->components;
     const bool same = result.outputs.size() == outputs.size() && before.size() == inputs.components.size() &&
                       result.budget.components.size() == before.size();
     if (!same) return;

@@ -27,6 +27,10 @@ std::string_view key_of(VarianceReduction reduction) {
     return keys[static_cast<int>(reduction)];
 }
 
+const Eigen::MatrixXd& first_order_covariance(const UncertaintyResult& result) {
+    return result.covariance_before_trials ? *result.covariance_before_trials : result.covariance;
+}
+
 std::optional<double> least_gain(const UncertaintyResult& result) {
     std::optional<double> least;
     for (const OutputResult& output : result.outputs) {

@@ -10,7 +10,7 @@
 
 #include "core/base/message.h"
 #include "core/model/output_quantity.h"
-#include "core/quantity/input_quantity.h"
+#include "core/quantity/shared_inputs.h"
 #include "core/result/trial_distribution.h"
 #include "core/result/variance_reduction.h"
 
@@ -98,7 +98,8 @@ struct BudgetRow {
 };
 
 struct BudgetComponent {
-    std::string id, name, origin;
+    std::string id;
+    Message name, origin;
     Unit unit;
     std::string distribution;  ///< title
     EvaluationType type;
@@ -209,9 +210,10 @@ struct Provenance {
 
 struct UncertaintyResult {
     std::vector<OutputResult> outputs;
-    InputSet inputs;  ///< as evaluated (edits applied)
-    Eigen::MatrixXd covariance_first_order;
+    SharedInputs inputs;         ///< as evaluated (edits applied)
     Eigen::MatrixXd covariance;  ///< Monte Carlo where it ran, else first order
+    /// Where Monte Carlo ran, the one of first order.
+    std::optional<Eigen::MatrixXd> covariance_before_trials = {};
     UncertaintyBudget budget;
     std::vector<ContributorResult> contributors;  ///< empty with fewer than two
     std::uint64_t contributor_trials = 0;         ///< of their Monte Carlo part
@@ -233,6 +235,9 @@ struct UncertaintyResult {
     std::vector<Message> warnings;
     Provenance provenance;
 };
+
+/// By the law of propagation of uncertainty.
+const Eigen::MatrixXd& first_order_covariance(const UncertaintyResult& result);
 
 /// Least gain of variance reduction at the interval ends of the measurands; empty without variance reduction,
 /// or with too few batches to say.

@@ -17,7 +17,7 @@ namespace {
 using pugi::xml_node;
 
 std::string name_of(const OutputQuantity& quantity) {
-    const std::string name = xml_line(quantity.name.empty() ? quantity.symbol : quantity.name);
+    const std::string name = xml_line(quantity.name.empty() ? quantity.symbol : quantity.name.english());
     return name.empty() ? "result" : name;
 }
 

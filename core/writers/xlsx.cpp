@@ -111,7 +111,7 @@ public:
           output_(result_.outputs[output]),
           y_(output_.quantity.unit.interval()),
           lines_(lines_of(result_.budget, output)) {
-        title_ = output_.quantity.symbol + ": " + output_.quantity.name;
+        title_ = output_.quantity.symbol + ": " + output_.quantity.name.english();
         analysis_ = evaluated.analysis->name;
     }
 
@@ -135,7 +135,7 @@ private:
         const BudgetComponent& component = result_.budget.components[line.component];
         const Unit x = component.unit.interval();
         book_.text(row_, symbol, line.symbol);
-        book_.text(row_, name, component.name);
+        book_.text(row_, name, component.name.english());
         if (line.symbol != before_) {
             const bool own = component.quantities.size() == 1 && component.quantity_unit.interval() == x;
             if (own)
@@ -170,8 +170,8 @@ private:
 
     /// Welch and Satterthwaite's formula is that of Covaria where components are independent of each other.
     bool independent() const {
-        return result_.inputs.correlations.empty() && result_.inputs.variance_estimates.empty() &&
-               result_.inputs.vectors.empty();
+        return result_.inputs->correlations.empty() && result_.inputs->variance_estimates.empty() &&
+               result_.inputs->vectors.empty();
     }
 
     double first_order_u() const { return y_.interval_from_si(output_.first_order.standard_uncertainty); }
@@ -179,7 +179,7 @@ private:
     void write_result() {
         result_row_ = row_;
         book_.text(row_, symbol, output_.quantity.symbol, Look::head);
-        book_.text(row_, name, output_.quantity.name, Look::head);
+        book_.text(row_, name, output_.quantity.name.english(), Look::head);
         book_.number(row_, estimate, output_.quantity.unit.from_si(output_.first_order.estimate), Look::head);
         book_.text(row_, unit, output_.quantity.unit.display(), Look::head);
         row_ += 2;
@@ -333,7 +333,7 @@ void write_results_sheet(XlsxBook& book, const WriterSource& source, std::vector
             const CoverageInterval covered = coverage_interval_of(output, result);
             book.text(row, 1, evaluated.analysis->name);
             book.text(row, 2, output.quantity.symbol);
-            book.text(row, 3, output.quantity.name);
+            book.text(row, 3, output.quantity.name.english());
             book.text(row, 4, unit.display());
             const double numbers[] = {unit.from_si(output.estimate),
                                       interval.interval_from_si(output.standard_uncertainty),

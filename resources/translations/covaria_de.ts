@@ -12011,6 +12011,706 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Change of variance in %</source>
         <translation>Änderung der Varianz in %</translation>
     </message>
+    <message>
+        <source>first rotation, about z</source>
+        <translation>erste Drehung, um z</translation>
+    </message>
+    <message>
+        <source>second rotation, about y</source>
+        <translation>zweite Drehung, um y</translation>
+    </message>
+    <message>
+        <source>third rotation, about z</source>
+        <translation>dritte Drehung, um z</translation>
+    </message>
+    <message>
+        <source>rotation vector, x</source>
+        <translation>Drehvektor, x</translation>
+    </message>
+    <message>
+        <source>rotation vector, y</source>
+        <translation>Drehvektor, y</translation>
+    </message>
+    <message>
+        <source>rotation vector, z</source>
+        <translation>Drehvektor, z</translation>
+    </message>
+    <message>
+        <source>quaternion, scalar part</source>
+        <translation>Quaternion, Skalarteil</translation>
+    </message>
+    <message>
+        <source>quaternion, x</source>
+        <translation>Quaternion, x</translation>
+    </message>
+    <message>
+        <source>quaternion, y</source>
+        <translation>Quaternion, y</translation>
+    </message>
+    <message>
+        <source>quaternion, z</source>
+        <translation>Quaternion, z</translation>
+    </message>
+    <message>
+        <source>Coordinates that define the frame are left out.</source>
+        <translation>Koordinaten, die das Koordinatensystem festlegen, sind weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1, coordinate %2</source>
+        <translation>%1, Koordinate %2</translation>
+    </message>
+    <message>
+        <source>calibration of the artefact</source>
+        <translation>Kalibrierung des Prüfkörpers</translation>
+    </message>
+    <message>
+        <source>temperature of the artefact</source>
+        <translation>Temperatur des Prüfkörpers</translation>
+    </message>
+    <message>
+        <source>systematic error of indication</source>
+        <translation>systematische Anzeigeabweichung</translation>
+    </message>
+    <message>
+        <source>coordinate %1</source>
+        <translation>Koordinate %1</translation>
+    </message>
+    <message>
+        <source>The bias b is not corrected; |b| counts as a standard uncertainty (against JCGM 100 3.2.4).</source>
+        <translation>Die Abweichung b wird nicht korrigiert; |b| zählt als Standardunsicherheit (entgegen JCGM 100 3.2.4).</translation>
+    </message>
+    <message>
+        <source>The bias b is not part of u_c.</source>
+        <translation>Die Abweichung b ist nicht Teil von u_c.</translation>
+    </message>
+    <message>
+        <source>Measured values are taken as corrected by -b; u_var/sqrt(n) of the correction is part of u_c.</source>
+        <translation>Messwerte gelten als um -b korrigiert; u_var/sqrt(n) der Korrektion ist Teil von u_c.</translation>
+    </message>
+    <message>
+        <source>A coordinate of a point has u_c divided by √2.</source>
+        <translation>Eine Koordinate eines Punktes hat u_c geteilt durch √2.</translation>
+    </message>
+    <message>
+        <source>measured coordinate</source>
+        <translation>gemessene Koordinate</translation>
+    </message>
+    <message>
+        <source>typed standard uncertainty</source>
+        <translation>eingegebene Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>specification: %1</source>
+        <translation>Spezifikation: %1</translation>
+    </message>
+    <message>
+        <source>The figure is taken as: %1.</source>
+        <translation>Die Angabe ist so gemeint: %1.</translation>
+    </message>
+    <message>
+        <source>%1, of a length: divided by √2</source>
+        <translation>%1, einer Länge: geteilt durch √2</translation>
+    </message>
+    <message>
+        <source>station, combination %1</source>
+        <translation>Station, Kombination %1</translation>
+    </message>
+    <message>
+        <source>instrument: standard uncertainties and correlation of the station</source>
+        <translation>Messgerät: Standardunsicherheiten und Korrelation der Station</translation>
+    </message>
+    <message>
+        <source>scale of distances</source>
+        <translation>Maßstab der Strecken</translation>
+    </message>
+    <message>
+        <source>zero offset of distances</source>
+        <translation>Nullpunktabweichung der Strecken</translation>
+    </message>
+    <message>
+        <source>index of the elevation</source>
+        <translation>Index des Höhenwinkels</translation>
+    </message>
+    <message>
+        <source>collimation</source>
+        <translation>Zielachsfehler</translation>
+    </message>
+    <message>
+        <source>squareness of the axes</source>
+        <translation>Rechtwinkligkeit der Achsen</translation>
+    </message>
+    <message>
+        <source>offset of the beam</source>
+        <translation>Versatz des Strahls</translation>
+    </message>
+    <message>
+        <source>coefficient of refraction</source>
+        <translation>Refraktionskoeffizient</translation>
+    </message>
+    <message>
+        <source>instrument: standard uncertainty</source>
+        <translation>Messgerät: Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>instrument: %1</source>
+        <translation>Messgerät: %1</translation>
+    </message>
+    <message>
+        <source>For a target at the height of the instrument.</source>
+        <translation>Für ein Ziel in Höhe des Messgeräts.</translation>
+    </message>
+    <message>
+        <source>station, %1</source>
+        <translation>Station, %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, set-up %3</source>
+        <translation>%1, %2, Aufstellung %3</translation>
+    </message>
+    <message>
+        <source>displacement across the azimuth</source>
+        <translation>Verschiebung quer zum Azimut</translation>
+    </message>
+    <message>
+        <source>%1 to %2, %3</source>
+        <translation>%1 nach %2, %3</translation>
+    </message>
+    <message>
+        <source>calibrated length</source>
+        <translation>kalibrierte Länge</translation>
+    </message>
+    <message>
+        <source>calibration of the %1</source>
+        <translation>Kalibrierung: %1</translation>
+    </message>
+    <message>
+        <source>%1, calibrated length</source>
+        <translation>%1, kalibrierte Länge</translation>
+    </message>
+    <message>
+        <source>distance from %1 to %2</source>
+        <translation>Abstand von %1 zu %2</translation>
+    </message>
+    <message>
+        <source>angle at %1 from %2 to %3</source>
+        <translation>Winkel in %1 von %2 nach %3</translation>
+    </message>
+    <message>
+        <source>%1, measured minus calibrated length</source>
+        <translation>%1, gemessene minus kalibrierte Länge</translation>
+    </message>
+    <message>
+        <source>origin of %1, coordinate %2</source>
+        <translation>Ursprung von %1, Koordinate %2</translation>
+    </message>
+    <message>
+        <source>rotation of %1 about %2</source>
+        <translation>Drehung von %1 um %2</translation>
+    </message>
+    <message>
+        <source>The precision of the readings is no uncertainty of a position: it leaves out where the sensors stand and what their readings share. Monte Carlo is in the results.</source>
+        <translation>Die Präzision der Ablesungen ist keine Unsicherheit einer Position: sie lässt weg, wo die Sensoren stehen und was ihre Ablesungen gemeinsam haben. Monte Carlo steht in den Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>No redundancy: as many readings as unknowns, so nothing can be checked.</source>
+        <translation>Keine Redundanz: so viele Ablesungen wie Unbekannte, also kann nichts geprüft werden.</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the uncertainties allow.</source>
+        <translation>Die Residuen sind größer, als die Unsicherheiten zulassen.</translation>
+    </message>
+    <message>
+        <source>The residuals are smaller than the uncertainties lead to expect.</source>
+        <translation>Die Residuen sind kleiner, als die Unsicherheiten erwarten lassen.</translation>
+    </message>
+    <message>
+        <source>The residuals agree with the uncertainties.</source>
+        <translation>Die Residuen stimmen mit den Unsicherheiten überein.</translation>
+    </message>
+    <message>
+        <source>%1 readings have |w| &gt; 3.29 (0.1 %); where several do, look at the largest first.</source>
+        <translation>%1 Ablesungen haben |w| &gt; 3.29 (0.1 %); bei mehreren zuerst die größte ansehen.</translation>
+    </message>
+    <message>
+        <source>%1 in %2, coordinate %3</source>
+        <translation>%1 in %2, Koordinate %3</translation>
+    </message>
+    <message>
+        <source>position of the platform, %1</source>
+        <translation>Position der Plattform, %1</translation>
+    </message>
+    <message>
+        <source>Chi-square of the residuals with the full covariance of the stated uncertainties; nominal coordinates are taken as exact. p is the probability of a larger value if all is as stated; the test has a level of 1 % for all sets together. Not tested: sets without stated uncertainty, and sets of more than %1 points.</source>
+        <translation>Chi-Quadrat der Residuen mit der vollen Kovarianz der angegebenen Unsicherheiten; Nennkoordinaten gelten als exakt. p ist die Wahrscheinlichkeit eines größeren Wertes, wenn alles wie angegeben ist; der Test hat das Niveau 1 % für alle Sätze zusammen. Nicht geprüft: Sätze ohne angegebene Unsicherheit und Sätze von mehr als %1 Punkten.</translation>
+    </message>
+    <message>
+        <source>Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| &gt; 3.29 (0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in its residual.</source>
+        <translation>Gemessene minus Nennkoordinaten. w ist ein Residuum durch seine eigene Standardunsicherheit; |w| &gt; 3.29 (0.1 %) wird angemerkt. Redundanz ist der Anteil eines Fehlers der Koordinate, der in ihrem Residuum bleibt.</translation>
+    </message>
+    <message>
+        <source>reading of bar %1</source>
+        <translation>Ablesung des Kugelstabs %1</translation>
+    </message>
+    <message>
+        <source>ballbars: %1</source>
+        <translation>Kugelstäbe: %1</translation>
+    </message>
+    <message>
+        <source>length between supports %1</source>
+        <translation>Abstand der Auflagen %1</translation>
+    </message>
+    <message>
+        <source>height of support %1</source>
+        <translation>Höhe der Auflage %1</translation>
+    </message>
+    <message>
+        <source>ballbars: standard uncertainty</source>
+        <translation>Kugelstäbe: Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>scale of all lengths</source>
+        <translation>Maßstab aller Längen</translation>
+    </message>
+    <message>
+        <source>constant of bar %1</source>
+        <translation>Konstante des Kugelstabs %1</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1, Punkt %2</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>axis %1 of the flange, angle towards %2</source>
+        <translation>Achse %1 des Flansches, Winkel gegen %2</translation>
+    </message>
+    <message>
+        <source>repeatability along %1</source>
+        <translation>Wiederholpräzision entlang %1</translation>
+    </message>
+    <message>
+        <source>repeatability: %1</source>
+        <translation>Wiederholpräzision: %1</translation>
+    </message>
+    <message>
+        <source>The coordinates are uncorrelated; unless they are normal, they are not independent: the distance has the law above, its direction is random.</source>
+        <translation>Die Koordinaten sind unkorreliert; sofern sie nicht normalverteilt sind, sind sie nicht unabhängig: der Abstand hat die obige Verteilung, seine Richtung ist zufällig.</translation>
+    </message>
+    <message>
+        <source>repeatability about %1</source>
+        <translation>Wiederholpräzision um %1</translation>
+    </message>
+    <message>
+        <source>repeatability of the orientation</source>
+        <translation>Wiederholpräzision der Orientierung</translation>
+    </message>
+    <message>
+        <source>%1 of joint %2</source>
+        <translation>%1 von Gelenk %2</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>Encoder</translation>
+    </message>
+    <message>
+        <source>tool, rotation about %1</source>
+        <translation>Werkzeug, Drehung um %1</translation>
+    </message>
+    <message>
+        <source>tool: standard uncertainty</source>
+        <translation>Werkzeug: Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, combined</source>
+        <translation>%1, kombiniert</translation>
+    </message>
+    <message>
+        <source>%1, deviation</source>
+        <translation>%1, Abweichung</translation>
+    </message>
+    <message>
+        <source>reading of joint %1, %2</source>
+        <translation>Ablesung von Gelenk %1, %2</translation>
+    </message>
+    <message>
+        <source>position of the tool, %1</source>
+        <translation>Position des Werkzeugs, %1</translation>
+    </message>
+    <message>
+        <source>orientation of the tool, %1</source>
+        <translation>Orientierung des Werkzeugs, %1</translation>
+    </message>
+    <message>
+        <source>joint angle</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>link length</source>
+        <translation>Armlänge</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>Verwindung</translation>
+    </message>
+    <message>
+        <source>second twist</source>
+        <translation>zweite Verwindung</translation>
+    </message>
+    <message>
+        <source>Components of a parameter combine in quadrature (Wen et al., Eq. 10). U has the factor 2 of the paper; with few effective degrees of freedom 95 % need more.</source>
+        <translation>Komponenten eines Parameters werden quadratisch addiert (Wen et al., Eq. 10). U hat den Faktor 2 der Veröffentlichung; bei wenigen effektiven Freiheitsgraden brauchen 95 % mehr.</translation>
+    </message>
+    <message>
+        <source>Places of the tool in the base frame of the robot.</source>
+        <translation>Orte des Werkzeugs im Basiskoordinatensystem des Roboters.</translation>
+    </message>
+    <message>
+        <source>calculated less measured %1, held back</source>
+        <translation>berechnete minus gemessene Koordinate %1, zurückgehalten</translation>
+    </message>
+    <message>
+        <source>orientation of the base, %1</source>
+        <translation>Orientierung der Basis, %1</translation>
+    </message>
+    <message>
+        <source>position of the base, %1</source>
+        <translation>Position der Basis, %1</translation>
+    </message>
+    <message>
+        <source>pose %1, rotation about %2</source>
+        <translation>Pose %1, Drehung um %2</translation>
+    </message>
+    <message>
+        <source>pose %1, %2</source>
+        <translation>Pose %1, %2</translation>
+    </message>
+    <message>
+        <source>measured orientation</source>
+        <translation>gemessene Orientierung</translation>
+    </message>
+    <message>
+        <source>pose %1, reading of joint %2</source>
+        <translation>Pose %1, Ablesung von Gelenk %2</translation>
+    </message>
+    <message>
+        <source>Singular values are those of the weighted Jacobian with columns of length one.</source>
+        <translation>Singulärwerte sind die der gewichteten Jacobi-Matrix mit Spalten der Länge eins.</translation>
+    </message>
+    <message>
+        <source>Least well told apart: %1.</source>
+        <translation>Am schlechtesten zu trennen: %1.</translation>
+    </message>
+    <message>
+        <source>A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals together (Bonferroni).</source>
+        <translation>Ein Residuum über dem %1-Fachen seiner eigenen Standardunsicherheit ist ein Ausreißer: 5 % für alle Residuen zusammen (Bonferroni).</translation>
+    </message>
+    <message>
+        <source>Nominal: the same base and ball fitted with the nominal parameters. E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
+        <translation>Nenn: dieselbe Basis und Kugel, mit den Nennparametern angepasst. E_n = |d|/U: unter 1 stimmt die Pose mit der Kalibrierung überein.</translation>
+    </message>
+    <message>
+        <source>radius of the circle of joint %1</source>
+        <translation>Radius des Kreises von Gelenk %1</translation>
+    </message>
+    <message>
+        <source>%1, point %2, %3</source>
+        <translation>%1, Punkt %2, %3</translation>
+    </message>
+    <message>
+        <source>Simulated points of the nominal robot: they lie on their circles.</source>
+        <translation>Simulierte Punkte des Nennroboters: sie liegen auf ihren Kreisen.</translation>
+    </message>
+    <message>
+        <source>%1, identification</source>
+        <translation>%1, Identifikation</translation>
+    </message>
+    <message>
+        <source>load %1, compensated</source>
+        <translation>Last %1, ausgeglichen</translation>
+    </message>
+    <message>
+        <source>load %1 by its own channel alone</source>
+        <translation>Last %1 nach dem eigenen Kanal allein</translation>
+    </message>
+    <message>
+        <source>calibration machine, %1</source>
+        <translation>Kalibriermaschine, %1</translation>
+    </message>
+    <message>
+        <source>calibration machine, Eq 5</source>
+        <translation>Kalibriermaschine, Eq 5</translation>
+    </message>
+    <message>
+        <source>regression of %1</source>
+        <translation>Regression von %1</translation>
+    </message>
+    <message>
+        <source>reading of %1 by load %2</source>
+        <translation>Ablesung von %1 unter Last %2</translation>
+    </message>
+    <message>
+        <source>quadratic term of %1 by load %2</source>
+        <translation>quadratisches Glied von %1 unter Last %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3</source>
+        <translation>%1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>standard deviation of one reading, Eq 3</source>
+        <translation>Standardabweichung einer Ablesung, Eq 3</translation>
+    </message>
+    <message>
+        <source>net reading of %1, %2</source>
+        <translation>Nettoablesung von %1, %2</translation>
+    </message>
+    <message>
+        <source>Eq 6</source>
+        <translation>Eq 6</translation>
+    </message>
+    <message>
+        <source>Eq 7</source>
+        <translation>Eq 7</translation>
+    </message>
+    <message>
+        <source>Eq 10, full width of the loop</source>
+        <translation>Eq 10, volle Breite der Schleife</translation>
+    </message>
+    <message>
+        <source>Eq 10, in proportion to the load</source>
+        <translation>Eq 10, im Verhältnis zur Last</translation>
+    </message>
+    <message>
+        <source>Condition number, by rated outputs and rated loads: %1; with quadratic terms beside these slopes.</source>
+        <translation>Konditionszahl, bezogen auf Nennausgänge und Nennlasten: %1; mit quadratischen Gliedern neben diesen Steigungen.</translation>
+    </message>
+    <message>
+        <source>Condition number, by rated outputs and rated loads: %1.</source>
+        <translation>Konditionszahl, bezogen auf Nennausgänge und Nennlasten: %1.</translation>
+    </message>
+    <message>
+        <source>Uncompensated: by the slope of the channel&apos;s own axis. The uncertainties of both are among the results.</source>
+        <translation>Nicht ausgeglichen: nach der Steigung der eigenen Achse des Kanals. Die Unsicherheiten beider stehen in den Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>Reproduces: equal in all printed digits. Inside rounding: what it is computed from was rounded, too. Interference, percent: the row&apos;s sensor, then the column&apos;s axis.</source>
+        <translation>Reproduziert: gleich in allen gedruckten Stellen. Innerhalb der Rundung: auch das, woraus es berechnet ist, war gerundet. Übersprechen, Prozent: der Sensor der Zeile, dann die Achse der Spalte.</translation>
+    </message>
+    <message>
+        <source>Fig. 2: %1 s without load before a series, %2 s at each load.</source>
+        <translation>Fig. 2: %1 s ohne Last vor einer Reihe, %2 s bei jeder Last.</translation>
+    </message>
+    <message>
+        <source>A row is a load, a column the sensor that answers to it.</source>
+        <translation>Eine Zeile ist eine Last, eine Spalte der Sensor, der darauf antwortet.</translation>
+    </message>
+    <message>
+        <source>A row is a sensor, a column the load under which it gives this output.</source>
+        <translation>Eine Zeile ist ein Sensor, eine Spalte die Last, unter der er diesen Ausgang gibt.</translation>
+    </message>
+    <message>
+        <source>Magnitudes: the signs are not known.</source>
+        <translation>Beträge: die Vorzeichen sind nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>U = hysteresis + interference + k u_c with k = %1: a linear sum of two largest values and an expanded uncertainty. Type A: n = %2 runs, %3 degrees of freedom.</source>
+        <translation>U = Hysterese + Übersprechen + k u_c mit k = %1: eine lineare Summe aus zwei größten Werten und einer erweiterten Unsicherheit. Typ A: n = %2 Durchläufe, %3 Freiheitsgrade.</translation>
+    </message>
+    <message>
+        <source>Calibration machine: %1.</source>
+        <translation>Kalibriermaschine: %1.</translation>
+    </message>
+    <message>
+        <source>Table 3 takes the Type B standard uncertainties that are stated, not these.</source>
+        <translation>Tabelle 3 nimmt die angegebenen Standardunsicherheiten vom Typ B, nicht diese.</translation>
+    </message>
+    <message>
+        <source>load %1 that channel %1 tells</source>
+        <translation>Last %1, die der Kanal %1 anzeigt</translation>
+    </message>
+    <message>
+        <source>net reading of channel %1</source>
+        <translation>Nettoablesung des Kanals %1</translation>
+    </message>
+    <message>
+        <source>load by the rated load of channel %1</source>
+        <translation>Last durch die Nennlast des Kanals %1</translation>
+    </message>
+    <message>
+        <source>Eqs 3, 4</source>
+        <translation>Eqs 3, 4</translation>
+    </message>
+    <message>
+        <source>net reading of %1 at rated load</source>
+        <translation>Nettoablesung von %1 bei Nennlast</translation>
+    </message>
+    <message>
+        <source>calibration machine</source>
+        <translation>Kalibriermaschine</translation>
+    </message>
+    <message>
+        <source>Eq 5</source>
+        <translation>Eq 5</translation>
+    </message>
+    <message>
+        <source>Eq 10, as a rectangular distribution over the loop</source>
+        <translation>Eq 10, als Rechteckverteilung über die Schleife</translation>
+    </message>
+    <message>
+        <source>unknown load on %1</source>
+        <translation>unbekannte Last auf %1</translation>
+    </message>
+    <message>
+        <source>set-up: unknown between minus and plus the rated load</source>
+        <translation>Vorgaben: unbekannt zwischen minus und plus der Nennlast</translation>
+    </message>
+    <message>
+        <source>load on %1 by its rated load</source>
+        <translation>Last auf %1 durch ihre Nennlast</translation>
+    </message>
+    <message>
+        <source>The paper adds the largest hysteresis and the largest interference to k times u_c. It counts one other load only: with several loads their interference adds up, and exceeds the paper&apos;s U for %1 of %2 sensors when all act fully.</source>
+        <translation>Die Veröffentlichung addiert die größte Hysterese und das größte Übersprechen zu k mal u_c. Sie zählt nur eine andere Last: bei mehreren Lasten addiert sich ihr Übersprechen und übersteigt das U der Veröffentlichung für %1 von %2 Sensoren, wenn alle voll wirken.</translation>
+    </message>
+    <message>
+        <source>So the linear sum is no bound under combined load, and for one component alone it is far too large. As hysteresis and interference are limits and no standard uncertainties, it is no coverage interval either.</source>
+        <translation>Die lineare Summe ist also keine Grenze unter kombinierter Last, und für eine Komponente allein ist sie viel zu groß. Da Hysterese und Übersprechen Grenzen und keine Standardunsicherheiten sind, ist sie auch kein Überdeckungsintervall.</translation>
+    </message>
+    <message>
+        <source>GUM: hysteresis, non-zero error and resolution are rectangular, each unknown load is rectangular between minus and plus its rated load, root sum of squares. One component alone: k from the t-distribution with the effective degrees of freedom.</source>
+        <translation>GUM: Hysterese, Nullpunktabweichung und Auflösung sind rechteckverteilt, jede unbekannte Last ist rechteckverteilt zwischen minus und plus ihrer Nennlast, Wurzel der Quadratsumme. Eine Komponente allein: k aus der t-Verteilung mit den effektiven Freiheitsgraden.</translation>
+    </message>
+    <message>
+        <source>Repeatability: the largest of the steps; its degrees of freedom are those of one step. Pooled over the steps it has more of them.</source>
+        <translation>Wiederholpräzision: die größte der Stufen; ihre Freiheitsgrade sind die einer Stufe. Über die Stufen zusammengefasst hat sie mehr davon.</translation>
+    </message>
+    <message>
+        <source>pooled standard deviation</source>
+        <translation>zusammengefasste Standardabweichung</translation>
+    </message>
+    <message>
+        <source>mean of %1 observations</source>
+        <translation>Mittelwert von %1 Beobachtungen</translation>
+    </message>
+    <message>
+        <source>s is the experimental standard deviation, u = s/√n (JCGM 100 4.2). A quantity that is stated as pooled observations has the u of all its series together (JCGM 100 4.2.4).</source>
+        <translation>s ist die empirische Standardabweichung, u = s/√n (JCGM 100 4.2). Eine Größe, die als zusammengefasste Beobachtungen angegeben ist, hat das u aller ihrer Reihen zusammen (JCGM 100 4.2.4).</translation>
+    </message>
+    <message>
+        <source>scatter of the means of the groups</source>
+        <translation>Streuung der Mittelwerte der Gruppen</translation>
+    </message>
+    <message>
+        <source>components of variance between and within the groups</source>
+        <translation>Varianzkomponenten zwischen und innerhalb der Gruppen</translation>
+    </message>
+    <message>
+        <source>%1 groups, %2 observations</source>
+        <translation>%1 Gruppen, %2 Beobachtungen</translation>
+    </message>
+    <message>
+        <source>mean of all observations</source>
+        <translation>Mittelwert aller Beobachtungen</translation>
+    </message>
+    <message>
+        <source>There is an effect of the groups at the level of 5 %.</source>
+        <translation>Es gibt einen Effekt der Gruppen auf dem Niveau 5 %.</translation>
+    </message>
+    <message>
+        <source>No effect of the groups is seen at the level of 5 %.</source>
+        <translation>Auf dem Niveau 5 % ist kein Effekt der Gruppen zu sehen.</translation>
+    </message>
+    <message>
+        <source>The component of variance between the groups is zero: all observations count as independent.</source>
+        <translation>Die Varianzkomponente zwischen den Gruppen ist null: alle Beobachtungen zählen als unabhängig.</translation>
+    </message>
+    <message>
+        <source>scatter of the points about the curve</source>
+        <translation>Streuung der Punkte um die Kurve</translation>
+    </message>
+    <message>
+        <source>least squares, residuals of %1 points</source>
+        <translation>kleinste Quadrate, Residuen von %1 Punkten</translation>
+    </message>
+    <message>
+        <source>value of the curve at the origin</source>
+        <translation>Wert der Kurve am Ursprung</translation>
+    </message>
+    <message>
+        <source>coefficient of the power %1</source>
+        <translation>Koeffizient der Potenz %1</translation>
+    </message>
+    <message>
+        <source>mean of y</source>
+        <translation>Mittelwert von y</translation>
+    </message>
+    <message>
+        <source>term of degree %1 (orthonormal polynomial)</source>
+        <translation>Glied vom Grad %1 (orthonormales Polynom)</translation>
+    </message>
+    <message>
+        <source>%1 of point %2</source>
+        <translation>%1 von Punkt %2</translation>
+    </message>
+    <message>
+        <source>stated uncertainty of %1</source>
+        <translation>angegebene Unsicherheit von %1</translation>
+    </message>
+    <message>
+        <source>table of points</source>
+        <translation>Tabelle der Punkte</translation>
+    </message>
+    <message>
+        <source>observed y</source>
+        <translation>beobachtetes y</translation>
+    </message>
+    <message>
+        <source>%1, observed y</source>
+        <translation>%1, beobachtetes y</translation>
+    </message>
+    <message>
+        <source>table of the inverse use</source>
+        <translation>Tabelle der umgekehrten Verwendung</translation>
+    </message>
+    <message>
+        <source>value of the curve at %1</source>
+        <translation>Wert der Kurve bei %1</translation>
+    </message>
+    <message>
+        <source>x where the curve is %1</source>
+        <translation>x, bei dem die Kurve %1 ist</translation>
+    </message>
+    <message>
+        <source>The residuals agree with the stated uncertainties.</source>
+        <translation>Die Residuen stimmen mit den angegebenen Unsicherheiten überein.</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the stated uncertainties explain: the curve or the uncertainties do not describe these points.</source>
+        <translation>Die Residuen sind größer, als die angegebenen Unsicherheiten erklären: die Kurve oder die Unsicherheiten beschreiben diese Punkte nicht.</translation>
+    </message>
+    <message>
+        <source>The x of y = %1 lies outside of the points of the calibration.</source>
+        <translation>Das x von y = %1 liegt außerhalb der Punkte der Kalibrierung.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -12011,6 +12011,706 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Change of variance in %</source>
         <translation>Cambio de la varianza en %</translation>
     </message>
+    <message>
+        <source>first rotation, about z</source>
+        <translation>primera rotación, alrededor de z</translation>
+    </message>
+    <message>
+        <source>second rotation, about y</source>
+        <translation>segunda rotación, alrededor de y</translation>
+    </message>
+    <message>
+        <source>third rotation, about z</source>
+        <translation>tercera rotación, alrededor de z</translation>
+    </message>
+    <message>
+        <source>rotation vector, x</source>
+        <translation>vector de rotación, x</translation>
+    </message>
+    <message>
+        <source>rotation vector, y</source>
+        <translation>vector de rotación, y</translation>
+    </message>
+    <message>
+        <source>rotation vector, z</source>
+        <translation>vector de rotación, z</translation>
+    </message>
+    <message>
+        <source>quaternion, scalar part</source>
+        <translation>cuaternión, parte escalar</translation>
+    </message>
+    <message>
+        <source>quaternion, x</source>
+        <translation>cuaternión, x</translation>
+    </message>
+    <message>
+        <source>quaternion, y</source>
+        <translation>cuaternión, y</translation>
+    </message>
+    <message>
+        <source>quaternion, z</source>
+        <translation>cuaternión, z</translation>
+    </message>
+    <message>
+        <source>Coordinates that define the frame are left out.</source>
+        <translation>Se omiten las coordenadas que definen el sistema de referencia.</translation>
+    </message>
+    <message>
+        <source>%1, coordinate %2</source>
+        <translation>%1, coordenada %2</translation>
+    </message>
+    <message>
+        <source>calibration of the artefact</source>
+        <translation>calibración del artefacto</translation>
+    </message>
+    <message>
+        <source>temperature of the artefact</source>
+        <translation>temperatura del artefacto</translation>
+    </message>
+    <message>
+        <source>systematic error of indication</source>
+        <translation>error sistemático de indicación</translation>
+    </message>
+    <message>
+        <source>coordinate %1</source>
+        <translation>coordenada %1</translation>
+    </message>
+    <message>
+        <source>The bias b is not corrected; |b| counts as a standard uncertainty (against JCGM 100 3.2.4).</source>
+        <translation>El sesgo b no se corrige; |b| cuenta como incertidumbre típica (en contra de JCGM 100 3.2.4).</translation>
+    </message>
+    <message>
+        <source>The bias b is not part of u_c.</source>
+        <translation>El sesgo b no forma parte de u_c.</translation>
+    </message>
+    <message>
+        <source>Measured values are taken as corrected by -b; u_var/sqrt(n) of the correction is part of u_c.</source>
+        <translation>Los valores medidos se toman como corregidos por -b; u_var/sqrt(n) de la corrección forma parte de u_c.</translation>
+    </message>
+    <message>
+        <source>A coordinate of a point has u_c divided by √2.</source>
+        <translation>Una coordenada de un punto tiene u_c dividida por √2.</translation>
+    </message>
+    <message>
+        <source>measured coordinate</source>
+        <translation>coordenada medida</translation>
+    </message>
+    <message>
+        <source>typed standard uncertainty</source>
+        <translation>incertidumbre típica tecleada</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>specification: %1</source>
+        <translation>especificación: %1</translation>
+    </message>
+    <message>
+        <source>The figure is taken as: %1.</source>
+        <translation>La cifra se toma como: %1.</translation>
+    </message>
+    <message>
+        <source>%1, of a length: divided by √2</source>
+        <translation>%1, de una longitud: dividida por √2</translation>
+    </message>
+    <message>
+        <source>station, combination %1</source>
+        <translation>estación, combinación %1</translation>
+    </message>
+    <message>
+        <source>instrument: standard uncertainties and correlation of the station</source>
+        <translation>instrumento: incertidumbres típicas y correlación de la estación</translation>
+    </message>
+    <message>
+        <source>scale of distances</source>
+        <translation>escala de las distancias</translation>
+    </message>
+    <message>
+        <source>zero offset of distances</source>
+        <translation>error de cero de las distancias</translation>
+    </message>
+    <message>
+        <source>index of the elevation</source>
+        <translation>índice de la elevación</translation>
+    </message>
+    <message>
+        <source>collimation</source>
+        <translation>colimación</translation>
+    </message>
+    <message>
+        <source>squareness of the axes</source>
+        <translation>perpendicularidad de los ejes</translation>
+    </message>
+    <message>
+        <source>offset of the beam</source>
+        <translation>desplazamiento del haz</translation>
+    </message>
+    <message>
+        <source>coefficient of refraction</source>
+        <translation>coeficiente de refracción</translation>
+    </message>
+    <message>
+        <source>instrument: standard uncertainty</source>
+        <translation>instrumento: incertidumbre típica</translation>
+    </message>
+    <message>
+        <source>instrument: %1</source>
+        <translation>instrumento: %1</translation>
+    </message>
+    <message>
+        <source>For a target at the height of the instrument.</source>
+        <translation>Para una diana a la altura del instrumento.</translation>
+    </message>
+    <message>
+        <source>station, %1</source>
+        <translation>estación, %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, set-up %3</source>
+        <translation>%1, %2, estacionamiento %3</translation>
+    </message>
+    <message>
+        <source>displacement across the azimuth</source>
+        <translation>desplazamiento transversal al acimut</translation>
+    </message>
+    <message>
+        <source>%1 to %2, %3</source>
+        <translation>%1 a %2, %3</translation>
+    </message>
+    <message>
+        <source>calibrated length</source>
+        <translation>longitud calibrada</translation>
+    </message>
+    <message>
+        <source>calibration of the %1</source>
+        <translation>calibración: %1</translation>
+    </message>
+    <message>
+        <source>%1, calibrated length</source>
+        <translation>%1, longitud calibrada</translation>
+    </message>
+    <message>
+        <source>distance from %1 to %2</source>
+        <translation>distancia de %1 a %2</translation>
+    </message>
+    <message>
+        <source>angle at %1 from %2 to %3</source>
+        <translation>ángulo en %1 de %2 a %3</translation>
+    </message>
+    <message>
+        <source>%1, measured minus calibrated length</source>
+        <translation>%1, longitud medida menos calibrada</translation>
+    </message>
+    <message>
+        <source>origin of %1, coordinate %2</source>
+        <translation>origen de %1, coordenada %2</translation>
+    </message>
+    <message>
+        <source>rotation of %1 about %2</source>
+        <translation>rotación de %1 alrededor de %2</translation>
+    </message>
+    <message>
+        <source>The precision of the readings is no uncertainty of a position: it leaves out where the sensors stand and what their readings share. Monte Carlo is in the results.</source>
+        <translation>La precisión de las lecturas no es la incertidumbre de una posición: omite dónde están los sensores y lo que sus lecturas comparten. Monte Carlo está en los resultados.</translation>
+    </message>
+    <message>
+        <source>No redundancy: as many readings as unknowns, so nothing can be checked.</source>
+        <translation>Sin redundancia: tantas lecturas como incógnitas, por lo que nada se puede comprobar.</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the uncertainties allow.</source>
+        <translation>Los residuos son mayores de lo que permiten las incertidumbres.</translation>
+    </message>
+    <message>
+        <source>The residuals are smaller than the uncertainties lead to expect.</source>
+        <translation>Los residuos son menores de lo que hacen esperar las incertidumbres.</translation>
+    </message>
+    <message>
+        <source>The residuals agree with the uncertainties.</source>
+        <translation>Los residuos concuerdan con las incertidumbres.</translation>
+    </message>
+    <message>
+        <source>%1 readings have |w| &gt; 3.29 (0.1 %); where several do, look at the largest first.</source>
+        <translation>%1 lecturas tienen |w| &gt; 3.29 (0.1 %); si son varias, mire primero la mayor.</translation>
+    </message>
+    <message>
+        <source>%1 in %2, coordinate %3</source>
+        <translation>%1 en %2, coordenada %3</translation>
+    </message>
+    <message>
+        <source>position of the platform, %1</source>
+        <translation>posición de la plataforma, %1</translation>
+    </message>
+    <message>
+        <source>Chi-square of the residuals with the full covariance of the stated uncertainties; nominal coordinates are taken as exact. p is the probability of a larger value if all is as stated; the test has a level of 1 % for all sets together. Not tested: sets without stated uncertainty, and sets of more than %1 points.</source>
+        <translation>Ji-cuadrado de los residuos con la covarianza completa de las incertidumbres declaradas; las coordenadas nominales se toman como exactas. p es la probabilidad de un valor mayor si todo es como se declara; el contraste tiene un nivel del 1 % para todos los conjuntos juntos. No se contrastan: conjuntos sin incertidumbre declarada y conjuntos de más de %1 puntos.</translation>
+    </message>
+    <message>
+        <source>Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| &gt; 3.29 (0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in its residual.</source>
+        <translation>Coordenadas medidas menos nominales. w es un residuo dividido por su propia incertidumbre típica; |w| &gt; 3.29 (0.1 %) se señala. La redundancia es la parte de un error de la coordenada que queda en su residuo.</translation>
+    </message>
+    <message>
+        <source>reading of bar %1</source>
+        <translation>lectura de la barra %1</translation>
+    </message>
+    <message>
+        <source>ballbars: %1</source>
+        <translation>barras de bolas: %1</translation>
+    </message>
+    <message>
+        <source>length between supports %1</source>
+        <translation>longitud entre los apoyos %1</translation>
+    </message>
+    <message>
+        <source>height of support %1</source>
+        <translation>altura del apoyo %1</translation>
+    </message>
+    <message>
+        <source>ballbars: standard uncertainty</source>
+        <translation>barras de bolas: incertidumbre típica</translation>
+    </message>
+    <message>
+        <source>scale of all lengths</source>
+        <translation>escala de todas las longitudes</translation>
+    </message>
+    <message>
+        <source>constant of bar %1</source>
+        <translation>constante de la barra %1</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1, punto %2</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>punto %1</translation>
+    </message>
+    <message>
+        <source>axis %1 of the flange, angle towards %2</source>
+        <translation>eje %1 de la brida, ángulo hacia %2</translation>
+    </message>
+    <message>
+        <source>repeatability along %1</source>
+        <translation>repetibilidad a lo largo de %1</translation>
+    </message>
+    <message>
+        <source>repeatability: %1</source>
+        <translation>repetibilidad: %1</translation>
+    </message>
+    <message>
+        <source>The coordinates are uncorrelated; unless they are normal, they are not independent: the distance has the law above, its direction is random.</source>
+        <translation>Las coordenadas no están correlacionadas; salvo que sean normales, no son independientes: la distancia tiene la ley de arriba, su dirección es aleatoria.</translation>
+    </message>
+    <message>
+        <source>repeatability about %1</source>
+        <translation>repetibilidad alrededor de %1</translation>
+    </message>
+    <message>
+        <source>repeatability of the orientation</source>
+        <translation>repetibilidad de la orientación</translation>
+    </message>
+    <message>
+        <source>%1 of joint %2</source>
+        <translation>%1 de la articulación %2</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>codificador</translation>
+    </message>
+    <message>
+        <source>tool, rotation about %1</source>
+        <translation>herramienta, rotación alrededor de %1</translation>
+    </message>
+    <message>
+        <source>tool: standard uncertainty</source>
+        <translation>herramienta: incertidumbre típica</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, combined</source>
+        <translation>%1, combinada</translation>
+    </message>
+    <message>
+        <source>%1, deviation</source>
+        <translation>%1, desviación</translation>
+    </message>
+    <message>
+        <source>reading of joint %1, %2</source>
+        <translation>lectura de la articulación %1, %2</translation>
+    </message>
+    <message>
+        <source>position of the tool, %1</source>
+        <translation>posición de la herramienta, %1</translation>
+    </message>
+    <message>
+        <source>orientation of the tool, %1</source>
+        <translation>orientación de la herramienta, %1</translation>
+    </message>
+    <message>
+        <source>joint angle</source>
+        <translation>ángulo de la articulación</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>desplazamiento</translation>
+    </message>
+    <message>
+        <source>link length</source>
+        <translation>longitud del eslabón</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>torsión</translation>
+    </message>
+    <message>
+        <source>second twist</source>
+        <translation>segunda torsión</translation>
+    </message>
+    <message>
+        <source>Components of a parameter combine in quadrature (Wen et al., Eq. 10). U has the factor 2 of the paper; with few effective degrees of freedom 95 % need more.</source>
+        <translation>Los componentes de un parámetro se combinan en cuadratura (Wen et al., Eq. 10). U tiene el factor 2 del artículo; con pocos grados de libertad efectivos el 95 % requiere más.</translation>
+    </message>
+    <message>
+        <source>Places of the tool in the base frame of the robot.</source>
+        <translation>Lugares de la herramienta en el sistema de la base del robot.</translation>
+    </message>
+    <message>
+        <source>calculated less measured %1, held back</source>
+        <translation>%1 calculada menos medida, reservada</translation>
+    </message>
+    <message>
+        <source>orientation of the base, %1</source>
+        <translation>orientación de la base, %1</translation>
+    </message>
+    <message>
+        <source>position of the base, %1</source>
+        <translation>posición de la base, %1</translation>
+    </message>
+    <message>
+        <source>pose %1, rotation about %2</source>
+        <translation>pose %1, rotación alrededor de %2</translation>
+    </message>
+    <message>
+        <source>pose %1, %2</source>
+        <translation>pose %1, %2</translation>
+    </message>
+    <message>
+        <source>measured orientation</source>
+        <translation>orientación medida</translation>
+    </message>
+    <message>
+        <source>pose %1, reading of joint %2</source>
+        <translation>pose %1, lectura de la articulación %2</translation>
+    </message>
+    <message>
+        <source>Singular values are those of the weighted Jacobian with columns of length one.</source>
+        <translation>Los valores singulares son los de la jacobiana ponderada con columnas de longitud uno.</translation>
+    </message>
+    <message>
+        <source>Least well told apart: %1.</source>
+        <translation>Los que peor se distinguen: %1.</translation>
+    </message>
+    <message>
+        <source>A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals together (Bonferroni).</source>
+        <translation>Un residuo mayor que %1 veces su propia incertidumbre típica es un valor atípico: 5 % para todos los residuos juntos (Bonferroni).</translation>
+    </message>
+    <message>
+        <source>Nominal: the same base and ball fitted with the nominal parameters. E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
+        <translation>Nominal: la misma base y bola ajustadas con los parámetros nominales. E_n = |d|/U: por debajo de 1 la pose concuerda con la calibración.</translation>
+    </message>
+    <message>
+        <source>radius of the circle of joint %1</source>
+        <translation>radio del círculo de la articulación %1</translation>
+    </message>
+    <message>
+        <source>%1, point %2, %3</source>
+        <translation>%1, punto %2, %3</translation>
+    </message>
+    <message>
+        <source>Simulated points of the nominal robot: they lie on their circles.</source>
+        <translation>Puntos simulados del robot nominal: están sobre sus círculos.</translation>
+    </message>
+    <message>
+        <source>%1, identification</source>
+        <translation>%1, identificación</translation>
+    </message>
+    <message>
+        <source>load %1, compensated</source>
+        <translation>carga %1, compensada</translation>
+    </message>
+    <message>
+        <source>load %1 by its own channel alone</source>
+        <translation>carga %1 solo por su propio canal</translation>
+    </message>
+    <message>
+        <source>calibration machine, %1</source>
+        <translation>máquina de calibración, %1</translation>
+    </message>
+    <message>
+        <source>calibration machine, Eq 5</source>
+        <translation>máquina de calibración, Eq 5</translation>
+    </message>
+    <message>
+        <source>regression of %1</source>
+        <translation>regresión de %1</translation>
+    </message>
+    <message>
+        <source>reading of %1 by load %2</source>
+        <translation>lectura de %1 por la carga %2</translation>
+    </message>
+    <message>
+        <source>quadratic term of %1 by load %2</source>
+        <translation>término cuadrático de %1 por la carga %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3</source>
+        <translation>%1 de %2, %3</translation>
+    </message>
+    <message>
+        <source>standard deviation of one reading, Eq 3</source>
+        <translation>desviación típica de una lectura, Eq 3</translation>
+    </message>
+    <message>
+        <source>net reading of %1, %2</source>
+        <translation>lectura neta de %1, %2</translation>
+    </message>
+    <message>
+        <source>Eq 6</source>
+        <translation>Eq 6</translation>
+    </message>
+    <message>
+        <source>Eq 7</source>
+        <translation>Eq 7</translation>
+    </message>
+    <message>
+        <source>Eq 10, full width of the loop</source>
+        <translation>Eq 10, ancho completo del ciclo</translation>
+    </message>
+    <message>
+        <source>Eq 10, in proportion to the load</source>
+        <translation>Eq 10, en proporción a la carga</translation>
+    </message>
+    <message>
+        <source>Condition number, by rated outputs and rated loads: %1; with quadratic terms beside these slopes.</source>
+        <translation>Número de condición, referido a salidas y cargas nominales: %1; con términos cuadráticos además de estas pendientes.</translation>
+    </message>
+    <message>
+        <source>Condition number, by rated outputs and rated loads: %1.</source>
+        <translation>Número de condición, referido a salidas y cargas nominales: %1.</translation>
+    </message>
+    <message>
+        <source>Uncompensated: by the slope of the channel&apos;s own axis. The uncertainties of both are among the results.</source>
+        <translation>Sin compensar: por la pendiente del eje propio del canal. Las incertidumbres de ambas están en los resultados.</translation>
+    </message>
+    <message>
+        <source>Reproduces: equal in all printed digits. Inside rounding: what it is computed from was rounded, too. Interference, percent: the row&apos;s sensor, then the column&apos;s axis.</source>
+        <translation>Reproduce: igual en todas las cifras impresas. Dentro del redondeo: también se redondeó aquello de lo que se calcula. Interferencia, por ciento: el sensor de la fila, luego el eje de la columna.</translation>
+    </message>
+    <message>
+        <source>Fig. 2: %1 s without load before a series, %2 s at each load.</source>
+        <translation>Fig. 2: %1 s sin carga antes de una serie, %2 s en cada carga.</translation>
+    </message>
+    <message>
+        <source>A row is a load, a column the sensor that answers to it.</source>
+        <translation>Una fila es una carga, una columna el sensor que responde a ella.</translation>
+    </message>
+    <message>
+        <source>A row is a sensor, a column the load under which it gives this output.</source>
+        <translation>Una fila es un sensor, una columna la carga bajo la que da esta salida.</translation>
+    </message>
+    <message>
+        <source>Magnitudes: the signs are not known.</source>
+        <translation>Magnitudes: los signos no se conocen.</translation>
+    </message>
+    <message>
+        <source>U = hysteresis + interference + k u_c with k = %1: a linear sum of two largest values and an expanded uncertainty. Type A: n = %2 runs, %3 degrees of freedom.</source>
+        <translation>U = histéresis + interferencia + k u_c con k = %1: una suma lineal de dos valores máximos y una incertidumbre expandida. Tipo A: n = %2 series, %3 grados de libertad.</translation>
+    </message>
+    <message>
+        <source>Calibration machine: %1.</source>
+        <translation>Máquina de calibración: %1.</translation>
+    </message>
+    <message>
+        <source>Table 3 takes the Type B standard uncertainties that are stated, not these.</source>
+        <translation>La tabla 3 toma las incertidumbres típicas de tipo B declaradas, no estas.</translation>
+    </message>
+    <message>
+        <source>load %1 that channel %1 tells</source>
+        <translation>carga %1 que indica el canal %1</translation>
+    </message>
+    <message>
+        <source>net reading of channel %1</source>
+        <translation>lectura neta del canal %1</translation>
+    </message>
+    <message>
+        <source>load by the rated load of channel %1</source>
+        <translation>carga dividida por la carga nominal del canal %1</translation>
+    </message>
+    <message>
+        <source>Eqs 3, 4</source>
+        <translation>Eqs 3, 4</translation>
+    </message>
+    <message>
+        <source>net reading of %1 at rated load</source>
+        <translation>lectura neta de %1 con la carga nominal</translation>
+    </message>
+    <message>
+        <source>calibration machine</source>
+        <translation>máquina de calibración</translation>
+    </message>
+    <message>
+        <source>Eq 5</source>
+        <translation>Eq 5</translation>
+    </message>
+    <message>
+        <source>Eq 10, as a rectangular distribution over the loop</source>
+        <translation>Eq 10, como distribución rectangular sobre el ciclo</translation>
+    </message>
+    <message>
+        <source>unknown load on %1</source>
+        <translation>carga desconocida en %1</translation>
+    </message>
+    <message>
+        <source>set-up: unknown between minus and plus the rated load</source>
+        <translation>configuración: desconocida entre menos y más la carga nominal</translation>
+    </message>
+    <message>
+        <source>load on %1 by its rated load</source>
+        <translation>carga en %1 dividida por su carga nominal</translation>
+    </message>
+    <message>
+        <source>The paper adds the largest hysteresis and the largest interference to k times u_c. It counts one other load only: with several loads their interference adds up, and exceeds the paper&apos;s U for %1 of %2 sensors when all act fully.</source>
+        <translation>El artículo suma la mayor histéresis y la mayor interferencia a k por u_c. Cuenta solo otra carga: con varias cargas sus interferencias se suman y superan la U del artículo en %1 de %2 sensores cuando todas actúan por completo.</translation>
+    </message>
+    <message>
+        <source>So the linear sum is no bound under combined load, and for one component alone it is far too large. As hysteresis and interference are limits and no standard uncertainties, it is no coverage interval either.</source>
+        <translation>Así, la suma lineal no es una cota bajo carga combinada, y para un solo componente es demasiado grande. Como la histéresis y la interferencia son límites y no incertidumbres típicas, tampoco es un intervalo de cobertura.</translation>
+    </message>
+    <message>
+        <source>GUM: hysteresis, non-zero error and resolution are rectangular, each unknown load is rectangular between minus and plus its rated load, root sum of squares. One component alone: k from the t-distribution with the effective degrees of freedom.</source>
+        <translation>GUM: histéresis, error de cero y resolución son rectangulares, cada carga desconocida es rectangular entre menos y más su carga nominal, raíz de la suma de cuadrados. Un solo componente: k de la distribución t con los grados de libertad efectivos.</translation>
+    </message>
+    <message>
+        <source>Repeatability: the largest of the steps; its degrees of freedom are those of one step. Pooled over the steps it has more of them.</source>
+        <translation>Repetibilidad: la mayor de los escalones; sus grados de libertad son los de un escalón. Combinada sobre los escalones tiene más.</translation>
+    </message>
+    <message>
+        <source>pooled standard deviation</source>
+        <translation>desviación típica combinada</translation>
+    </message>
+    <message>
+        <source>mean of %1 observations</source>
+        <translation>media de %1 observaciones</translation>
+    </message>
+    <message>
+        <source>s is the experimental standard deviation, u = s/√n (JCGM 100 4.2). A quantity that is stated as pooled observations has the u of all its series together (JCGM 100 4.2.4).</source>
+        <translation>s es la desviación típica experimental, u = s/√n (JCGM 100 4.2). Una magnitud declarada como observaciones combinadas tiene la u de todas sus series juntas (JCGM 100 4.2.4).</translation>
+    </message>
+    <message>
+        <source>scatter of the means of the groups</source>
+        <translation>dispersión de las medias de los grupos</translation>
+    </message>
+    <message>
+        <source>components of variance between and within the groups</source>
+        <translation>componentes de la varianza entre los grupos y dentro de ellos</translation>
+    </message>
+    <message>
+        <source>%1 groups, %2 observations</source>
+        <translation>%1 grupos, %2 observaciones</translation>
+    </message>
+    <message>
+        <source>mean of all observations</source>
+        <translation>media de todas las observaciones</translation>
+    </message>
+    <message>
+        <source>There is an effect of the groups at the level of 5 %.</source>
+        <translation>Hay un efecto de los grupos al nivel del 5 %.</translation>
+    </message>
+    <message>
+        <source>No effect of the groups is seen at the level of 5 %.</source>
+        <translation>No se ve ningún efecto de los grupos al nivel del 5 %.</translation>
+    </message>
+    <message>
+        <source>The component of variance between the groups is zero: all observations count as independent.</source>
+        <translation>El componente de la varianza entre los grupos es cero: todas las observaciones cuentan como independientes.</translation>
+    </message>
+    <message>
+        <source>scatter of the points about the curve</source>
+        <translation>dispersión de los puntos alrededor de la curva</translation>
+    </message>
+    <message>
+        <source>least squares, residuals of %1 points</source>
+        <translation>mínimos cuadrados, residuos de %1 puntos</translation>
+    </message>
+    <message>
+        <source>value of the curve at the origin</source>
+        <translation>valor de la curva en el origen</translation>
+    </message>
+    <message>
+        <source>coefficient of the power %1</source>
+        <translation>coeficiente de la potencia %1</translation>
+    </message>
+    <message>
+        <source>mean of y</source>
+        <translation>media de y</translation>
+    </message>
+    <message>
+        <source>term of degree %1 (orthonormal polynomial)</source>
+        <translation>término de grado %1 (polinomio ortonormal)</translation>
+    </message>
+    <message>
+        <source>%1 of point %2</source>
+        <translation>%1 del punto %2</translation>
+    </message>
+    <message>
+        <source>stated uncertainty of %1</source>
+        <translation>incertidumbre declarada de %1</translation>
+    </message>
+    <message>
+        <source>table of points</source>
+        <translation>tabla de los puntos</translation>
+    </message>
+    <message>
+        <source>observed y</source>
+        <translation>y observada</translation>
+    </message>
+    <message>
+        <source>%1, observed y</source>
+        <translation>%1, y observada</translation>
+    </message>
+    <message>
+        <source>table of the inverse use</source>
+        <translation>tabla del uso inverso</translation>
+    </message>
+    <message>
+        <source>value of the curve at %1</source>
+        <translation>valor de la curva en %1</translation>
+    </message>
+    <message>
+        <source>x where the curve is %1</source>
+        <translation>x donde la curva es %1</translation>
+    </message>
+    <message>
+        <source>The residuals agree with the stated uncertainties.</source>
+        <translation>Los residuos concuerdan con las incertidumbres declaradas.</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the stated uncertainties explain: the curve or the uncertainties do not describe these points.</source>
+        <translation>Los residuos son mayores de lo que explican las incertidumbres declaradas: la curva o las incertidumbres no describen estos puntos.</translation>
+    </message>
+    <message>
+        <source>The x of y = %1 lies outside of the points of the calibration.</source>
+        <translation>La x de y = %1 está fuera de los puntos de la calibración.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

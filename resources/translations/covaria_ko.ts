@@ -12011,6 +12011,706 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <source>Change of variance in %</source>
         <translation>분산의 변화(%)</translation>
     </message>
+    <message>
+        <source>first rotation, about z</source>
+        <translation>첫째 회전, z축 둘레</translation>
+    </message>
+    <message>
+        <source>second rotation, about y</source>
+        <translation>둘째 회전, y축 둘레</translation>
+    </message>
+    <message>
+        <source>third rotation, about z</source>
+        <translation>셋째 회전, z축 둘레</translation>
+    </message>
+    <message>
+        <source>rotation vector, x</source>
+        <translation>회전 벡터, x</translation>
+    </message>
+    <message>
+        <source>rotation vector, y</source>
+        <translation>회전 벡터, y</translation>
+    </message>
+    <message>
+        <source>rotation vector, z</source>
+        <translation>회전 벡터, z</translation>
+    </message>
+    <message>
+        <source>quaternion, scalar part</source>
+        <translation>사원수, 스칼라 부분</translation>
+    </message>
+    <message>
+        <source>quaternion, x</source>
+        <translation>사원수, x</translation>
+    </message>
+    <message>
+        <source>quaternion, y</source>
+        <translation>사원수, y</translation>
+    </message>
+    <message>
+        <source>quaternion, z</source>
+        <translation>사원수, z</translation>
+    </message>
+    <message>
+        <source>Coordinates that define the frame are left out.</source>
+        <translation>좌표계를 정의하는 좌표는 생략합니다.</translation>
+    </message>
+    <message>
+        <source>%1, coordinate %2</source>
+        <translation>%1, 좌표 %2</translation>
+    </message>
+    <message>
+        <source>calibration of the artefact</source>
+        <translation>기준물의 교정</translation>
+    </message>
+    <message>
+        <source>temperature of the artefact</source>
+        <translation>기준물의 온도</translation>
+    </message>
+    <message>
+        <source>systematic error of indication</source>
+        <translation>지시값의 계통오차</translation>
+    </message>
+    <message>
+        <source>coordinate %1</source>
+        <translation>좌표 %1</translation>
+    </message>
+    <message>
+        <source>The bias b is not corrected; |b| counts as a standard uncertainty (against JCGM 100 3.2.4).</source>
+        <translation>편의 b는 보정하지 않으며 |b|를 표준불확도로 셈합니다(JCGM 100 3.2.4와 다름).</translation>
+    </message>
+    <message>
+        <source>The bias b is not part of u_c.</source>
+        <translation>편의 b는 u_c에 포함되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Measured values are taken as corrected by -b; u_var/sqrt(n) of the correction is part of u_c.</source>
+        <translation>측정값은 -b만큼 보정된 것으로 봅니다. 보정의 u_var/sqrt(n)은 u_c에 포함됩니다.</translation>
+    </message>
+    <message>
+        <source>A coordinate of a point has u_c divided by √2.</source>
+        <translation>점의 한 좌표의 u_c는 √2로 나눈 값입니다.</translation>
+    </message>
+    <message>
+        <source>measured coordinate</source>
+        <translation>측정된 좌표</translation>
+    </message>
+    <message>
+        <source>typed standard uncertainty</source>
+        <translation>직접 입력한 표준불확도</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>specification: %1</source>
+        <translation>사양: %1</translation>
+    </message>
+    <message>
+        <source>The figure is taken as: %1.</source>
+        <translation>이 값은 다음과 같이 해석합니다: %1.</translation>
+    </message>
+    <message>
+        <source>%1, of a length: divided by √2</source>
+        <translation>%1, 길이에 대한 것: √2로 나눔</translation>
+    </message>
+    <message>
+        <source>station, combination %1</source>
+        <translation>스테이션, 조합 %1</translation>
+    </message>
+    <message>
+        <source>instrument: standard uncertainties and correlation of the station</source>
+        <translation>측정기: 스테이션의 표준불확도와 상관</translation>
+    </message>
+    <message>
+        <source>scale of distances</source>
+        <translation>거리의 척도</translation>
+    </message>
+    <message>
+        <source>zero offset of distances</source>
+        <translation>거리의 영점 오차</translation>
+    </message>
+    <message>
+        <source>index of the elevation</source>
+        <translation>고도각의 지표 오차</translation>
+    </message>
+    <message>
+        <source>collimation</source>
+        <translation>시준 오차</translation>
+    </message>
+    <message>
+        <source>squareness of the axes</source>
+        <translation>축의 직각도</translation>
+    </message>
+    <message>
+        <source>offset of the beam</source>
+        <translation>빔의 어긋남</translation>
+    </message>
+    <message>
+        <source>coefficient of refraction</source>
+        <translation>굴절 계수</translation>
+    </message>
+    <message>
+        <source>instrument: standard uncertainty</source>
+        <translation>측정기: 표준불확도</translation>
+    </message>
+    <message>
+        <source>instrument: %1</source>
+        <translation>측정기: %1</translation>
+    </message>
+    <message>
+        <source>For a target at the height of the instrument.</source>
+        <translation>측정기 높이에 있는 표적에 대한 값입니다.</translation>
+    </message>
+    <message>
+        <source>station, %1</source>
+        <translation>스테이션, %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, set-up %3</source>
+        <translation>%1, %2, 설치 %3</translation>
+    </message>
+    <message>
+        <source>displacement across the azimuth</source>
+        <translation>방위각에 수직인 변위</translation>
+    </message>
+    <message>
+        <source>%1 to %2, %3</source>
+        <translation>%1에서 %2까지, %3</translation>
+    </message>
+    <message>
+        <source>calibrated length</source>
+        <translation>교정된 길이</translation>
+    </message>
+    <message>
+        <source>calibration of the %1</source>
+        <translation>교정: %1</translation>
+    </message>
+    <message>
+        <source>%1, calibrated length</source>
+        <translation>%1, 교정된 길이</translation>
+    </message>
+    <message>
+        <source>distance from %1 to %2</source>
+        <translation>%1에서 %2까지의 거리</translation>
+    </message>
+    <message>
+        <source>angle at %1 from %2 to %3</source>
+        <translation>%1에서 %2와 %3 사이의 각도</translation>
+    </message>
+    <message>
+        <source>%1, measured minus calibrated length</source>
+        <translation>%1, 측정 길이 빼기 교정 길이</translation>
+    </message>
+    <message>
+        <source>origin of %1, coordinate %2</source>
+        <translation>%1의 원점, 좌표 %2</translation>
+    </message>
+    <message>
+        <source>rotation of %1 about %2</source>
+        <translation>%2 둘레의 %1 회전</translation>
+    </message>
+    <message>
+        <source>The precision of the readings is no uncertainty of a position: it leaves out where the sensors stand and what their readings share. Monte Carlo is in the results.</source>
+        <translation>읽음값의 정밀도는 위치의 불확도가 아닙니다. 센서의 위치와 읽음값들이 공유하는 것이 빠져 있습니다. 몬테카를로는 결과에 있습니다.</translation>
+    </message>
+    <message>
+        <source>No redundancy: as many readings as unknowns, so nothing can be checked.</source>
+        <translation>여유도 없음: 읽음값이 미지수와 같은 수이므로 아무것도 점검할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the uncertainties allow.</source>
+        <translation>잔차가 불확도가 허용하는 것보다 큽니다.</translation>
+    </message>
+    <message>
+        <source>The residuals are smaller than the uncertainties lead to expect.</source>
+        <translation>잔차가 불확도에서 예상되는 것보다 작습니다.</translation>
+    </message>
+    <message>
+        <source>The residuals agree with the uncertainties.</source>
+        <translation>잔차가 불확도와 일치합니다.</translation>
+    </message>
+    <message>
+        <source>%1 readings have |w| &gt; 3.29 (0.1 %); where several do, look at the largest first.</source>
+        <translation>읽음값 %1개가 |w| &gt; 3.29 (0.1 %)입니다. 여럿이면 가장 큰 것부터 보십시오.</translation>
+    </message>
+    <message>
+        <source>%1 in %2, coordinate %3</source>
+        <translation>%2의 %1, 좌표 %3</translation>
+    </message>
+    <message>
+        <source>position of the platform, %1</source>
+        <translation>플랫폼의 위치, %1</translation>
+    </message>
+    <message>
+        <source>Chi-square of the residuals with the full covariance of the stated uncertainties; nominal coordinates are taken as exact. p is the probability of a larger value if all is as stated; the test has a level of 1 % for all sets together. Not tested: sets without stated uncertainty, and sets of more than %1 points.</source>
+        <translation>명시된 불확도의 전체 공분산으로 구한 잔차의 카이제곱이며, 공칭 좌표는 정확한 것으로 봅니다. p는 모든 것이 명시된 대로일 때 더 큰 값이 나올 확률이고, 검정의 유의수준은 모든 집합을 합하여 1 %입니다. 검정하지 않음: 불확도가 명시되지 않은 집합과 점이 %1개보다 많은 집합.</translation>
+    </message>
+    <message>
+        <source>Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| &gt; 3.29 (0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in its residual.</source>
+        <translation>측정 좌표 빼기 공칭 좌표. w는 잔차를 자신의 표준불확도로 나눈 값이며 |w| &gt; 3.29 (0.1 %)이면 표시합니다. 여유도는 좌표의 오차 중 그 잔차에 남는 몫입니다.</translation>
+    </message>
+    <message>
+        <source>reading of bar %1</source>
+        <translation>볼바 %1의 읽음값</translation>
+    </message>
+    <message>
+        <source>ballbars: %1</source>
+        <translation>볼바: %1</translation>
+    </message>
+    <message>
+        <source>length between supports %1</source>
+        <translation>지지점 %1 사이의 길이</translation>
+    </message>
+    <message>
+        <source>height of support %1</source>
+        <translation>지지점 %1의 높이</translation>
+    </message>
+    <message>
+        <source>ballbars: standard uncertainty</source>
+        <translation>볼바: 표준불확도</translation>
+    </message>
+    <message>
+        <source>scale of all lengths</source>
+        <translation>모든 길이의 척도</translation>
+    </message>
+    <message>
+        <source>constant of bar %1</source>
+        <translation>볼바 %1의 상수</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1, 점 %2</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>점 %1</translation>
+    </message>
+    <message>
+        <source>axis %1 of the flange, angle towards %2</source>
+        <translation>플랜지의 %1축, %2 쪽 각도</translation>
+    </message>
+    <message>
+        <source>repeatability along %1</source>
+        <translation>%1 방향 반복성</translation>
+    </message>
+    <message>
+        <source>repeatability: %1</source>
+        <translation>반복성: %1</translation>
+    </message>
+    <message>
+        <source>The coordinates are uncorrelated; unless they are normal, they are not independent: the distance has the law above, its direction is random.</source>
+        <translation>좌표들은 상관이 없습니다. 정규분포가 아니면 독립은 아닙니다. 거리는 위의 분포를 따르고 방향은 무작위입니다.</translation>
+    </message>
+    <message>
+        <source>repeatability about %1</source>
+        <translation>%1 둘레의 반복성</translation>
+    </message>
+    <message>
+        <source>repeatability of the orientation</source>
+        <translation>자세의 반복성</translation>
+    </message>
+    <message>
+        <source>%1 of joint %2</source>
+        <translation>관절 %2의 %1</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>인코더</translation>
+    </message>
+    <message>
+        <source>tool, rotation about %1</source>
+        <translation>공구, %1 둘레의 회전</translation>
+    </message>
+    <message>
+        <source>tool: standard uncertainty</source>
+        <translation>공구: 표준불확도</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, combined</source>
+        <translation>%1, 합성</translation>
+    </message>
+    <message>
+        <source>%1, deviation</source>
+        <translation>%1, 편차</translation>
+    </message>
+    <message>
+        <source>reading of joint %1, %2</source>
+        <translation>관절 %1의 읽음값, %2</translation>
+    </message>
+    <message>
+        <source>position of the tool, %1</source>
+        <translation>공구의 위치, %1</translation>
+    </message>
+    <message>
+        <source>orientation of the tool, %1</source>
+        <translation>공구의 방위, %1</translation>
+    </message>
+    <message>
+        <source>joint angle</source>
+        <translation>관절 각도</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>오프셋</translation>
+    </message>
+    <message>
+        <source>link length</source>
+        <translation>링크 길이</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>비틀림각</translation>
+    </message>
+    <message>
+        <source>second twist</source>
+        <translation>둘째 비틀림각</translation>
+    </message>
+    <message>
+        <source>Components of a parameter combine in quadrature (Wen et al., Eq. 10). U has the factor 2 of the paper; with few effective degrees of freedom 95 % need more.</source>
+        <translation>한 매개변수의 성분들은 제곱합으로 합칩니다(Wen et al., Eq. 10). U는 논문의 인자 2를 씁니다. 유효 자유도가 작으면 95 %에는 더 큰 값이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Places of the tool in the base frame of the robot.</source>
+        <translation>로봇의 베이스 좌표계에서 공구가 있는 곳입니다.</translation>
+    </message>
+    <message>
+        <source>calculated less measured %1, held back</source>
+        <translation>계산값 빼기 측정값 %1, 점검용으로 남김</translation>
+    </message>
+    <message>
+        <source>orientation of the base, %1</source>
+        <translation>베이스의 방위, %1</translation>
+    </message>
+    <message>
+        <source>position of the base, %1</source>
+        <translation>베이스의 위치, %1</translation>
+    </message>
+    <message>
+        <source>pose %1, rotation about %2</source>
+        <translation>포즈 %1, %2 둘레의 회전</translation>
+    </message>
+    <message>
+        <source>pose %1, %2</source>
+        <translation>포즈 %1, %2</translation>
+    </message>
+    <message>
+        <source>measured orientation</source>
+        <translation>측정된 방위</translation>
+    </message>
+    <message>
+        <source>pose %1, reading of joint %2</source>
+        <translation>포즈 %1, 관절 %2의 읽음값</translation>
+    </message>
+    <message>
+        <source>Singular values are those of the weighted Jacobian with columns of length one.</source>
+        <translation>특이값은 열의 길이를 1로 맞춘 가중 야코비 행렬의 것입니다.</translation>
+    </message>
+    <message>
+        <source>Least well told apart: %1.</source>
+        <translation>가장 구별하기 어려운 것: %1.</translation>
+    </message>
+    <message>
+        <source>A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals together (Bonferroni).</source>
+        <translation>자신의 표준불확도의 %1배를 넘는 잔차는 이상값입니다. 모든 잔차를 합하여 5 %입니다(Bonferroni).</translation>
+    </message>
+    <message>
+        <source>Nominal: the same base and ball fitted with the nominal parameters. E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
+        <translation>공칭: 같은 베이스와 볼을 공칭 매개변수로 맞춘 것. E_n = |d|/U: 1보다 작으면 포즈가 교정과 일치합니다.</translation>
+    </message>
+    <message>
+        <source>radius of the circle of joint %1</source>
+        <translation>관절 %1의 원 반지름</translation>
+    </message>
+    <message>
+        <source>%1, point %2, %3</source>
+        <translation>%1, 점 %2, %3</translation>
+    </message>
+    <message>
+        <source>Simulated points of the nominal robot: they lie on their circles.</source>
+        <translation>공칭 로봇의 모의 점들: 각자의 원 위에 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, identification</source>
+        <translation>%1, 식별</translation>
+    </message>
+    <message>
+        <source>load %1, compensated</source>
+        <translation>하중 %1, 보상됨</translation>
+    </message>
+    <message>
+        <source>load %1 by its own channel alone</source>
+        <translation>하중 %1, 자신의 채널만으로</translation>
+    </message>
+    <message>
+        <source>calibration machine, %1</source>
+        <translation>교정기, %1</translation>
+    </message>
+    <message>
+        <source>calibration machine, Eq 5</source>
+        <translation>교정기, Eq 5</translation>
+    </message>
+    <message>
+        <source>regression of %1</source>
+        <translation>%1의 회귀</translation>
+    </message>
+    <message>
+        <source>reading of %1 by load %2</source>
+        <translation>하중 %2에 의한 %1의 읽음값</translation>
+    </message>
+    <message>
+        <source>quadratic term of %1 by load %2</source>
+        <translation>하중 %2에 의한 %1의 이차항</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3</source>
+        <translation>%2의 %1, %3</translation>
+    </message>
+    <message>
+        <source>standard deviation of one reading, Eq 3</source>
+        <translation>읽음값 하나의 표준편차, Eq 3</translation>
+    </message>
+    <message>
+        <source>net reading of %1, %2</source>
+        <translation>%1의 순 읽음값, %2</translation>
+    </message>
+    <message>
+        <source>Eq 6</source>
+        <translation>Eq 6</translation>
+    </message>
+    <message>
+        <source>Eq 7</source>
+        <translation>Eq 7</translation>
+    </message>
+    <message>
+        <source>Eq 10, full width of the loop</source>
+        <translation>Eq 10, 루프의 전체 폭</translation>
+    </message>
+    <message>
+        <source>Eq 10, in proportion to the load</source>
+        <translation>Eq 10, 하중에 비례</translation>
+    </message>
+    <message>
+        <source>Condition number, by rated outputs and rated loads: %1; with quadratic terms beside these slopes.</source>
+        <translation>조건수, 정격 출력과 정격 하중 기준: %1. 이 기울기 외에 이차항이 있습니다.</translation>
+    </message>
+    <message>
+        <source>Condition number, by rated outputs and rated loads: %1.</source>
+        <translation>조건수, 정격 출력과 정격 하중 기준: %1.</translation>
+    </message>
+    <message>
+        <source>Uncompensated: by the slope of the channel&apos;s own axis. The uncertainties of both are among the results.</source>
+        <translation>보상 안 함: 채널 자신의 축의 기울기로 구한 것. 둘의 불확도는 결과에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Reproduces: equal in all printed digits. Inside rounding: what it is computed from was rounded, too. Interference, percent: the row&apos;s sensor, then the column&apos;s axis.</source>
+        <translation>재현: 인쇄된 모든 자릿수가 같습니다. 반올림 이내: 계산의 근거가 된 값도 반올림되어 있습니다. 간섭, 퍼센트: 행의 센서, 다음에 열의 축.</translation>
+    </message>
+    <message>
+        <source>Fig. 2: %1 s without load before a series, %2 s at each load.</source>
+        <translation>Fig. 2: 한 계열 전에 하중 없이 %1 s, 각 하중에서 %2 s.</translation>
+    </message>
+    <message>
+        <source>A row is a load, a column the sensor that answers to it.</source>
+        <translation>행은 하중, 열은 그에 반응하는 센서입니다.</translation>
+    </message>
+    <message>
+        <source>A row is a sensor, a column the load under which it gives this output.</source>
+        <translation>행은 센서, 열은 그 출력을 내는 하중입니다.</translation>
+    </message>
+    <message>
+        <source>Magnitudes: the signs are not known.</source>
+        <translation>크기만: 부호는 알려지지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>U = hysteresis + interference + k u_c with k = %1: a linear sum of two largest values and an expanded uncertainty. Type A: n = %2 runs, %3 degrees of freedom.</source>
+        <translation>U = 히스테리시스 + 간섭 + k u_c, k = %1: 두 최댓값과 한 확장불확도의 선형 합입니다. A형: n = %2회, 자유도 %3.</translation>
+    </message>
+    <message>
+        <source>Calibration machine: %1.</source>
+        <translation>교정기: %1.</translation>
+    </message>
+    <message>
+        <source>Table 3 takes the Type B standard uncertainties that are stated, not these.</source>
+        <translation>표 3은 이것이 아니라 명시된 B형 표준불확도를 씁니다.</translation>
+    </message>
+    <message>
+        <source>load %1 that channel %1 tells</source>
+        <translation>채널 %1이 알려 주는 하중 %1</translation>
+    </message>
+    <message>
+        <source>net reading of channel %1</source>
+        <translation>채널 %1의 순 읽음값</translation>
+    </message>
+    <message>
+        <source>load by the rated load of channel %1</source>
+        <translation>채널 %1의 정격 하중에 대한 하중</translation>
+    </message>
+    <message>
+        <source>Eqs 3, 4</source>
+        <translation>Eqs 3, 4</translation>
+    </message>
+    <message>
+        <source>net reading of %1 at rated load</source>
+        <translation>정격 하중에서 %1의 순 읽음값</translation>
+    </message>
+    <message>
+        <source>calibration machine</source>
+        <translation>교정기</translation>
+    </message>
+    <message>
+        <source>Eq 5</source>
+        <translation>Eq 5</translation>
+    </message>
+    <message>
+        <source>Eq 10, as a rectangular distribution over the loop</source>
+        <translation>Eq 10, 루프에 걸친 직사각형 분포</translation>
+    </message>
+    <message>
+        <source>unknown load on %1</source>
+        <translation>%1의 알 수 없는 하중</translation>
+    </message>
+    <message>
+        <source>set-up: unknown between minus and plus the rated load</source>
+        <translation>구성: 음과 양의 정격 하중 사이에서 알 수 없음</translation>
+    </message>
+    <message>
+        <source>load on %1 by its rated load</source>
+        <translation>정격 하중에 대한 %1의 하중</translation>
+    </message>
+    <message>
+        <source>The paper adds the largest hysteresis and the largest interference to k times u_c. It counts one other load only: with several loads their interference adds up, and exceeds the paper&apos;s U for %1 of %2 sensors when all act fully.</source>
+        <translation>논문은 가장 큰 히스테리시스와 가장 큰 간섭을 k 곱하기 u_c에 더합니다. 다른 하중은 하나만 셈합니다. 하중이 여럿이면 간섭이 더해져, 모두 최대로 작용할 때 센서 %2개 중 %1개에서 논문의 U를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>So the linear sum is no bound under combined load, and for one component alone it is far too large. As hysteresis and interference are limits and no standard uncertainties, it is no coverage interval either.</source>
+        <translation>따라서 선형 합은 복합 하중에서 한계가 아니며, 한 성분만 있을 때에는 지나치게 큽니다. 히스테리시스와 간섭은 한계이지 표준불확도가 아니므로 포함구간도 아닙니다.</translation>
+    </message>
+    <message>
+        <source>GUM: hysteresis, non-zero error and resolution are rectangular, each unknown load is rectangular between minus and plus its rated load, root sum of squares. One component alone: k from the t-distribution with the effective degrees of freedom.</source>
+        <translation>GUM: 히스테리시스, 영점 오차, 분해능은 직사각형 분포이고, 알 수 없는 하중은 각각 음과 양의 정격 하중 사이의 직사각형 분포이며, 제곱합의 제곱근으로 합칩니다. 한 성분만: 유효 자유도를 갖는 t 분포의 k.</translation>
+    </message>
+    <message>
+        <source>Repeatability: the largest of the steps; its degrees of freedom are those of one step. Pooled over the steps it has more of them.</source>
+        <translation>반복성: 단계 중 가장 큰 것. 자유도는 한 단계의 것입니다. 단계들을 합치면 자유도가 더 많습니다.</translation>
+    </message>
+    <message>
+        <source>pooled standard deviation</source>
+        <translation>합동 표준편차</translation>
+    </message>
+    <message>
+        <source>mean of %1 observations</source>
+        <translation>관측값 %1개의 평균</translation>
+    </message>
+    <message>
+        <source>s is the experimental standard deviation, u = s/√n (JCGM 100 4.2). A quantity that is stated as pooled observations has the u of all its series together (JCGM 100 4.2.4).</source>
+        <translation>s는 실험 표준편차, u = s/√n입니다(JCGM 100 4.2). 합동 관측으로 명시된 양은 모든 계열을 합친 u를 갖습니다(JCGM 100 4.2.4).</translation>
+    </message>
+    <message>
+        <source>scatter of the means of the groups</source>
+        <translation>그룹 평균들의 흩어짐</translation>
+    </message>
+    <message>
+        <source>components of variance between and within the groups</source>
+        <translation>그룹 사이와 그룹 안의 분산 성분</translation>
+    </message>
+    <message>
+        <source>%1 groups, %2 observations</source>
+        <translation>그룹 %1개, 관측값 %2개</translation>
+    </message>
+    <message>
+        <source>mean of all observations</source>
+        <translation>모든 관측값의 평균</translation>
+    </message>
+    <message>
+        <source>There is an effect of the groups at the level of 5 %.</source>
+        <translation>5 % 수준에서 그룹의 효과가 있습니다.</translation>
+    </message>
+    <message>
+        <source>No effect of the groups is seen at the level of 5 %.</source>
+        <translation>5 % 수준에서 그룹의 효과가 보이지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The component of variance between the groups is zero: all observations count as independent.</source>
+        <translation>그룹 사이의 분산 성분이 0입니다. 모든 관측값을 독립으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>scatter of the points about the curve</source>
+        <translation>곡선 둘레에서 점들의 흩어짐</translation>
+    </message>
+    <message>
+        <source>least squares, residuals of %1 points</source>
+        <translation>최소제곱, 점 %1개의 잔차</translation>
+    </message>
+    <message>
+        <source>value of the curve at the origin</source>
+        <translation>원점에서 곡선의 값</translation>
+    </message>
+    <message>
+        <source>coefficient of the power %1</source>
+        <translation>%1차의 계수</translation>
+    </message>
+    <message>
+        <source>mean of y</source>
+        <translation>y의 평균</translation>
+    </message>
+    <message>
+        <source>term of degree %1 (orthonormal polynomial)</source>
+        <translation>%1차 항 (정규직교 다항식)</translation>
+    </message>
+    <message>
+        <source>%1 of point %2</source>
+        <translation>점 %2의 %1</translation>
+    </message>
+    <message>
+        <source>stated uncertainty of %1</source>
+        <translation>%1의 명시된 불확도</translation>
+    </message>
+    <message>
+        <source>table of points</source>
+        <translation>점들의 표</translation>
+    </message>
+    <message>
+        <source>observed y</source>
+        <translation>관측된 y</translation>
+    </message>
+    <message>
+        <source>%1, observed y</source>
+        <translation>%1, 관측된 y</translation>
+    </message>
+    <message>
+        <source>table of the inverse use</source>
+        <translation>역사용의 표</translation>
+    </message>
+    <message>
+        <source>value of the curve at %1</source>
+        <translation>%1에서 곡선의 값</translation>
+    </message>
+    <message>
+        <source>x where the curve is %1</source>
+        <translation>곡선이 %1인 x</translation>
+    </message>
+    <message>
+        <source>The residuals agree with the stated uncertainties.</source>
+        <translation>잔차가 명시된 불확도와 일치합니다.</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the stated uncertainties explain: the curve or the uncertainties do not describe these points.</source>
+        <translation>잔차가 명시된 불확도로 설명되는 것보다 큽니다. 곡선이나 불확도가 이 점들을 기술하지 못합니다.</translation>
+    </message>
+    <message>
+        <source>The x of y = %1 lies outside of the points of the calibration.</source>
+        <translation>y = %1의 x가 교정 점들의 바깥에 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

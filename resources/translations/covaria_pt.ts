@@ -12011,6 +12011,706 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Change of variance in %</source>
         <translation>Mudança da variância em %</translation>
     </message>
+    <message>
+        <source>first rotation, about z</source>
+        <translation>primeira rotação, em torno de z</translation>
+    </message>
+    <message>
+        <source>second rotation, about y</source>
+        <translation>segunda rotação, em torno de y</translation>
+    </message>
+    <message>
+        <source>third rotation, about z</source>
+        <translation>terceira rotação, em torno de z</translation>
+    </message>
+    <message>
+        <source>rotation vector, x</source>
+        <translation>vetor de rotação, x</translation>
+    </message>
+    <message>
+        <source>rotation vector, y</source>
+        <translation>vetor de rotação, y</translation>
+    </message>
+    <message>
+        <source>rotation vector, z</source>
+        <translation>vetor de rotação, z</translation>
+    </message>
+    <message>
+        <source>quaternion, scalar part</source>
+        <translation>quatérnio, parte escalar</translation>
+    </message>
+    <message>
+        <source>quaternion, x</source>
+        <translation>quatérnio, x</translation>
+    </message>
+    <message>
+        <source>quaternion, y</source>
+        <translation>quatérnio, y</translation>
+    </message>
+    <message>
+        <source>quaternion, z</source>
+        <translation>quatérnio, z</translation>
+    </message>
+    <message>
+        <source>Coordinates that define the frame are left out.</source>
+        <translation>As coordenadas que definem o referencial são omitidas.</translation>
+    </message>
+    <message>
+        <source>%1, coordinate %2</source>
+        <translation>%1, coordenada %2</translation>
+    </message>
+    <message>
+        <source>calibration of the artefact</source>
+        <translation>calibração do artefato</translation>
+    </message>
+    <message>
+        <source>temperature of the artefact</source>
+        <translation>temperatura do artefato</translation>
+    </message>
+    <message>
+        <source>systematic error of indication</source>
+        <translation>erro sistemático de indicação</translation>
+    </message>
+    <message>
+        <source>coordinate %1</source>
+        <translation>coordenada %1</translation>
+    </message>
+    <message>
+        <source>The bias b is not corrected; |b| counts as a standard uncertainty (against JCGM 100 3.2.4).</source>
+        <translation>A tendência b não é corrigida; |b| conta como incerteza-padrão (contra JCGM 100 3.2.4).</translation>
+    </message>
+    <message>
+        <source>The bias b is not part of u_c.</source>
+        <translation>A tendência b não faz parte de u_c.</translation>
+    </message>
+    <message>
+        <source>Measured values are taken as corrected by -b; u_var/sqrt(n) of the correction is part of u_c.</source>
+        <translation>Os valores medidos são tomados como corrigidos por -b; u_var/sqrt(n) da correção faz parte de u_c.</translation>
+    </message>
+    <message>
+        <source>A coordinate of a point has u_c divided by √2.</source>
+        <translation>Uma coordenada de um ponto tem u_c dividida por √2.</translation>
+    </message>
+    <message>
+        <source>measured coordinate</source>
+        <translation>coordenada medida</translation>
+    </message>
+    <message>
+        <source>typed standard uncertainty</source>
+        <translation>incerteza-padrão digitada</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>specification: %1</source>
+        <translation>especificação: %1</translation>
+    </message>
+    <message>
+        <source>The figure is taken as: %1.</source>
+        <translation>O valor é tomado como: %1.</translation>
+    </message>
+    <message>
+        <source>%1, of a length: divided by √2</source>
+        <translation>%1, de um comprimento: dividida por √2</translation>
+    </message>
+    <message>
+        <source>station, combination %1</source>
+        <translation>estação, combinação %1</translation>
+    </message>
+    <message>
+        <source>instrument: standard uncertainties and correlation of the station</source>
+        <translation>instrumento: incertezas-padrão e correlação da estação</translation>
+    </message>
+    <message>
+        <source>scale of distances</source>
+        <translation>escala das distâncias</translation>
+    </message>
+    <message>
+        <source>zero offset of distances</source>
+        <translation>erro de zero das distâncias</translation>
+    </message>
+    <message>
+        <source>index of the elevation</source>
+        <translation>índice da elevação</translation>
+    </message>
+    <message>
+        <source>collimation</source>
+        <translation>colimação</translation>
+    </message>
+    <message>
+        <source>squareness of the axes</source>
+        <translation>perpendicularidade dos eixos</translation>
+    </message>
+    <message>
+        <source>offset of the beam</source>
+        <translation>deslocamento do feixe</translation>
+    </message>
+    <message>
+        <source>coefficient of refraction</source>
+        <translation>coeficiente de refração</translation>
+    </message>
+    <message>
+        <source>instrument: standard uncertainty</source>
+        <translation>instrumento: incerteza-padrão</translation>
+    </message>
+    <message>
+        <source>instrument: %1</source>
+        <translation>instrumento: %1</translation>
+    </message>
+    <message>
+        <source>For a target at the height of the instrument.</source>
+        <translation>Para um alvo na altura do instrumento.</translation>
+    </message>
+    <message>
+        <source>station, %1</source>
+        <translation>estação, %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, set-up %3</source>
+        <translation>%1, %2, estacionamento %3</translation>
+    </message>
+    <message>
+        <source>displacement across the azimuth</source>
+        <translation>deslocamento transversal ao azimute</translation>
+    </message>
+    <message>
+        <source>%1 to %2, %3</source>
+        <translation>%1 a %2, %3</translation>
+    </message>
+    <message>
+        <source>calibrated length</source>
+        <translation>comprimento calibrado</translation>
+    </message>
+    <message>
+        <source>calibration of the %1</source>
+        <translation>calibração: %1</translation>
+    </message>
+    <message>
+        <source>%1, calibrated length</source>
+        <translation>%1, comprimento calibrado</translation>
+    </message>
+    <message>
+        <source>distance from %1 to %2</source>
+        <translation>distância de %1 a %2</translation>
+    </message>
+    <message>
+        <source>angle at %1 from %2 to %3</source>
+        <translation>ângulo em %1 de %2 a %3</translation>
+    </message>
+    <message>
+        <source>%1, measured minus calibrated length</source>
+        <translation>%1, comprimento medido menos calibrado</translation>
+    </message>
+    <message>
+        <source>origin of %1, coordinate %2</source>
+        <translation>origem de %1, coordenada %2</translation>
+    </message>
+    <message>
+        <source>rotation of %1 about %2</source>
+        <translation>rotação de %1 em torno de %2</translation>
+    </message>
+    <message>
+        <source>The precision of the readings is no uncertainty of a position: it leaves out where the sensors stand and what their readings share. Monte Carlo is in the results.</source>
+        <translation>A precisão das leituras não é a incerteza de uma posição: omite onde estão os sensores e o que suas leituras têm em comum. Monte Carlo está nos resultados.</translation>
+    </message>
+    <message>
+        <source>No redundancy: as many readings as unknowns, so nothing can be checked.</source>
+        <translation>Sem redundância: tantas leituras quanto incógnitas, portanto nada pode ser verificado.</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the uncertainties allow.</source>
+        <translation>Os resíduos são maiores do que as incertezas permitem.</translation>
+    </message>
+    <message>
+        <source>The residuals are smaller than the uncertainties lead to expect.</source>
+        <translation>Os resíduos são menores do que as incertezas fazem esperar.</translation>
+    </message>
+    <message>
+        <source>The residuals agree with the uncertainties.</source>
+        <translation>Os resíduos concordam com as incertezas.</translation>
+    </message>
+    <message>
+        <source>%1 readings have |w| &gt; 3.29 (0.1 %); where several do, look at the largest first.</source>
+        <translation>%1 leituras têm |w| &gt; 3.29 (0.1 %); se forem várias, veja primeiro a maior.</translation>
+    </message>
+    <message>
+        <source>%1 in %2, coordinate %3</source>
+        <translation>%1 em %2, coordenada %3</translation>
+    </message>
+    <message>
+        <source>position of the platform, %1</source>
+        <translation>posição da plataforma, %1</translation>
+    </message>
+    <message>
+        <source>Chi-square of the residuals with the full covariance of the stated uncertainties; nominal coordinates are taken as exact. p is the probability of a larger value if all is as stated; the test has a level of 1 % for all sets together. Not tested: sets without stated uncertainty, and sets of more than %1 points.</source>
+        <translation>Qui-quadrado dos resíduos com a covariância completa das incertezas declaradas; as coordenadas nominais são tomadas como exatas. p é a probabilidade de um valor maior se tudo for como declarado; o teste tem nível de 1 % para todos os conjuntos juntos. Não testados: conjuntos sem incerteza declarada e conjuntos com mais de %1 pontos.</translation>
+    </message>
+    <message>
+        <source>Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| &gt; 3.29 (0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in its residual.</source>
+        <translation>Coordenadas medidas menos nominais. w é um resíduo dividido por sua própria incerteza-padrão; |w| &gt; 3.29 (0.1 %) é assinalado. A redundância é a parte de um erro da coordenada que fica em seu resíduo.</translation>
+    </message>
+    <message>
+        <source>reading of bar %1</source>
+        <translation>leitura da barra %1</translation>
+    </message>
+    <message>
+        <source>ballbars: %1</source>
+        <translation>ballbars: %1</translation>
+    </message>
+    <message>
+        <source>length between supports %1</source>
+        <translation>comprimento entre os apoios %1</translation>
+    </message>
+    <message>
+        <source>height of support %1</source>
+        <translation>altura do apoio %1</translation>
+    </message>
+    <message>
+        <source>ballbars: standard uncertainty</source>
+        <translation>ballbars: incerteza-padrão</translation>
+    </message>
+    <message>
+        <source>scale of all lengths</source>
+        <translation>escala de todos os comprimentos</translation>
+    </message>
+    <message>
+        <source>constant of bar %1</source>
+        <translation>constante da barra %1</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1, ponto %2</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>ponto %1</translation>
+    </message>
+    <message>
+        <source>axis %1 of the flange, angle towards %2</source>
+        <translation>eixo %1 do flange, ângulo em direção a %2</translation>
+    </message>
+    <message>
+        <source>repeatability along %1</source>
+        <translation>repetibilidade ao longo de %1</translation>
+    </message>
+    <message>
+        <source>repeatability: %1</source>
+        <translation>repetibilidade: %1</translation>
+    </message>
+    <message>
+        <source>The coordinates are uncorrelated; unless they are normal, they are not independent: the distance has the law above, its direction is random.</source>
+        <translation>As coordenadas não são correlacionadas; a menos que sejam normais, não são independentes: a distância tem a lei acima, sua direção é aleatória.</translation>
+    </message>
+    <message>
+        <source>repeatability about %1</source>
+        <translation>repetibilidade em torno de %1</translation>
+    </message>
+    <message>
+        <source>repeatability of the orientation</source>
+        <translation>repetibilidade da orientação</translation>
+    </message>
+    <message>
+        <source>%1 of joint %2</source>
+        <translation>%1 da junta %2</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>codificador</translation>
+    </message>
+    <message>
+        <source>tool, rotation about %1</source>
+        <translation>ferramenta, rotação em torno de %1</translation>
+    </message>
+    <message>
+        <source>tool: standard uncertainty</source>
+        <translation>ferramenta: incerteza-padrão</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, combined</source>
+        <translation>%1, combinada</translation>
+    </message>
+    <message>
+        <source>%1, deviation</source>
+        <translation>%1, desvio</translation>
+    </message>
+    <message>
+        <source>reading of joint %1, %2</source>
+        <translation>leitura da junta %1, %2</translation>
+    </message>
+    <message>
+        <source>position of the tool, %1</source>
+        <translation>posição da ferramenta, %1</translation>
+    </message>
+    <message>
+        <source>orientation of the tool, %1</source>
+        <translation>orientação da ferramenta, %1</translation>
+    </message>
+    <message>
+        <source>joint angle</source>
+        <translation>ângulo da junta</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>deslocamento</translation>
+    </message>
+    <message>
+        <source>link length</source>
+        <translation>comprimento do elo</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>torção</translation>
+    </message>
+    <message>
+        <source>second twist</source>
+        <translation>segunda torção</translation>
+    </message>
+    <message>
+        <source>Components of a parameter combine in quadrature (Wen et al., Eq. 10). U has the factor 2 of the paper; with few effective degrees of freedom 95 % need more.</source>
+        <translation>Os componentes de um parâmetro combinam-se em quadratura (Wen et al., Eq. 10). U tem o fator 2 do artigo; com poucos graus de liberdade efetivos, 95 % exigem mais.</translation>
+    </message>
+    <message>
+        <source>Places of the tool in the base frame of the robot.</source>
+        <translation>Lugares da ferramenta no referencial da base do robô.</translation>
+    </message>
+    <message>
+        <source>calculated less measured %1, held back</source>
+        <translation>%1 calculada menos medida, reservada</translation>
+    </message>
+    <message>
+        <source>orientation of the base, %1</source>
+        <translation>orientação da base, %1</translation>
+    </message>
+    <message>
+        <source>position of the base, %1</source>
+        <translation>posição da base, %1</translation>
+    </message>
+    <message>
+        <source>pose %1, rotation about %2</source>
+        <translation>pose %1, rotação em torno de %2</translation>
+    </message>
+    <message>
+        <source>pose %1, %2</source>
+        <translation>pose %1, %2</translation>
+    </message>
+    <message>
+        <source>measured orientation</source>
+        <translation>orientação medida</translation>
+    </message>
+    <message>
+        <source>pose %1, reading of joint %2</source>
+        <translation>pose %1, leitura da junta %2</translation>
+    </message>
+    <message>
+        <source>Singular values are those of the weighted Jacobian with columns of length one.</source>
+        <translation>Os valores singulares são os da jacobiana ponderada com colunas de comprimento um.</translation>
+    </message>
+    <message>
+        <source>Least well told apart: %1.</source>
+        <translation>Os que menos se distinguem: %1.</translation>
+    </message>
+    <message>
+        <source>A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals together (Bonferroni).</source>
+        <translation>Um resíduo além de %1 vezes sua própria incerteza-padrão é um valor discrepante: 5 % para todos os resíduos juntos (Bonferroni).</translation>
+    </message>
+    <message>
+        <source>Nominal: the same base and ball fitted with the nominal parameters. E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
+        <translation>Nominal: a mesma base e esfera ajustadas com os parâmetros nominais. E_n = |d|/U: abaixo de 1 a pose concorda com a calibração.</translation>
+    </message>
+    <message>
+        <source>radius of the circle of joint %1</source>
+        <translation>raio do círculo da junta %1</translation>
+    </message>
+    <message>
+        <source>%1, point %2, %3</source>
+        <translation>%1, ponto %2, %3</translation>
+    </message>
+    <message>
+        <source>Simulated points of the nominal robot: they lie on their circles.</source>
+        <translation>Pontos simulados do robô nominal: estão sobre seus círculos.</translation>
+    </message>
+    <message>
+        <source>%1, identification</source>
+        <translation>%1, identificação</translation>
+    </message>
+    <message>
+        <source>load %1, compensated</source>
+        <translation>carga %1, compensada</translation>
+    </message>
+    <message>
+        <source>load %1 by its own channel alone</source>
+        <translation>carga %1 apenas por seu próprio canal</translation>
+    </message>
+    <message>
+        <source>calibration machine, %1</source>
+        <translation>máquina de calibração, %1</translation>
+    </message>
+    <message>
+        <source>calibration machine, Eq 5</source>
+        <translation>máquina de calibração, Eq 5</translation>
+    </message>
+    <message>
+        <source>regression of %1</source>
+        <translation>regressão de %1</translation>
+    </message>
+    <message>
+        <source>reading of %1 by load %2</source>
+        <translation>leitura de %1 pela carga %2</translation>
+    </message>
+    <message>
+        <source>quadratic term of %1 by load %2</source>
+        <translation>termo quadrático de %1 pela carga %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3</source>
+        <translation>%1 de %2, %3</translation>
+    </message>
+    <message>
+        <source>standard deviation of one reading, Eq 3</source>
+        <translation>desvio-padrão de uma leitura, Eq 3</translation>
+    </message>
+    <message>
+        <source>net reading of %1, %2</source>
+        <translation>leitura líquida de %1, %2</translation>
+    </message>
+    <message>
+        <source>Eq 6</source>
+        <translation>Eq 6</translation>
+    </message>
+    <message>
+        <source>Eq 7</source>
+        <translation>Eq 7</translation>
+    </message>
+    <message>
+        <source>Eq 10, full width of the loop</source>
+        <translation>Eq 10, largura completa do ciclo</translation>
+    </message>
+    <message>
+        <source>Eq 10, in proportion to the load</source>
+        <translation>Eq 10, em proporção à carga</translation>
+    </message>
+    <message>
+        <source>Condition number, by rated outputs and rated loads: %1; with quadratic terms beside these slopes.</source>
+        <translation>Número de condição, referido às saídas e cargas nominais: %1; com termos quadráticos além destas inclinações.</translation>
+    </message>
+    <message>
+        <source>Condition number, by rated outputs and rated loads: %1.</source>
+        <translation>Número de condição, referido às saídas e cargas nominais: %1.</translation>
+    </message>
+    <message>
+        <source>Uncompensated: by the slope of the channel&apos;s own axis. The uncertainties of both are among the results.</source>
+        <translation>Sem compensação: pela inclinação do próprio eixo do canal. As incertezas de ambas estão nos resultados.</translation>
+    </message>
+    <message>
+        <source>Reproduces: equal in all printed digits. Inside rounding: what it is computed from was rounded, too. Interference, percent: the row&apos;s sensor, then the column&apos;s axis.</source>
+        <translation>Reproduz: igual em todos os algarismos impressos. Dentro do arredondamento: aquilo de que se calcula também foi arredondado. Interferência, por cento: o sensor da linha, depois o eixo da coluna.</translation>
+    </message>
+    <message>
+        <source>Fig. 2: %1 s without load before a series, %2 s at each load.</source>
+        <translation>Fig. 2: %1 s sem carga antes de uma série, %2 s em cada carga.</translation>
+    </message>
+    <message>
+        <source>A row is a load, a column the sensor that answers to it.</source>
+        <translation>Uma linha é uma carga, uma coluna o sensor que responde a ela.</translation>
+    </message>
+    <message>
+        <source>A row is a sensor, a column the load under which it gives this output.</source>
+        <translation>Uma linha é um sensor, uma coluna a carga sob a qual ele dá esta saída.</translation>
+    </message>
+    <message>
+        <source>Magnitudes: the signs are not known.</source>
+        <translation>Magnitudes: os sinais não são conhecidos.</translation>
+    </message>
+    <message>
+        <source>U = hysteresis + interference + k u_c with k = %1: a linear sum of two largest values and an expanded uncertainty. Type A: n = %2 runs, %3 degrees of freedom.</source>
+        <translation>U = histerese + interferência + k u_c com k = %1: uma soma linear de dois valores máximos e uma incerteza expandida. Tipo A: n = %2 séries, %3 graus de liberdade.</translation>
+    </message>
+    <message>
+        <source>Calibration machine: %1.</source>
+        <translation>Máquina de calibração: %1.</translation>
+    </message>
+    <message>
+        <source>Table 3 takes the Type B standard uncertainties that are stated, not these.</source>
+        <translation>A tabela 3 toma as incertezas-padrão do tipo B declaradas, não estas.</translation>
+    </message>
+    <message>
+        <source>load %1 that channel %1 tells</source>
+        <translation>carga %1 que o canal %1 indica</translation>
+    </message>
+    <message>
+        <source>net reading of channel %1</source>
+        <translation>leitura líquida do canal %1</translation>
+    </message>
+    <message>
+        <source>load by the rated load of channel %1</source>
+        <translation>carga dividida pela carga nominal do canal %1</translation>
+    </message>
+    <message>
+        <source>Eqs 3, 4</source>
+        <translation>Eqs 3, 4</translation>
+    </message>
+    <message>
+        <source>net reading of %1 at rated load</source>
+        <translation>leitura líquida de %1 na carga nominal</translation>
+    </message>
+    <message>
+        <source>calibration machine</source>
+        <translation>máquina de calibração</translation>
+    </message>
+    <message>
+        <source>Eq 5</source>
+        <translation>Eq 5</translation>
+    </message>
+    <message>
+        <source>Eq 10, as a rectangular distribution over the loop</source>
+        <translation>Eq 10, como distribuição retangular sobre o ciclo</translation>
+    </message>
+    <message>
+        <source>unknown load on %1</source>
+        <translation>carga desconhecida em %1</translation>
+    </message>
+    <message>
+        <source>set-up: unknown between minus and plus the rated load</source>
+        <translation>configuração: desconhecida entre menos e mais a carga nominal</translation>
+    </message>
+    <message>
+        <source>load on %1 by its rated load</source>
+        <translation>carga em %1 dividida por sua carga nominal</translation>
+    </message>
+    <message>
+        <source>The paper adds the largest hysteresis and the largest interference to k times u_c. It counts one other load only: with several loads their interference adds up, and exceeds the paper&apos;s U for %1 of %2 sensors when all act fully.</source>
+        <translation>O artigo soma a maior histerese e a maior interferência a k vezes u_c. Conta apenas uma outra carga: com várias cargas as interferências se somam e excedem a U do artigo em %1 de %2 sensores quando todas atuam por completo.</translation>
+    </message>
+    <message>
+        <source>So the linear sum is no bound under combined load, and for one component alone it is far too large. As hysteresis and interference are limits and no standard uncertainties, it is no coverage interval either.</source>
+        <translation>Assim, a soma linear não é um limite sob carga combinada, e para um só componente é grande demais. Como histerese e interferência são limites e não incertezas-padrão, também não é um intervalo de abrangência.</translation>
+    </message>
+    <message>
+        <source>GUM: hysteresis, non-zero error and resolution are rectangular, each unknown load is rectangular between minus and plus its rated load, root sum of squares. One component alone: k from the t-distribution with the effective degrees of freedom.</source>
+        <translation>GUM: histerese, erro de zero e resolução são retangulares, cada carga desconhecida é retangular entre menos e mais sua carga nominal, raiz da soma dos quadrados. Um só componente: k da distribuição t com os graus de liberdade efetivos.</translation>
+    </message>
+    <message>
+        <source>Repeatability: the largest of the steps; its degrees of freedom are those of one step. Pooled over the steps it has more of them.</source>
+        <translation>Repetibilidade: a maior dos degraus; seus graus de liberdade são os de um degrau. Combinada sobre os degraus tem mais.</translation>
+    </message>
+    <message>
+        <source>pooled standard deviation</source>
+        <translation>desvio-padrão combinado</translation>
+    </message>
+    <message>
+        <source>mean of %1 observations</source>
+        <translation>média de %1 observações</translation>
+    </message>
+    <message>
+        <source>s is the experimental standard deviation, u = s/√n (JCGM 100 4.2). A quantity that is stated as pooled observations has the u of all its series together (JCGM 100 4.2.4).</source>
+        <translation>s é o desvio-padrão experimental, u = s/√n (JCGM 100 4.2). Uma grandeza declarada como observações combinadas tem a u de todas as suas séries juntas (JCGM 100 4.2.4).</translation>
+    </message>
+    <message>
+        <source>scatter of the means of the groups</source>
+        <translation>dispersão das médias dos grupos</translation>
+    </message>
+    <message>
+        <source>components of variance between and within the groups</source>
+        <translation>componentes da variância entre os grupos e dentro deles</translation>
+    </message>
+    <message>
+        <source>%1 groups, %2 observations</source>
+        <translation>%1 grupos, %2 observações</translation>
+    </message>
+    <message>
+        <source>mean of all observations</source>
+        <translation>média de todas as observações</translation>
+    </message>
+    <message>
+        <source>There is an effect of the groups at the level of 5 %.</source>
+        <translation>Há um efeito dos grupos ao nível de 5 %.</translation>
+    </message>
+    <message>
+        <source>No effect of the groups is seen at the level of 5 %.</source>
+        <translation>Não se vê efeito dos grupos ao nível de 5 %.</translation>
+    </message>
+    <message>
+        <source>The component of variance between the groups is zero: all observations count as independent.</source>
+        <translation>O componente da variância entre os grupos é zero: todas as observações contam como independentes.</translation>
+    </message>
+    <message>
+        <source>scatter of the points about the curve</source>
+        <translation>dispersão dos pontos em torno da curva</translation>
+    </message>
+    <message>
+        <source>least squares, residuals of %1 points</source>
+        <translation>mínimos quadrados, resíduos de %1 pontos</translation>
+    </message>
+    <message>
+        <source>value of the curve at the origin</source>
+        <translation>valor da curva na origem</translation>
+    </message>
+    <message>
+        <source>coefficient of the power %1</source>
+        <translation>coeficiente da potência %1</translation>
+    </message>
+    <message>
+        <source>mean of y</source>
+        <translation>média de y</translation>
+    </message>
+    <message>
+        <source>term of degree %1 (orthonormal polynomial)</source>
+        <translation>termo de grau %1 (polinômio ortonormal)</translation>
+    </message>
+    <message>
+        <source>%1 of point %2</source>
+        <translation>%1 do ponto %2</translation>
+    </message>
+    <message>
+        <source>stated uncertainty of %1</source>
+        <translation>incerteza declarada de %1</translation>
+    </message>
+    <message>
+        <source>table of points</source>
+        <translation>tabela dos pontos</translation>
+    </message>
+    <message>
+        <source>observed y</source>
+        <translation>y observado</translation>
+    </message>
+    <message>
+        <source>%1, observed y</source>
+        <translation>%1, y observado</translation>
+    </message>
+    <message>
+        <source>table of the inverse use</source>
+        <translation>tabela do uso inverso</translation>
+    </message>
+    <message>
+        <source>value of the curve at %1</source>
+        <translation>valor da curva em %1</translation>
+    </message>
+    <message>
+        <source>x where the curve is %1</source>
+        <translation>x onde a curva é %1</translation>
+    </message>
+    <message>
+        <source>The residuals agree with the stated uncertainties.</source>
+        <translation>Os resíduos concordam com as incertezas declaradas.</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the stated uncertainties explain: the curve or the uncertainties do not describe these points.</source>
+        <translation>Os resíduos são maiores do que as incertezas declaradas explicam: a curva ou as incertezas não descrevem estes pontos.</translation>
+    </message>
+    <message>
+        <source>The x of y = %1 lies outside of the points of the calibration.</source>
+        <translation>O x de y = %1 está fora dos pontos da calibração.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -12011,6 +12011,706 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <source>Change of variance in %</source>
         <translation>方差变化（%）</translation>
     </message>
+    <message>
+        <source>first rotation, about z</source>
+        <translation>第一次旋转，绕 z</translation>
+    </message>
+    <message>
+        <source>second rotation, about y</source>
+        <translation>第二次旋转，绕 y</translation>
+    </message>
+    <message>
+        <source>third rotation, about z</source>
+        <translation>第三次旋转，绕 z</translation>
+    </message>
+    <message>
+        <source>rotation vector, x</source>
+        <translation>旋转向量，x</translation>
+    </message>
+    <message>
+        <source>rotation vector, y</source>
+        <translation>旋转向量，y</translation>
+    </message>
+    <message>
+        <source>rotation vector, z</source>
+        <translation>旋转向量，z</translation>
+    </message>
+    <message>
+        <source>quaternion, scalar part</source>
+        <translation>四元数，标量部分</translation>
+    </message>
+    <message>
+        <source>quaternion, x</source>
+        <translation>四元数，x</translation>
+    </message>
+    <message>
+        <source>quaternion, y</source>
+        <translation>四元数，y</translation>
+    </message>
+    <message>
+        <source>quaternion, z</source>
+        <translation>四元数，z</translation>
+    </message>
+    <message>
+        <source>Coordinates that define the frame are left out.</source>
+        <translation>定义坐标系的坐标不列出。</translation>
+    </message>
+    <message>
+        <source>%1, coordinate %2</source>
+        <translation>%1，坐标 %2</translation>
+    </message>
+    <message>
+        <source>calibration of the artefact</source>
+        <translation>实物标准器的校准</translation>
+    </message>
+    <message>
+        <source>temperature of the artefact</source>
+        <translation>实物标准器的温度</translation>
+    </message>
+    <message>
+        <source>systematic error of indication</source>
+        <translation>示值的系统误差</translation>
+    </message>
+    <message>
+        <source>coordinate %1</source>
+        <translation>坐标 %1</translation>
+    </message>
+    <message>
+        <source>The bias b is not corrected; |b| counts as a standard uncertainty (against JCGM 100 3.2.4).</source>
+        <translation>偏差 b 未修正；|b| 计为标准不确定度（与 JCGM 100 3.2.4 不符）。</translation>
+    </message>
+    <message>
+        <source>The bias b is not part of u_c.</source>
+        <translation>偏差 b 不是 u_c 的一部分。</translation>
+    </message>
+    <message>
+        <source>Measured values are taken as corrected by -b; u_var/sqrt(n) of the correction is part of u_c.</source>
+        <translation>测得值视为已按 -b 修正；修正的 u_var/sqrt(n) 是 u_c 的一部分。</translation>
+    </message>
+    <message>
+        <source>A coordinate of a point has u_c divided by √2.</source>
+        <translation>点的一个坐标的 u_c 已除以 √2。</translation>
+    </message>
+    <message>
+        <source>measured coordinate</source>
+        <translation>测得坐标</translation>
+    </message>
+    <message>
+        <source>typed standard uncertainty</source>
+        <translation>输入的标准不确定度</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>specification: %1</source>
+        <translation>技术规格：%1</translation>
+    </message>
+    <message>
+        <source>The figure is taken as: %1.</source>
+        <translation>该数值理解为：%1。</translation>
+    </message>
+    <message>
+        <source>%1, of a length: divided by √2</source>
+        <translation>%1，属于长度：除以 √2</translation>
+    </message>
+    <message>
+        <source>station, combination %1</source>
+        <translation>测站，组合 %1</translation>
+    </message>
+    <message>
+        <source>instrument: standard uncertainties and correlation of the station</source>
+        <translation>仪器：测站的标准不确定度与相关性</translation>
+    </message>
+    <message>
+        <source>scale of distances</source>
+        <translation>距离的尺度</translation>
+    </message>
+    <message>
+        <source>zero offset of distances</source>
+        <translation>距离的零位误差</translation>
+    </message>
+    <message>
+        <source>index of the elevation</source>
+        <translation>高度角的指标差</translation>
+    </message>
+    <message>
+        <source>collimation</source>
+        <translation>视准差</translation>
+    </message>
+    <message>
+        <source>squareness of the axes</source>
+        <translation>轴系垂直度</translation>
+    </message>
+    <message>
+        <source>offset of the beam</source>
+        <translation>光束偏移</translation>
+    </message>
+    <message>
+        <source>coefficient of refraction</source>
+        <translation>折光系数</translation>
+    </message>
+    <message>
+        <source>instrument: standard uncertainty</source>
+        <translation>仪器：标准不确定度</translation>
+    </message>
+    <message>
+        <source>instrument: %1</source>
+        <translation>仪器：%1</translation>
+    </message>
+    <message>
+        <source>For a target at the height of the instrument.</source>
+        <translation>针对与仪器同高的目标点。</translation>
+    </message>
+    <message>
+        <source>station, %1</source>
+        <translation>测站，%1</translation>
+    </message>
+    <message>
+        <source>%1, %2, set-up %3</source>
+        <translation>%1，%2，第 %3 次设站</translation>
+    </message>
+    <message>
+        <source>displacement across the azimuth</source>
+        <translation>垂直于方位方向的位移</translation>
+    </message>
+    <message>
+        <source>%1 to %2, %3</source>
+        <translation>%1 至 %2，%3</translation>
+    </message>
+    <message>
+        <source>calibrated length</source>
+        <translation>已校准长度</translation>
+    </message>
+    <message>
+        <source>calibration of the %1</source>
+        <translation>校准：%1</translation>
+    </message>
+    <message>
+        <source>%1, calibrated length</source>
+        <translation>%1，已校准长度</translation>
+    </message>
+    <message>
+        <source>distance from %1 to %2</source>
+        <translation>%1 到 %2 的距离</translation>
+    </message>
+    <message>
+        <source>angle at %1 from %2 to %3</source>
+        <translation>%1 处从 %2 到 %3 的角度</translation>
+    </message>
+    <message>
+        <source>%1, measured minus calibrated length</source>
+        <translation>%1，测得长度减已校准长度</translation>
+    </message>
+    <message>
+        <source>origin of %1, coordinate %2</source>
+        <translation>%1 的原点，坐标 %2</translation>
+    </message>
+    <message>
+        <source>rotation of %1 about %2</source>
+        <translation>%1 绕 %2 的旋转</translation>
+    </message>
+    <message>
+        <source>The precision of the readings is no uncertainty of a position: it leaves out where the sensors stand and what their readings share. Monte Carlo is in the results.</source>
+        <translation>读数的精密度不是位置的不确定度：它没有计入传感器所在位置和各读数的共有部分。蒙特卡洛结果见结果部分。</translation>
+    </message>
+    <message>
+        <source>No redundancy: as many readings as unknowns, so nothing can be checked.</source>
+        <translation>无冗余：读数与未知数一样多，因此无法检验。</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the uncertainties allow.</source>
+        <translation>残差大于不确定度所允许的范围。</translation>
+    </message>
+    <message>
+        <source>The residuals are smaller than the uncertainties lead to expect.</source>
+        <translation>残差小于按不确定度所预期的大小。</translation>
+    </message>
+    <message>
+        <source>The residuals agree with the uncertainties.</source>
+        <translation>残差与不确定度一致。</translation>
+    </message>
+    <message>
+        <source>%1 readings have |w| &gt; 3.29 (0.1 %); where several do, look at the largest first.</source>
+        <translation>%1 个读数的 |w| &gt; 3.29 (0.1 %)；若有多个，先查看最大的。</translation>
+    </message>
+    <message>
+        <source>%1 in %2, coordinate %3</source>
+        <translation>%2 中的 %1，坐标 %3</translation>
+    </message>
+    <message>
+        <source>position of the platform, %1</source>
+        <translation>平台位置，%1</translation>
+    </message>
+    <message>
+        <source>Chi-square of the residuals with the full covariance of the stated uncertainties; nominal coordinates are taken as exact. p is the probability of a larger value if all is as stated; the test has a level of 1 % for all sets together. Not tested: sets without stated uncertainty, and sets of more than %1 points.</source>
+        <translation>用所述不确定度的完整协方差计算的残差卡方；标称坐标视为精确。p 是一切如所述时出现更大值的概率；检验对所有点组合计的显著性水平为 1 %。未检验：没有给出不确定度的点组，以及多于 %1 个点的点组。</translation>
+    </message>
+    <message>
+        <source>Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| &gt; 3.29 (0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in its residual.</source>
+        <translation>测得坐标减标称坐标。w 是残差与其自身标准不确定度之比；|w| &gt; 3.29 (0.1 %) 会被标注。冗余度是坐标误差中留在其残差里的部分。</translation>
+    </message>
+    <message>
+        <source>reading of bar %1</source>
+        <translation>球杆 %1 的读数</translation>
+    </message>
+    <message>
+        <source>ballbars: %1</source>
+        <translation>球杆仪：%1</translation>
+    </message>
+    <message>
+        <source>length between supports %1</source>
+        <translation>支座 %1 之间的长度</translation>
+    </message>
+    <message>
+        <source>height of support %1</source>
+        <translation>支座 %1 的高度</translation>
+    </message>
+    <message>
+        <source>ballbars: standard uncertainty</source>
+        <translation>球杆仪：标准不确定度</translation>
+    </message>
+    <message>
+        <source>scale of all lengths</source>
+        <translation>所有长度的尺度</translation>
+    </message>
+    <message>
+        <source>constant of bar %1</source>
+        <translation>球杆 %1 的常数</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1，点 %2</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>点 %1</translation>
+    </message>
+    <message>
+        <source>axis %1 of the flange, angle towards %2</source>
+        <translation>法兰的 %1 轴，朝 %2 的角度</translation>
+    </message>
+    <message>
+        <source>repeatability along %1</source>
+        <translation>沿 %1 的重复性</translation>
+    </message>
+    <message>
+        <source>repeatability: %1</source>
+        <translation>重复性：%1</translation>
+    </message>
+    <message>
+        <source>The coordinates are uncorrelated; unless they are normal, they are not independent: the distance has the law above, its direction is random.</source>
+        <translation>各坐标不相关；除非为正态分布，否则并不独立：距离服从上述分布，其方向是随机的。</translation>
+    </message>
+    <message>
+        <source>repeatability about %1</source>
+        <translation>绕 %1 的重复性</translation>
+    </message>
+    <message>
+        <source>repeatability of the orientation</source>
+        <translation>姿态的重复性</translation>
+    </message>
+    <message>
+        <source>%1 of joint %2</source>
+        <translation>关节 %2 的%1</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>编码器</translation>
+    </message>
+    <message>
+        <source>tool, rotation about %1</source>
+        <translation>工具，绕 %1 的旋转</translation>
+    </message>
+    <message>
+        <source>tool: standard uncertainty</source>
+        <translation>工具：标准不确定度</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1, combined</source>
+        <translation>%1，合成</translation>
+    </message>
+    <message>
+        <source>%1, deviation</source>
+        <translation>%1，偏差</translation>
+    </message>
+    <message>
+        <source>reading of joint %1, %2</source>
+        <translation>关节 %1 的读数，%2</translation>
+    </message>
+    <message>
+        <source>position of the tool, %1</source>
+        <translation>工具位置，%1</translation>
+    </message>
+    <message>
+        <source>orientation of the tool, %1</source>
+        <translation>工具姿态，%1</translation>
+    </message>
+    <message>
+        <source>joint angle</source>
+        <translation>关节角</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>偏距</translation>
+    </message>
+    <message>
+        <source>link length</source>
+        <translation>连杆长度</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>扭角</translation>
+    </message>
+    <message>
+        <source>second twist</source>
+        <translation>第二扭角</translation>
+    </message>
+    <message>
+        <source>Components of a parameter combine in quadrature (Wen et al., Eq. 10). U has the factor 2 of the paper; with few effective degrees of freedom 95 % need more.</source>
+        <translation>一个参数的各分量按平方和合成（Wen et al., Eq. 10）。U 采用论文的因子 2；有效自由度较少时，95 % 需要更大的因子。</translation>
+    </message>
+    <message>
+        <source>Places of the tool in the base frame of the robot.</source>
+        <translation>工具在机器人基座坐标系中的位置。</translation>
+    </message>
+    <message>
+        <source>calculated less measured %1, held back</source>
+        <translation>计算值减测得值 %1，留作检验</translation>
+    </message>
+    <message>
+        <source>orientation of the base, %1</source>
+        <translation>基座姿态，%1</translation>
+    </message>
+    <message>
+        <source>position of the base, %1</source>
+        <translation>基座位置，%1</translation>
+    </message>
+    <message>
+        <source>pose %1, rotation about %2</source>
+        <translation>位姿 %1，绕 %2 的旋转</translation>
+    </message>
+    <message>
+        <source>pose %1, %2</source>
+        <translation>位姿 %1，%2</translation>
+    </message>
+    <message>
+        <source>measured orientation</source>
+        <translation>测得姿态</translation>
+    </message>
+    <message>
+        <source>pose %1, reading of joint %2</source>
+        <translation>位姿 %1，关节 %2 的读数</translation>
+    </message>
+    <message>
+        <source>Singular values are those of the weighted Jacobian with columns of length one.</source>
+        <translation>奇异值取自各列长度为一的加权雅可比矩阵。</translation>
+    </message>
+    <message>
+        <source>Least well told apart: %1.</source>
+        <translation>最难区分的：%1。</translation>
+    </message>
+    <message>
+        <source>A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals together (Bonferroni).</source>
+        <translation>残差超过其自身标准不确定度的 %1 倍即为离群值：对所有残差合计为 5 %（Bonferroni）。</translation>
+    </message>
+    <message>
+        <source>Nominal: the same base and ball fitted with the nominal parameters. E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
+        <translation>标称：用标称参数拟合的同一基座和球。E_n = |d|/U：小于 1 时该位姿与校准一致。</translation>
+    </message>
+    <message>
+        <source>radius of the circle of joint %1</source>
+        <translation>关节 %1 的圆半径</translation>
+    </message>
+    <message>
+        <source>%1, point %2, %3</source>
+        <translation>%1，点 %2，%3</translation>
+    </message>
+    <message>
+        <source>Simulated points of the nominal robot: they lie on their circles.</source>
+        <translation>标称机器人的模拟点：它们位于各自的圆上。</translation>
+    </message>
+    <message>
+        <source>%1, identification</source>
+        <translation>%1，辨识</translation>
+    </message>
+    <message>
+        <source>load %1, compensated</source>
+        <translation>载荷 %1，已补偿</translation>
+    </message>
+    <message>
+        <source>load %1 by its own channel alone</source>
+        <translation>载荷 %1，仅由其自身通道</translation>
+    </message>
+    <message>
+        <source>calibration machine, %1</source>
+        <translation>校准机，%1</translation>
+    </message>
+    <message>
+        <source>calibration machine, Eq 5</source>
+        <translation>校准机，Eq 5</translation>
+    </message>
+    <message>
+        <source>regression of %1</source>
+        <translation>%1 的回归</translation>
+    </message>
+    <message>
+        <source>reading of %1 by load %2</source>
+        <translation>载荷 %2 引起的 %1 读数</translation>
+    </message>
+    <message>
+        <source>quadratic term of %1 by load %2</source>
+        <translation>载荷 %2 引起的 %1 二次项</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3</source>
+        <translation>%2 的%1，%3</translation>
+    </message>
+    <message>
+        <source>standard deviation of one reading, Eq 3</source>
+        <translation>单个读数的标准偏差，Eq 3</translation>
+    </message>
+    <message>
+        <source>net reading of %1, %2</source>
+        <translation>%1 的净读数，%2</translation>
+    </message>
+    <message>
+        <source>Eq 6</source>
+        <translation>Eq 6</translation>
+    </message>
+    <message>
+        <source>Eq 7</source>
+        <translation>Eq 7</translation>
+    </message>
+    <message>
+        <source>Eq 10, full width of the loop</source>
+        <translation>Eq 10，回线的全宽</translation>
+    </message>
+    <message>
+        <source>Eq 10, in proportion to the load</source>
+        <translation>Eq 10，与载荷成比例</translation>
+    </message>
+    <message>
+        <source>Condition number, by rated outputs and rated loads: %1; with quadratic terms beside these slopes.</source>
+        <translation>条件数（按额定输出和额定载荷）：%1；除这些斜率外还有二次项。</translation>
+    </message>
+    <message>
+        <source>Condition number, by rated outputs and rated loads: %1.</source>
+        <translation>条件数（按额定输出和额定载荷）：%1。</translation>
+    </message>
+    <message>
+        <source>Uncompensated: by the slope of the channel&apos;s own axis. The uncertainties of both are among the results.</source>
+        <translation>未补偿：按通道自身轴的斜率。两者的不确定度见结果。</translation>
+    </message>
+    <message>
+        <source>Reproduces: equal in all printed digits. Inside rounding: what it is computed from was rounded, too. Interference, percent: the row&apos;s sensor, then the column&apos;s axis.</source>
+        <translation>重现：所有印出的数字均相同。在舍入范围内：计算所依据的数据也经过舍入。干扰，百分比：先是行的传感器，再是列的轴。</translation>
+    </message>
+    <message>
+        <source>Fig. 2: %1 s without load before a series, %2 s at each load.</source>
+        <translation>Fig. 2：每个系列之前空载 %1 s，每级载荷保持 %2 s。</translation>
+    </message>
+    <message>
+        <source>A row is a load, a column the sensor that answers to it.</source>
+        <translation>一行是一个载荷，一列是对它有响应的传感器。</translation>
+    </message>
+    <message>
+        <source>A row is a sensor, a column the load under which it gives this output.</source>
+        <translation>一行是一个传感器，一列是使它给出该输出的载荷。</translation>
+    </message>
+    <message>
+        <source>Magnitudes: the signs are not known.</source>
+        <translation>绝对值：符号未知。</translation>
+    </message>
+    <message>
+        <source>U = hysteresis + interference + k u_c with k = %1: a linear sum of two largest values and an expanded uncertainty. Type A: n = %2 runs, %3 degrees of freedom.</source>
+        <translation>U = 滞后 + 干扰 + k u_c，k = %1：两个最大值与一个扩展不确定度的线性和。A 类：n = %2 次测量，自由度 %3。</translation>
+    </message>
+    <message>
+        <source>Calibration machine: %1.</source>
+        <translation>校准机：%1。</translation>
+    </message>
+    <message>
+        <source>Table 3 takes the Type B standard uncertainties that are stated, not these.</source>
+        <translation>表 3 采用所给出的 B 类标准不确定度，而不是这些。</translation>
+    </message>
+    <message>
+        <source>load %1 that channel %1 tells</source>
+        <translation>通道 %1 所指示的载荷 %1</translation>
+    </message>
+    <message>
+        <source>net reading of channel %1</source>
+        <translation>通道 %1 的净读数</translation>
+    </message>
+    <message>
+        <source>load by the rated load of channel %1</source>
+        <translation>载荷与通道 %1 额定载荷之比</translation>
+    </message>
+    <message>
+        <source>Eqs 3, 4</source>
+        <translation>Eqs 3, 4</translation>
+    </message>
+    <message>
+        <source>net reading of %1 at rated load</source>
+        <translation>额定载荷下 %1 的净读数</translation>
+    </message>
+    <message>
+        <source>calibration machine</source>
+        <translation>校准机</translation>
+    </message>
+    <message>
+        <source>Eq 5</source>
+        <translation>Eq 5</translation>
+    </message>
+    <message>
+        <source>Eq 10, as a rectangular distribution over the loop</source>
+        <translation>Eq 10，按回线上的矩形分布</translation>
+    </message>
+    <message>
+        <source>unknown load on %1</source>
+        <translation>%1 上的未知载荷</translation>
+    </message>
+    <message>
+        <source>set-up: unknown between minus and plus the rated load</source>
+        <translation>设置：在负、正额定载荷之间未知</translation>
+    </message>
+    <message>
+        <source>load on %1 by its rated load</source>
+        <translation>%1 上的载荷与其额定载荷之比</translation>
+    </message>
+    <message>
+        <source>The paper adds the largest hysteresis and the largest interference to k times u_c. It counts one other load only: with several loads their interference adds up, and exceeds the paper&apos;s U for %1 of %2 sensors when all act fully.</source>
+        <translation>论文把最大滞后和最大干扰加到 k 乘 u_c 上。它只计入一个其他载荷：有多个载荷时干扰会叠加，当全部满载作用时，%2 个传感器中有 %1 个超过论文的 U。</translation>
+    </message>
+    <message>
+        <source>So the linear sum is no bound under combined load, and for one component alone it is far too large. As hysteresis and interference are limits and no standard uncertainties, it is no coverage interval either.</source>
+        <translation>因此在组合载荷下线性和不是界限，而对单独一个分量又大得多。由于滞后和干扰是极限值而不是标准不确定度，它也不是包含区间。</translation>
+    </message>
+    <message>
+        <source>GUM: hysteresis, non-zero error and resolution are rectangular, each unknown load is rectangular between minus and plus its rated load, root sum of squares. One component alone: k from the t-distribution with the effective degrees of freedom.</source>
+        <translation>GUM：滞后、零点误差和分辨力为矩形分布，每个未知载荷在负、正额定载荷之间为矩形分布，取平方和的根。单独一个分量：k 取自具有有效自由度的 t 分布。</translation>
+    </message>
+    <message>
+        <source>Repeatability: the largest of the steps; its degrees of freedom are those of one step. Pooled over the steps it has more of them.</source>
+        <translation>重复性：各级中最大的一个；其自由度为一级的自由度。各级合并后自由度更多。</translation>
+    </message>
+    <message>
+        <source>pooled standard deviation</source>
+        <translation>合并标准偏差</translation>
+    </message>
+    <message>
+        <source>mean of %1 observations</source>
+        <translation>%1 次观测的平均值</translation>
+    </message>
+    <message>
+        <source>s is the experimental standard deviation, u = s/√n (JCGM 100 4.2). A quantity that is stated as pooled observations has the u of all its series together (JCGM 100 4.2.4).</source>
+        <translation>s 为实验标准偏差，u = s/√n（JCGM 100 4.2）。以合并观测给出的量采用其所有系列合并的 u（JCGM 100 4.2.4）。</translation>
+    </message>
+    <message>
+        <source>scatter of the means of the groups</source>
+        <translation>各组平均值的分散</translation>
+    </message>
+    <message>
+        <source>components of variance between and within the groups</source>
+        <translation>组间与组内的方差分量</translation>
+    </message>
+    <message>
+        <source>%1 groups, %2 observations</source>
+        <translation>%1 组，%2 次观测</translation>
+    </message>
+    <message>
+        <source>mean of all observations</source>
+        <translation>全部观测的平均值</translation>
+    </message>
+    <message>
+        <source>There is an effect of the groups at the level of 5 %.</source>
+        <translation>在 5 % 水平上存在组的效应。</translation>
+    </message>
+    <message>
+        <source>No effect of the groups is seen at the level of 5 %.</source>
+        <translation>在 5 % 水平上看不出组的效应。</translation>
+    </message>
+    <message>
+        <source>The component of variance between the groups is zero: all observations count as independent.</source>
+        <translation>组间方差分量为零：全部观测视为独立。</translation>
+    </message>
+    <message>
+        <source>scatter of the points about the curve</source>
+        <translation>各点相对曲线的分散</translation>
+    </message>
+    <message>
+        <source>least squares, residuals of %1 points</source>
+        <translation>最小二乘，%1 个点的残差</translation>
+    </message>
+    <message>
+        <source>value of the curve at the origin</source>
+        <translation>曲线在原点的值</translation>
+    </message>
+    <message>
+        <source>coefficient of the power %1</source>
+        <translation>%1 次幂的系数</translation>
+    </message>
+    <message>
+        <source>mean of y</source>
+        <translation>y 的平均值</translation>
+    </message>
+    <message>
+        <source>term of degree %1 (orthonormal polynomial)</source>
+        <translation>%1 次项（标准正交多项式）</translation>
+    </message>
+    <message>
+        <source>%1 of point %2</source>
+        <translation>点 %2 的 %1</translation>
+    </message>
+    <message>
+        <source>stated uncertainty of %1</source>
+        <translation>%1 的给定不确定度</translation>
+    </message>
+    <message>
+        <source>table of points</source>
+        <translation>点表</translation>
+    </message>
+    <message>
+        <source>observed y</source>
+        <translation>观测的 y</translation>
+    </message>
+    <message>
+        <source>%1, observed y</source>
+        <translation>%1，观测的 y</translation>
+    </message>
+    <message>
+        <source>table of the inverse use</source>
+        <translation>反向使用表</translation>
+    </message>
+    <message>
+        <source>value of the curve at %1</source>
+        <translation>曲线在 %1 处的值</translation>
+    </message>
+    <message>
+        <source>x where the curve is %1</source>
+        <translation>曲线为 %1 时的 x</translation>
+    </message>
+    <message>
+        <source>The residuals agree with the stated uncertainties.</source>
+        <translation>残差与给定的不确定度一致。</translation>
+    </message>
+    <message>
+        <source>The residuals are larger than the stated uncertainties explain: the curve or the uncertainties do not describe these points.</source>
+        <translation>残差大于给定不确定度所能解释的范围：曲线或不确定度不能描述这些点。</translation>
+    </message>
+    <message>
+        <source>The x of y = %1 lies outside of the points of the calibration.</source>
+        <translation>y = %1 对应的 x 在校准点之外。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -105,7 +105,9 @@ void add_outputs(UncertaintyResult& result, double scale) {
 StewartSetup stewart_setup(int trials, double scale) {
     StewartSetup setup;
     add_layout(setup.layout);
-    add_inputs(setup.result.inputs, scale);
+    InputSet inputs;
+    add_inputs(inputs, scale);
+    setup.result.inputs = std::move(inputs);
     add_outputs(setup.result, scale);
     Draws draws;
     setup.input_trials.resize(18, trials);

@@ -11,6 +11,7 @@
 #include "ui/document/quantity_edits.h"
 #include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset_views.h"
 
@@ -107,7 +108,7 @@ std::vector<ComponentEdit> ComponentsEdit::model_components() const {
                                [&](const Share& s) { return s.component == share.component; });
         };
         if (std::count_if(inputs.quantities.begin(), inputs.quantities.end(), shares_it) == 1)
-            found.push_back(to_edit(inputs.components[share.component]));
+            found.push_back(to_edit(inputs.components[share.component], language_of_window()));
     }
     return found;
 }

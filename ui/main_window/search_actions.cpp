@@ -28,7 +28,7 @@ QString without_mnemonic(QString text) {
     return text.remove(QLatin1Char('&')).remove(QStringLiteral(" …"));
 }
 
-QString quantity_words(const std::string& symbol, const std::string& group, const std::string& name) {
+QString quantity_words(const std::string& symbol, const std::string& group, const Message& name) {
     QString words = to_qt(symbol_to_unicode(symbol));
     if (!group.empty()) words += QStringLiteral(" (%1)").arg(to_qt(group));
     return name.empty() || name == symbol ? words : words + QStringLiteral(": ") + to_qt(name);

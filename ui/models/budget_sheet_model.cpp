@@ -13,6 +13,7 @@
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
@@ -109,10 +110,10 @@ void BudgetSheetModel::refresh_computed() {
         if (list.size() <= row) list.resize(row + 1);
         return list[row];
     };
-    for (const InputQuantity& quantity : result_->inputs.quantities) {
+    for (const InputQuantity& quantity : result_->inputs->quantities) {
         if (!quantity.analysis.empty()) continue;
         for (const Share& part : quantity.shares)
-            if (const auto row = row_of(result_->inputs.components[part.component].source, field_.key))
+            if (const auto row = row_of(result_->inputs->components[part.component].source, field_.key))
                 at(components_, *row) = part.component;
     }
     budget_ = budget_table(*result_, budget_places(*result_, output_));
@@ -222,7 +223,7 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
                         Qt::AlignVCenter);
     if (role == Qt::ToolTipRole) return current_ ? QVariant() : QVariant(tr("Out of date: being computed."));
     if (!result_ || at >= components_.size() || !components_[at]) return {};
-    const TableView view{{}, 2, user_numbers()};
+    const TableView view{{}, 2, language_of_window()};
     const BudgetComponent& component = result_->budget.components[*components_[at]];
     if (section == estimate && role == Qt::DisplayRole)
         return localized(format_typed(component.quantity_unit.from_si(component.estimate)));

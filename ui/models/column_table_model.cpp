@@ -75,7 +75,7 @@ QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, 
     if (role == Qt::DisplayRole) return to_qt(to_unicode(head(of)));
     if (role == typeset_role) return QVariant::fromValue(head(of));
     if (role == id_role) return to_qt(to_unicode(of.title));
-    if (role == Qt::ToolTipRole) return core_text(of.help);
+    if (role == Qt::ToolTipRole) return to_qt(of.help);
     if (role == Qt::TextAlignmentRole)
         return QVariant((is_numeric(of) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     return {};
@@ -86,8 +86,7 @@ Text ColumnTableModel::head(const Column& column) const {
 }
 
 Text ColumnTableModel::shown(const Column& column, std::size_t row) const {
-    Text text = cell_shown(table_, column, row, view());
-    return column.own_words || std::holds_alternative<Answer>(column.cell(row)) ? core_title(text) : text;
+    return cell_shown(table_, column, row, view());
 }
 
 void ColumnTableModel::set_units(const DisplayUnits& units) {

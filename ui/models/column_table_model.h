@@ -8,6 +8,7 @@
 
 #include "core/report/table.h"
 #include "ui/models/number_words.h"
+#include "ui/theme/document_language.h"
 
 namespace covaria::ui {
 
@@ -46,7 +47,7 @@ private:
     Text shown(const Column& column, std::size_t row) const;
     void tell();
     /// With numbers in the form of now.
-    TableView view() const { return {view_.units, view_.digits, user_numbers()}; }
+    TableView view() const { return {view_.units, view_.digits, language_of_window()}; }
 
     std::shared_ptr<const void> owner_;
     Table table_;

@@ -10,6 +10,7 @@
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
@@ -122,7 +123,7 @@ QString InputQuantitiesModel::text(int row, int column) const {
 
 Text InputQuantitiesModel::typeset(int row, int column) const {
     if (is_linked(row)) return typeset_linked(row, column);
-    const TableView view{{}, 2, user_numbers()};
+    const TableView view{{}, 2, language_of_window()};
     switch (column) {
         case symbol_column:
             return cell_shown(table_, table_["symbol"], std::size_t(row), view);
@@ -144,7 +145,7 @@ Text InputQuantitiesModel::typeset_linked(int row, int column) const {
         case symbol_column:
             return symbol_text(shown.symbol);
         case name_column:
-            return Text(shown.name);
+            return Text(language_of_window().say(shown.name));
         case unit_column:
             return Text(shown.unit.display());
         case uncertainty_column:

@@ -44,7 +44,7 @@ QString html_of(const DataTable& table) {
     if (table.rows.size() > most_rows)
         html += QObject::tr("<p>%1 more rows; the exported table has all of them.</p>")
                     .arg(table.rows.size() - most_rows);
-    for (const std::string& note : table.notes)
+    for (const Message& note : table.notes)
         html += QStringLiteral("<p>%1</p>").arg(to_qt(note).toHtmlEscaped());
     return html;
 }

@@ -196,8 +196,8 @@ private:
     double baseline() const { return QFontMetricsF(style_.font(TextRole::table), style_.device()).ascent(); }
 
     void append_notes(std::vector<FlowItem>& items) const {
-        for (const std::string& note : block_.table.notes) {
-            RichText text(style_, TextRole::note, to_qt(to_html(running_text(note))));
+        for (const Message& note : block_.table.notes) {
+            RichText text(style_, TextRole::note, to_qt(to_html(running_text(note.english()))));
             text.set_width(available_);
             items.push_back(
                 {text.height(),

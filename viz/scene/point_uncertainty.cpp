@@ -26,7 +26,7 @@ std::optional<PointUncertainty> PointUncertainties::of(const LayoutPoint& point)
     std::optional<PointUncertainty> found;
     if (point.outputs && in_range(*point.outputs, result_->outputs))
         found = of_outputs(*point.outputs);
-    else if (point.inputs && in_range(*point.inputs, result_->inputs.quantities))
+    else if (point.inputs && in_range(*point.inputs, result_->inputs->quantities))
         found = of_inputs(*point.inputs);
     if (found && !found->covariance.allFinite()) return std::nullopt;
     return found;
@@ -41,7 +41,7 @@ std::optional<Eigen::Vector3d> PointUncertainties::estimates_of(const LayoutPoin
                 result_->outputs[(*point.outputs)[i]].first_order.estimate;
         return estimates;
     }
-    if (point.inputs && in_range(*point.inputs, result_->inputs.quantities)) {
+    if (point.inputs && in_range(*point.inputs, result_->inputs->quantities)) {
         for (std::size_t i = 0; i < 3; ++i)
             estimates[static_cast<Eigen::Index>(i)] = estimate_of(result_->inputs, (*point.inputs)[i]);
         return estimates;
@@ -88,8 +88,8 @@ LayoutPoint point_before(const LayoutPoint& point, const ResultComparison& compa
         return true;
     };
     const auto input_before = [&](std::size_t& index) {
-        const auto& quantities = compared.after->inputs.quantities;
-        index = index < quantities.size() ? compared.before->inputs.find(quantities[index].symbol)
+        const auto& quantities = compared.after->inputs->quantities;
+        index = index < quantities.size() ? compared.before->inputs->find(quantities[index].symbol)
                                           : InputSet::npos;
         return index != InputSet::npos;
     };

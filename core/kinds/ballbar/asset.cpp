@@ -174,10 +174,10 @@ public:
     const std::vector<SharedLengthDeviation>& shared() const override { return shared_; }
     UncertaintyComponent reading(std::size_t bar, double length) const override {
         return {.id = "L_" + std::to_string(bar + 1),
-                .name = "reading of bar " + std::to_string(bar + 1),
+                .name = tell<"reading of bar %1">(bar + 1),
                 .unit = Unit::of("um"),
                 .distribution = reading_.at(length),
-                .origin = "ballbars: " + meaning_words(reading_.meaning)};
+                .origin = tell<"ballbars: %1">(meaning_words(reading_.meaning))};
     }
 
     std::vector<DataTable> evaluation() const override { return {support_table()}; }
@@ -207,10 +207,10 @@ private:
                             to,
                             length,
                             {.id = "L_" + pair,
-                             .name = "length between supports " + pair,
+                             .name = tell<"length between supports %1">(pair),
                              .unit = Unit::of("um"),
                              .distribution = between_.at(length),
-                             .origin = "ballbars: " + meaning_words(between_.meaning)}});
+                             .origin = tell<"ballbars: %1">(meaning_words(between_.meaning))}});
     }
 
     void add_support(const FurtherSupport& support) {
@@ -221,27 +221,27 @@ private:
         const std::string number = std::to_string(index + 1);
         heights_.push_back({support.z,
                             {.id = "z_" + number,
-                             .name = "height of support " + number,
+                             .name = tell<"height of support %1">(number),
                              .unit = Unit::of("um"),
                              .distribution = Distribution::normal(support.u_z),
-                             .origin = "ballbars: standard uncertainty"}});
+                             .origin = tell<"ballbars: standard uncertainty">()}});
     }
 
     void add_shared(const StatedBallbars& stated) {
         const double u_scale = stated.u_scale, u_zero = stated.u_zero;
-        const auto component = [&](std::string id, std::string name, const char* unit, double u) {
+        const auto component = [&](std::string id, Message name, const char* unit, double u) {
             return UncertaintyComponent{.id = std::move(id),
                                         .name = std::move(name),
                                         .unit = Unit::of(unit),
                                         .distribution = distribution_of_shape(stated.distribution, u),
-                                        .origin = "ballbars: standard uncertainty"};
+                                        .origin = tell<"ballbars: standard uncertainty">()};
         };
         if (u_scale > 0.0)
-            shared_.push_back({component("scale", "scale of all lengths", "ppm", u_scale), true, 0});
+            shared_.push_back({component("scale", tell<"scale of all lengths">(), "ppm", u_scale), true, 0});
         for (std::size_t bar = 0; u_zero > 0.0 && bar < supports(); ++bar) {
             const std::string number = std::to_string(bar + 1);
             shared_.push_back(
-                {component("zero_" + number, "constant of bar " + number, "um", u_zero), false, bar});
+                {component("zero_" + number, tell<"constant of bar %1">(number), "um", u_zero), false, bar});
         }
     }
 

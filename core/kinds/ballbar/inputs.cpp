@@ -33,7 +33,7 @@ private:
 
     std::size_t add_component(UncertaintyComponent component, const std::string& id, const Owner& owner) {
         component.id = id;
-        component.origin = owner.name + " (" + component.origin + ")";
+        component.origin = tell<"%1 (%2)">(owner.name, component.origin);
         component.contributor = owner.id;
         component.contributor_name = owner.name;
         return inputs_.add(std::move(component));
@@ -94,7 +94,7 @@ private:
         const UncertaintyComponent component = setup_.ballbars->reading(bar, length);
         InputQuantity quantity;
         quantity.symbol = component.id + "_" + point.label;
-        quantity.name = component.name + ", point " + point.name;
+        quantity.name = tell<"%1, point %2">(component.name, point.name);
         quantity.offset = length;
         quantity.group = point.name;
         quantity.source = point.source;
@@ -119,7 +119,7 @@ private:
         for (std::size_t c = 0; c < 3; ++c) {
             InputQuantity quantity;
             quantity.symbol = std::string(symbols[c]) + "_" + point.label;
-            quantity.name = components[c].name + ", point " + point.name;
+            quantity.name = tell<"%1, point %2">(components[c].name, point.name);
             quantity.group = point.name;
             quantity.source = point.source;
             add_quantity(std::move(quantity), components[c], point.label + "." + components[c].id,

@@ -18,7 +18,7 @@ public:
         if (setup_.finds_tool()) add_tool();
         const OutputRole role = setup_.finds_tool() ? OutputRole::intermediate : OutputRole::measurand;
         for (const tcp::Point& point : setup_.points)
-            add_position(point.name, "point " + point.name + ", coordinate ", role);
+            add_position(point.name, tell<"point %1">(point.name), role);
     }
 
     const InputSet& inputs() const override { return inputs_.set; }
@@ -32,10 +32,13 @@ public:
     }
 
 private:
-    void add_position(const std::string& group, const std::string& name, OutputRole role) {
+    void add_position(const std::string& group, const Message& what, OutputRole role) {
         for (const std::string axis : {"x", "y", "z"})
-            outputs_.push_back(
-                {.symbol = axis, .name = name + axis, .unit = Unit::of("mm"), .group = group, .role = role});
+            outputs_.push_back({.symbol = axis,
+                                .name = tell<"%1, coordinate %2">(what, axis),
+                                .unit = Unit::of("mm"),
+                                .group = group,
+                                .role = role});
     }
 
     void add_tool() {
@@ -45,7 +48,7 @@ private:
                 if (other == s.axis) continue;
                 const std::string own(1, axis_letters[s.axis]), to(1, axis_letters[other]);
                 outputs_.push_back({.symbol = "alpha_" + own + to,
-                                    .name = "axis " + own + " of the flange, angle towards " + to,
+                                    .name = tell<"axis %1 of the flange, angle towards %2">(own, to),
                                     .unit = Unit::of("urad"),
                                     .group = "axes of the flange",
                                     .role = OutputRole::intermediate});

@@ -109,10 +109,10 @@ public:
         const Distribution along = position_distribution(stated);
         for (std::size_t i = 0; i < 3; ++i)
             position_[i] = {.id = axes[i],
-                            .name = std::string("repeatability along ") + axes[i],
+                            .name = tell<"repeatability along %1">(axes[i]),
                             .unit = Unit::of("um"),
                             .distribution = along,
-                            .origin = "repeatability: " + law_title()};
+                            .origin = tell<"repeatability: %1">(law_title())};
         if (stated.orientation > 0.0)
             add_orientation(orientation_distribution(stated.angle_figure, stated.orientation));
         offer(*this);
@@ -132,24 +132,24 @@ public:
         table.rows.push_back({"along any axis", std::string(along.title()), along.standard_uncertainty()});
         const auto length = length_law_of(along);
         if (length) {
-            table.rows.push_back({"distance: largest", law_title(), length->largest});
-            table.rows.push_back({"distance: RP = mean + 3 s", law_title(),
+            table.rows.push_back({"distance: largest", law_title().english(), length->largest});
+            table.rows.push_back({"distance: RP = mean + 3 s", law_title().english(),
                                   length->mean() + 3.0 * length->standard_deviation()});
         } else {
             const double u = along.standard_uncertainty();
-            table.rows.push_back(
-                {"distance: RP = mean + 3 s", law_title(), (maxwell_mean + 3.0 * maxwell_deviation) * u});
+            table.rows.push_back({"distance: RP = mean + 3 s", law_title().english(),
+                                  (maxwell_mean + 3.0 * maxwell_deviation) * u});
         }
         table.notes.push_back(
-            "The coordinates are uncorrelated; unless they are normal, they are not "
-            "independent: the distance has the law above, its direction is random.");
+            tell<"The coordinates are uncorrelated; unless they are normal, they are not "
+                 "independent: the distance has the law above, its direction is random.">());
         return {table};
     }
 
 private:
-    std::string law_title() const {
+    Message law_title() const {
         for (const ChoiceOf<Law>& choice : laws())
-            if (choice.value == law_) return choice.title;
+            if (choice.value == law_) return Message::declared(choice.title);
         return {};
     }
 
@@ -157,10 +157,10 @@ private:
         orientation_.emplace();
         for (std::size_t i = 0; i < 3; ++i)
             (*orientation_)[i] = {.id = std::string("rotation.") + axes[i],
-                                  .name = std::string("repeatability about ") + axes[i],
+                                  .name = tell<"repeatability about %1">(axes[i]),
                                   .unit = Unit::of("urad"),
                                   .distribution = about,
-                                  .origin = "repeatability of the orientation"};
+                                  .origin = tell<"repeatability of the orientation">()};
     }
 
     Law law_;

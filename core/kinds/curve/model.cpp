@@ -19,23 +19,22 @@ using curve::InversePlace;
 UncertaintyComponent scatter(const CurveSetup& setup, std::string id, double u) {
     UncertaintyComponent component;
     component.id = std::move(id);
-    component.name = "scatter of the points about the curve";
+    component.name = tell<"scatter of the points about the curve">();
     component.unit = setup.y_unit.interval();
     component.distribution = Distribution::of(StudentT{0.0, u, setup.degrees_of_freedom()});
     component.type = EvaluationType::type_a;
     component.degrees_of_freedom = setup.degrees_of_freedom();
-    component.origin = "least squares, residuals of " + std::to_string(setup.points.size()) + " points";
+    component.origin = tell<"least squares, residuals of %1 points">(setup.points.size());
     return component;
 }
 
-UncertaintyComponent stated(std::string id, std::string name, const Unit& unit, double u,
-                            const char* origin) {
+UncertaintyComponent stated(std::string id, Message name, const Unit& unit, double u, Message origin) {
     UncertaintyComponent component;
     component.id = std::move(id);
     component.name = std::move(name);
     component.unit = unit.interval();
     component.distribution = Distribution::normal(u);
-    component.origin = origin;
+    component.origin = std::move(origin);
     return component;
 }
 
@@ -51,8 +50,8 @@ public:
         if (estimate_.components.size() > 1) inputs_.variance_estimates.push_back(estimate_);
         for (std::size_t power = setup_.first_power(); power <= setup_.degree; ++power)
             outputs_.push_back({.symbol = "y_" + std::to_string(power + 1),
-                                .name = power == 0 ? "value of the curve at the origin"
-                                                   : "coefficient of the power " + std::to_string(power),
+                                .name = power == 0 ? tell<"value of the curve at the origin">()
+                                                   : tell<"coefficient of the power %1">(power),
                                 .unit = power == 0 ? setup_.y_unit : curve::coefficient_unit(setup_, power),
                                 .group = "curve",
                                 .role = OutputRole::intermediate});
@@ -131,10 +130,9 @@ private:
             const std::string symbol = "q_" + std::to_string(j + 1);
             const bool is_mean = j == 0 && !setup_.through_origin;
             InputQuantity quantity{.symbol = symbol,
-                                   .name = is_mean ? "mean of y"
-                                                   : "term of degree " +
-                                                         std::to_string(j + setup_.first_power()) +
-                                                         " (orthonormal polynomial)",
+                                   .name = is_mean ? tell<"mean of y">()
+                                                   : tell<"term of degree %1 (orthonormal polynomial)">(
+                                                         j + setup_.first_power()),
                                    .unit = is_mean ? setup_.y_unit : setup_.y_unit.interval(),
                                    .offset = fit_.q[j],
                                    .group = "curve"};
@@ -153,13 +151,13 @@ private:
     void add_coordinate(std::size_t i, const char* axis, double value, double u, const Unit& unit) {
         const std::string symbol = std::string(axis) + "_" + std::to_string(i + 1);
         inputs_.add({.symbol = symbol,
-                     .name = std::string(axis) + " of point " + std::to_string(i + 1),
+                     .name = tell<"%1 of point %2">(axis, i + 1),
                      .unit = unit,
                      .offset = value,
                      .group = std::string("points, ") + axis,
                      .source = curve::curve_fields().place(&CurveSetup::stated_points, i)},
-                    {stated(symbol + ".stated", std::string("stated uncertainty of ") + axis, unit, u,
-                            "table of points")});
+                    {stated(symbol + ".stated", tell<"stated uncertainty of %1">(axis), unit, u,
+                            tell<"table of points">())});
     }
 
     void add_points_as_inputs() {
@@ -178,15 +176,16 @@ private:
         const std::string symbol = "Y_" + std::to_string(i + 1);
         InputQuantity quantity{
             .symbol = symbol,
-            .name = o.name.empty() ? "observed y" : o.name + ", observed y",
+            .name = o.name.empty() ? tell<"observed y">() : tell<"%1, observed y">(o.name),
             .unit = setup_.y_unit,
             .offset = o.y,
             .group = "inverse use",
             .source = curve::curve_fields().place(&CurveSetup::observations, i, &curve::Observation::y)};
         if (o.u_y > 0.0)
-            quantity.shares.push_back({inputs_.add(stated(symbol + ".stated", "stated uncertainty of y",
-                                                          setup_.y_unit, o.u_y, "table of the inverse use")),
-                                       1.0});
+            quantity.shares.push_back(
+                {inputs_.add(stated(symbol + ".stated", tell<"stated uncertainty of %1">("y"), setup_.y_unit,
+                                    o.u_y, tell<"table of the inverse use">())),
+                 1.0});
         if (o.readings > 0)
             share_of_scatter(quantity, symbol + ".readings", fit_.standard_deviation / std::sqrt(o.readings));
         inputs_.quantities.push_back(std::move(quantity));
@@ -194,18 +193,18 @@ private:
 
     void add_prediction(std::size_t i) {
         const curve::Prediction& p = setup_.predictions[i];
-        const std::string where = "value of the curve at " + curve::place_text(setup_.x_unit, p.x);
+        const Message where = tell<"value of the curve at %1">(curve::place_text(setup_.x_unit, p.x));
         outputs_.push_back({.symbol = "b_" + std::to_string(i + 1),
-                            .name = p.name.empty() ? where : p.name + ", " + where,
+                            .name = p.name.empty() ? where : tell<"%1, %2">(p.name, where),
                             .unit = setup_.y_unit,
                             .group = "use"});
     }
 
     void add_inverse(std::size_t i) {
         const curve::Observation& o = setup_.observations[i];
-        const std::string where = "x where the curve is " + curve::place_text(setup_.y_unit, o.y);
+        const Message where = tell<"x where the curve is %1">(curve::place_text(setup_.y_unit, o.y));
         outputs_.push_back({.symbol = "X_" + std::to_string(i + 1),
-                            .name = o.name.empty() ? where : o.name + ", " + where,
+                            .name = o.name.empty() ? where : tell<"%1, %2">(o.name, where),
                             .unit = setup_.x_unit,
                             .group = "inverse use"});
     }

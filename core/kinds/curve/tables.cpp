@@ -26,9 +26,9 @@ void judge_stated(const CurveSetup& setup, const Fit& fit, DataTable& summary) {
     summary.rows.push_back({std::string("its 95 % quantile"), limit});
     summary.notes.push_back(
         fit.chi_squared <= limit
-            ? "The residuals agree with the stated uncertainties."
-            : "The residuals are larger than the stated uncertainties explain: the curve or the "
-              "uncertainties do not describe these points.");
+            ? tell<"The residuals agree with the stated uncertainties.">()
+            : tell<"The residuals are larger than the stated uncertainties explain: the curve or the "
+                   "uncertainties do not describe these points.">());
 }
 
 DataTable fit_table_of(const CurveSetup& setup, const Fit& fit) {
@@ -58,8 +58,8 @@ DataTable inverse_table_of(const CurveSetup& setup, const Fit& fit,
             others += (others.empty() ? "" : ", ") + place_text(setup.x_unit, x);
         table.rows.push_back({setup.observations[i].y, fit.polynomials.x_of(inverse[i].t), others});
         if (inverse[i].outside)
-            table.notes.push_back("The x of y = " + place_text(setup.y_unit, setup.observations[i].y) +
-                                  " lies outside of the points of the calibration.");
+            table.notes.push_back(tell<"The x of y = %1 lies outside of the points of the calibration.">(
+                place_text(setup.y_unit, setup.observations[i].y)));
     }
     return table;
 }

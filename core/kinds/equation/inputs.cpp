@@ -65,7 +65,7 @@ void correlate_observed(std::vector<Draft>& drafts, const Observations& observat
 }
 
 void credit(UncertaintyComponent& component, const Referred& instrument) {
-    component.origin = instrument.name + " (" + component.origin + ")";
+    component.origin = tell<"%1 (%2)">(instrument.name, component.origin);
     component.contributor = instrument.id;
     component.contributor_name = instrument.name;
 }
@@ -137,7 +137,7 @@ private:
             return;
         }
         UncertaintyComponent made;
-        made.name = first || at(row).name.empty() ? draft.quantity.name : at(row).name;
+        made.name = first || at(row).name.empty() ? draft.quantity.name : Message(at(row).name);
         made.unit = unit.interval();
         if (kind == "instrument") return reading(draft, row);
         const bool done = kind == "observations" || kind == "pooled" ? observed(draft, row, kind, made)
@@ -174,7 +174,7 @@ private:
         if (component->estimate) draft.estimate = component->estimate;
         made.distribution = component->distribution;
         made.degrees_of_freedom = component->degrees_of_freedom;
-        made.origin = component->words;
+        made.origin = Message::declared(component->words);
         return true;
     }
 
@@ -193,8 +193,8 @@ private:
         made.degrees_of_freedom = mean->degrees_of_freedom;
         made.distribution = Distribution::normal(u);
         made.normal_draws = stated_.normal_means;
-        made.origin = kind == "pooled" ? "pooled standard deviation"
-                                       : "mean of " + std::to_string(mean->count) + " observations";
+        made.origin = kind == "pooled" ? tell<"pooled standard deviation">()
+                                       : tell<"mean of %1 observations">(mean->count);
         if (kind == "observations") draft.observed = result_.inputs.components.size();
         return true;
     }

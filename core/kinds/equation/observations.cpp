@@ -25,7 +25,7 @@ std::vector<std::string> Observations::quantities() const {
 }
 
 ObservedQuantity Observations::listed(const InputQuantity& quantity) const {
-    ObservedQuantity made{quantity.symbol, quantity.name, quantity.unit, {}};
+    ObservedQuantity made{quantity.symbol, quantity.name.english(), quantity.unit, {}};
     if (const auto found = of_.find(quantity.symbol); found != of_.end())
         for (const auto& [name, series] : found->second) made.series.push_back({name, series.values});
     return made;

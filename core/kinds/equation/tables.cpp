@@ -93,9 +93,9 @@ std::vector<DataTable> observation_tables(const std::vector<ObservedQuantity>& o
             if (const auto a = type_a_evaluation(series.values))
                 table.rows.push_back(row_of(quantity, series, *a));
     if (table.rows.empty()) return {};
-    table.notes = {
+    table.notes = {tell<
         "s is the experimental standard deviation, u = s/√n (JCGM 100 4.2). A quantity that is stated as "
-        "pooled observations has the u of all its series together (JCGM 100 4.2.4)."};
+        "pooled observations has the u of all its series together (JCGM 100 4.2.4).">()};
     return {std::move(table)};
 }
 

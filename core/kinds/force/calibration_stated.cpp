@@ -55,8 +55,8 @@ public:
             add_quantity(static_cast<Figure>(c - 1), columns[c].title, columns[c].unit);
         add_interference();
         table_.notes.push_back(
-            "Reproduces: equal in all printed digits. Inside rounding: what it is computed from was rounded, "
-            "too. Interference, percent: the row's sensor, then the column's axis.");
+            tell<"Reproduces: equal in all printed digits. Inside rounding: what it is computed from was "
+                 "rounded, too. Interference, percent: the row's sensor, then the column's axis.">());
         return std::move(table_);
     }
 

@@ -53,8 +53,8 @@ DataTable plan_table(const Calibration& calibration) {
                               double(series.runs.size()), double(calibration.steps[c].size()), double(down),
                               high >= low ? TableCell(high - low) : TableCell()});
     }
-    table.notes.push_back("Fig. 2: " + readable_number(plan.free_time) + " s without load before a series, " +
-                          readable_number(plan.load_time) + " s at each load.");
+    table.notes.push_back(tell<"Fig. 2: %1 s without load before a series, %2 s at each load.">(
+        readable_number(plan.free_time), readable_number(plan.load_time)));
     return table;
 }
 
@@ -112,10 +112,10 @@ public:
         if (!loads) table.columns.push_back(column("largest"));
         for (std::size_t r = 0; r < calibration_.size(); ++r) table.rows.push_back(row(r, !loads));
         if (loads) table.rows.push_back(largest_row());
-        table.notes.push_back(loads
-                                  ? "A row is a load, a column the sensor that answers to it."
-                                  : "A row is a sensor, a column the load under which it gives this output.");
-        if (!calibration_.has_signs) table.notes.push_back("Magnitudes: the signs are not known.");
+        table.notes.push_back(
+            loads ? tell<"A row is a load, a column the sensor that answers to it.">()
+                  : tell<"A row is a sensor, a column the load under which it gives this output.">());
+        if (!calibration_.has_signs) table.notes.push_back(tell<"Magnitudes: the signs are not known.">());
         return table;
     }
 
@@ -176,12 +176,11 @@ DataTable table_3(const Calibration& calibration) {
                               relative, in_load_unit(channel, relative * channel.rated_load)});
     }
     const ForceChannel& first = calibration.channels.front();
-    std::string note = "U = hysteresis + interference + k u_c with k = ";
-    note += readable_number(calibration.k);
-    note += ": a linear sum of two largest values and an expanded uncertainty. Type A: n = ";
-    note += readable_number(first.runs) + " runs, " + readable_number(first.degrees_of_freedom);
-    note += " degrees of freedom.";
-    table.notes.push_back(std::move(note));
+    table.notes.push_back(
+        tell<"U = hysteresis + interference + k u_c with k = %1: a linear sum of two largest values and an "
+             "expanded uncertainty. Type A: n = %2 runs, %3 degrees of freedom.">(
+            readable_number(calibration.k), readable_number(first.runs),
+            readable_number(first.degrees_of_freedom)));
     return table;
 }
 
@@ -198,9 +197,10 @@ DataTable parts_table(const Calibration& calibration) {
                               calibration.u_zero(h), calibration.u_b_computed(h)});
         any_stated = any_stated || calibration.stated_u_b[h].has_value();
     }
-    table.notes.push_back("Calibration machine: " + calibration.calibrator.name + ".");
+    table.notes.push_back(tell<"Calibration machine: %1.">(calibration.calibrator.name));
     if (any_stated)
-        table.notes.push_back("Table 3 takes the Type B standard uncertainties that are stated, not these.");
+        table.notes.push_back(
+            tell<"Table 3 takes the Type B standard uncertainties that are stated, not these.">());
     return table;
 }
 

@@ -19,16 +19,16 @@ public:
         for (const ForceChannel& channel : setup_.channels()) {
             const std::string key = channel.kind().key;
             outputs_.push_back({.symbol = channel.kind().symbol,
-                                .name = "load " + key + " that channel " + key + " tells",
+                                .name = tell<"load %1 that channel %1 tells">(key),
                                 .unit = channel.load_unit(),
                                 .group = key});
             outputs_.push_back({.symbol = "V",
-                                .name = "net reading of channel " + key,
+                                .name = tell<"net reading of channel %1">(key),
                                 .unit = ratio,
                                 .group = key,
                                 .role = OutputRole::intermediate});
             outputs_.push_back({.symbol = "r",
-                                .name = "load by the rated load of channel " + key,
+                                .name = tell<"load by the rated load of channel %1">(key),
                                 .unit = percent,
                                 .group = key,
                                 .role = OutputRole::intermediate});

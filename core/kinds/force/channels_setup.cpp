@@ -119,25 +119,24 @@ public:
     }
 
 private:
-    UncertaintyComponent component(const ForceChannel& channel, const std::string& id,
-                                   const std::string& name, Distribution distribution,
-                                   const std::string& origin) const {
+    UncertaintyComponent component(const ForceChannel& channel, const std::string& id, const Message& name,
+                                   Distribution distribution, const Message& origin) const {
         const std::string key = channel.kind().key;
         return {.id = key + "." + id,
-                .name = name + " of " + key,
+                .name = tell<"%1 of %2">(name, key),
                 .unit = Unit::of("mV/V"),
                 .distribution = std::move(distribution),
-                .origin = setup_.sensor.name + ": " + origin,
+                .origin = tell<"%1: %2">(setup_.sensor.name, origin),
                 .contributor = setup_.sensor.id,
                 .contributor_name = setup_.sensor.name,
-                .tags = {{"source", name}}};
+                .tags = {{"source", name.english()}}};
     }
 
     UncertaintyComponent repeatability(const ForceChannel& channel) const {
         const double u = u_repeatability(setup_, channel);
         const double freedom = channel.s_degrees_of_freedom(setup_.pooled);
-        UncertaintyComponent a =
-            component(channel, "repeatability", "repeatability", Distribution::normal(u), "Eqs 3, 4");
+        UncertaintyComponent a = component(channel, "repeatability", tell<"repeatability">(),
+                                           Distribution::normal(u), tell<"Eqs 3, 4">());
         a.normal_draws = !setup_.student_t;
         a.type = EvaluationType::type_a;
         a.degrees_of_freedom = freedom;
@@ -150,33 +149,34 @@ private:
             return Distribution::of(Rectangular{-0.5 * width, 0.5 * width});
         };
         const std::string key = channel.kind().key;
-        inputs_.add(
-            InputQuantity{.symbol = std::string("d_") + key,
-                          .name = "net reading of " + key + " at rated load",
-                          .unit = Unit::of("mV/V"),
-                          .offset = channel.rated_output,
-                          .group = key},
-            {repeatability(channel),
-             component(channel, "machine", "calibration machine",
-                       Distribution::normal(channel.u_calibrator * std::abs(channel.rated_output)), "Eq 5"),
-             component(channel, "resolution", "resolution", limits(setup_.sensor->resolution()), "Eq 6"),
-             component(channel, "zero", "non-zero", limits(channel.zero), "Eq 7"),
-             component(channel, "hysteresis", "hysteresis", limits(channel.hysteresis),
-                       "Eq 10, as a rectangular distribution over the loop")});
+        inputs_.add(InputQuantity{.symbol = std::string("d_") + key,
+                                  .name = tell<"net reading of %1 at rated load">(key),
+                                  .unit = Unit::of("mV/V"),
+                                  .offset = channel.rated_output,
+                                  .group = key},
+                    {repeatability(channel),
+                     component(channel, "machine", tell<"calibration machine">(),
+                               Distribution::normal(channel.u_calibrator * std::abs(channel.rated_output)),
+                               tell<"Eq 5">()),
+                     component(channel, "resolution", tell<"resolution">(),
+                               limits(setup_.sensor->resolution()), tell<"Eq 6">()),
+                     component(channel, "zero", tell<"non-zero">(), limits(channel.zero), tell<"Eq 7">()),
+                     component(channel, "hysteresis", tell<"hysteresis">(), limits(channel.hysteresis),
+                               tell<"Eq 10, as a rectangular distribution over the loop">())});
     }
 
     void add_load(std::size_t c) {
         const ForceChannel& channel = setup_.channels()[c];
         const std::string key = channel.kind().key;
         UncertaintyComponent load{.id = key + ".load",
-                                  .name = "unknown load on " + key,
+                                  .name = tell<"unknown load on %1">(key),
                                   .unit = Unit::of("%"),
                                   .distribution = Distribution::of(Rectangular{-1.0, 1.0}),
-                                  .origin = "set-up: unknown between minus and plus the rated load",
+                                  .origin = tell<"set-up: unknown between minus and plus the rated load">(),
                                   .contributor = "loads on other axes",
                                   .tags = {{"source", "interference"}}};
         inputs_.add(InputQuantity{.symbol = std::string("q_") + key,
-                                  .name = "load on " + key + " by its rated load",
+                                  .name = tell<"load on %1 by its rated load">(key),
                                   .unit = Unit::of("%"),
                                   .offset = 0.0,
                                   .group = "loads"},

@@ -54,19 +54,15 @@ DataTable comparison_table(const ChannelSetup& setup) {
                               c.k_alone, c.worst, std::string(c.worst > c.paper ? "yes" : "no")});
     }
     table.notes = {
-        "The paper adds the largest hysteresis and the largest interference to k times u_c. It counts one "
-        "other "
-        "load only: with several loads their interference adds up, and exceeds the paper's U for " +
-            std::to_string(exceeding) + " of " + std::to_string(setup.size()) +
-            " sensors when all act fully.",
-        "So the linear sum is no bound under combined load, and for one component alone it is far too large. "
-        "As "
-        "hysteresis and interference are limits and no standard uncertainties, it is no coverage interval "
-        "either.",
-        "GUM: hysteresis, non-zero error and resolution are rectangular, each unknown load is rectangular "
-        "between "
-        "minus and plus its rated load, root sum of squares. One component alone: k from the t-distribution "
-        "with the effective degrees of freedom."};
+        tell<"The paper adds the largest hysteresis and the largest interference to k times u_c. It counts "
+             "one other load only: with several loads their interference adds up, and exceeds the paper's U "
+             "for %1 of %2 sensors when all act fully.">(exceeding, setup.size()),
+        tell<"So the linear sum is no bound under combined load, and for one component alone it is far too "
+             "large. As hysteresis and interference are limits and no standard uncertainties, it is no "
+             "coverage interval either.">(),
+        tell<"GUM: hysteresis, non-zero error and resolution are rectangular, each unknown load is "
+             "rectangular between minus and plus its rated load, root sum of squares. One component alone: k "
+             "from the t-distribution with the effective degrees of freedom.">()};
     return table;
 }
 
@@ -90,8 +86,8 @@ DataTable parts_table(const ChannelSetup& setup) {
     }
     if (!setup.pooled)
         table.notes.push_back(
-            "Repeatability: the largest of the steps; its degrees of freedom are those of one "
-            "step. Pooled over the steps it has more of them.");
+            tell<"Repeatability: the largest of the steps; its degrees of freedom are those of one "
+                 "step. Pooled over the steps it has more of them.">());
     return table;
 }
 

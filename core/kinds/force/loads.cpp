@@ -74,16 +74,15 @@ private:
     void add_outputs(const std::string& group) {
         for (const ForceChannel& channel : setup_.channels())
             outputs_.push_back({.symbol = channel.kind().symbol,
-                                .name = std::string("load ") + channel.kind().key + ", compensated",
+                                .name = tell<"load %1, compensated">(channel.kind().key),
                                 .unit = channel.load_unit(),
                                 .group = group});
         for (const ForceChannel& channel : setup_.channels())
-            outputs_.push_back(
-                {.symbol = std::string(channel.kind().symbol) + ",0",
-                 .name = std::string("load ") + channel.kind().key + " by its own channel alone",
-                 .unit = channel.load_unit(),
-                 .group = group,
-                 .role = OutputRole::intermediate});
+            outputs_.push_back({.symbol = std::string(channel.kind().symbol) + ",0",
+                                .name = tell<"load %1 by its own channel alone">(channel.kind().key),
+                                .unit = channel.load_unit(),
+                                .group = group,
+                                .role = OutputRole::intermediate});
     }
 
     /// With the uncertainty of its tip where all three coordinates are measured.

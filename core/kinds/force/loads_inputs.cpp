@@ -27,21 +27,21 @@ private:
     std::string key(std::size_t channel) const { return setup_.channels()[channel].kind().key; }
     std::string pair(std::size_t h, std::size_t c) const { return key(h) + "," + key(c); }
 
-    UncertaintyComponent component(std::string id, std::string name, const Unit& unit,
-                                   Distribution distribution, std::string origin) const {
+    UncertaintyComponent component(std::string id, Message name, const Unit& unit, Distribution distribution,
+                                   Message origin) const {
         return {.id = std::move(id),
                 .name = std::move(name),
                 .unit = unit,
                 .distribution = std::move(distribution),
-                .origin = setup_.sensor.name + ": " + origin};
+                .origin = tell<"%1: %2">(setup_.sensor.name, std::move(origin))};
     }
 
     /// The machine's load deviates alike in all readings under it: a whole column.
     void add_machine(const ForceChannel& channel) {
         const std::string axis = channel.kind().key;
         UncertaintyComponent machine =
-            component("machine." + axis, "calibration machine, " + axis, Unit::of("%"),
-                      Distribution::normal(channel.u_calibrator), "calibration machine, Eq 5");
+            component("machine." + axis, tell<"calibration machine, %1">(axis), Unit::of("%"),
+                      Distribution::normal(channel.u_calibrator), tell<"calibration machine, Eq 5">());
         machine.tags = {{"source", "calibration machine"}};
         inputs_.add(std::move(machine));
     }
@@ -54,8 +54,8 @@ private:
 
     UncertaintyComponent regression(const std::string& symbol, const Element& element, const Unit& unit,
                                     double u) const {
-        UncertaintyComponent fit = component(symbol + ".regression", "regression of " + symbol, unit,
-                                             Distribution::normal(std::abs(u)), "least squares");
+        UncertaintyComponent fit = component(symbol + ".regression", tell<"regression of %1">(symbol), unit,
+                                             Distribution::normal(std::abs(u)), tell<"least squares">());
         fit.type = EvaluationType::type_a;
         if (element.degrees_of_freedom > 0.0) fit.degrees_of_freedom = element.degrees_of_freedom;
         fit.normal_draws = !setup_.student_t;
@@ -81,7 +81,7 @@ private:
             inputs_.add(regression(symbol, element, element_unit(c, false), element.aa * scale)));
         rest_on_residuals(first_.back(), h, c);
         inputs_.quantities.push_back({.symbol = symbol,
-                                      .name = "reading of " + key(h) + " by load " + key(c),
+                                      .name = tell<"reading of %1 by load %2">(key(h), key(c)),
                                       .unit = element_unit(c, false),
                                       .offset = element.a * scale,
                                       .shares = {{first_.back(), 1.0}, {c, element.a * scale}},
@@ -102,20 +102,19 @@ private:
                 {first_[h * n_ + c], sign * element.ba * scale / std::abs(element.aa * setup_.scale(h, c))});
         }
         inputs_.quantities.push_back({.symbol = symbol,
-                                      .name = "quadratic term of " + key(h) + " by load " + key(c),
+                                      .name = tell<"quadratic term of %1 by load %2">(key(h), key(c)),
                                       .unit = element_unit(c, true),
                                       .offset = element.b * scale,
                                       .shares = std::move(shares),
                                       .group = "calibration matrix"});
     }
 
-    UncertaintyComponent of_reading(std::size_t k, std::size_t h, const std::string& id,
-                                    const std::string& name, Distribution distribution,
-                                    const std::string& origin) const {
+    UncertaintyComponent of_reading(std::size_t k, std::size_t h, const std::string& id, const Message& name,
+                                    Distribution distribution, const Message& origin) const {
         UncertaintyComponent c = component(std::to_string(k + 1) + "." + key(h) + "." + id,
-                                           name + " of " + key(h) + ", " + setup_.cases[k].name,
+                                           tell<"%1 of %2, %3">(name, key(h), setup_.cases[k].name),
                                            Unit::of("mV/V"), std::move(distribution), origin);
-        c.tags = {{"source", name}};
+        c.tags = {{"source", name.english()}};
         return c;
     }
 
@@ -123,8 +122,9 @@ private:
         const ForceChannel& channel = setup_.channels()[h];
         const double s = channel.s_single(setup_.pooled);
         const double freedom = channel.s_degrees_of_freedom(setup_.pooled);
-        UncertaintyComponent c = of_reading(k, h, "repeatability", "repeatability", Distribution::normal(s),
-                                            "standard deviation of one reading, Eq 3");
+        UncertaintyComponent c =
+            of_reading(k, h, "repeatability", tell<"repeatability">(), Distribution::normal(s),
+                       tell<"standard deviation of one reading, Eq 3">());
         c.normal_draws = !setup_.student_t;
         c.type = EvaluationType::type_a;
         c.degrees_of_freedom = freedom;
@@ -140,19 +140,19 @@ private:
         };
         const double part = setup_.full_hysteresis ? 1.0 : std::min(1.0, std::abs(one.l[i]));
         const std::size_t first = inputs_.components.size();
-        inputs_.add(
-            InputQuantity{.symbol = "V_" + key(h) + "," + std::to_string(k + 1),
-                          .name = "net reading of " + key(h) + ", " + one.name,
-                          .unit = Unit::of("mV/V"),
-                          .offset = one.v[i] * channel.rated_output,
-                          .group = one.name,
-                          .source = one.source},
-            {repeatability(k, h),
-             of_reading(k, h, "resolution", "resolution", limits(setup_.sensor->resolution()), "Eq 6"),
-             of_reading(k, h, "zero", "non-zero", limits(channel.zero), "Eq 7"),
-             of_reading(k, h, "hysteresis", "hysteresis", limits(part * channel.hysteresis),
-                        setup_.full_hysteresis ? "Eq 10, full width of the loop"
-                                               : "Eq 10, in proportion to the load")});
+        inputs_.add(InputQuantity{.symbol = "V_" + key(h) + "," + std::to_string(k + 1),
+                                  .name = tell<"net reading of %1, %2">(key(h), one.name),
+                                  .unit = Unit::of("mV/V"),
+                                  .offset = one.v[i] * channel.rated_output,
+                                  .group = one.name,
+                                  .source = one.source},
+                    {repeatability(k, h),
+                     of_reading(k, h, "resolution", tell<"resolution">(), limits(setup_.sensor->resolution()),
+                                tell<"Eq 6">()),
+                     of_reading(k, h, "zero", tell<"non-zero">(), limits(channel.zero), tell<"Eq 7">()),
+                     of_reading(k, h, "hysteresis", tell<"hysteresis">(), limits(part * channel.hysteresis),
+                                setup_.full_hysteresis ? tell<"Eq 10, full width of the loop">()
+                                                       : tell<"Eq 10, in proportion to the load">())});
         if (std::isfinite(inputs_.components[first].degrees_of_freedom))
             inputs_.rest_on_estimate("repeatability of " + key(h), first);
     }

@@ -29,10 +29,11 @@ DataTable matrix_table(const LoadsSetup& setup) {
             row.push_back(setup.element(h, c).a * setup.scale(h, c));
         table.rows.push_back(std::move(row));
     }
-    std::string note = "Condition number, by rated outputs and rated loads: ";
-    note += std::to_string(setup.condition).substr(0, 6);
-    note += setup.quadratic ? "; with quadratic terms beside these slopes." : ".";
-    table.notes.push_back(std::move(note));
+    const std::string condition = std::to_string(setup.condition).substr(0, 6);
+    table.notes.push_back(
+        setup.quadratic ? tell<"Condition number, by rated outputs and rated loads: %1; with quadratic terms "
+                               "beside these slopes.">(condition)
+                        : tell<"Condition number, by rated outputs and rated loads: %1.">(condition));
     return table;
 }
 
@@ -87,8 +88,8 @@ DataTable loads_table(const LoadsSetup& setup) {
                                   load(l, 6), load(alone, 6), load(alone - l, 5), alone - l});
         }
     table.notes.push_back(
-        "Uncompensated: by the slope of the channel's own axis. The uncertainties of both are among the "
-        "results.");
+        tell<"Uncompensated: by the slope of the channel's own axis. The uncertainties of both are among the "
+             "results.">());
     return table;
 }
 

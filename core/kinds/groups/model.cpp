@@ -19,18 +19,18 @@ public:
         : setup_(std::move(setup)), variances_(group_observations::variances_of(setup_)) {
         UncertaintyComponent component;
         component.id = setup_.symbol + ".mean";
-        component.name = setup_.between == Between::included ? "scatter of the means of the groups"
+        component.name = setup_.between == Between::included ? tell<"scatter of the means of the groups">()
                          : setup_.between == Between::components
-                             ? "components of variance between and within the groups"
+                             ? tell<"components of variance between and within the groups">()
                              : "scatter of all observations";
         component.unit = setup_.unit.to_si(0.0) == 0.0 ? setup_.unit : Unit::of("K");
         component.distribution = Distribution::of(StudentT{0.0, variances_.u, variances_.degrees_of_freedom});
         component.type = EvaluationType::type_a;
         component.degrees_of_freedom = variances_.degrees_of_freedom;
-        component.origin = std::to_string(setup_.groups.size()) + " groups, " +
-                           std::to_string(static_cast<long long>(variances_.observations)) + " observations";
+        component.origin = tell<"%1 groups, %2 observations">(
+            setup_.groups.size(), static_cast<long long>(variances_.observations));
         inputs_.add({.symbol = setup_.symbol + "_mean",
-                     .name = "mean of all observations",
+                     .name = tell<"mean of all observations">(),
                      .unit = setup_.unit,
                      .offset = variances_.mean},
                     {component});

@@ -140,11 +140,12 @@ std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances
     if (v.s_b > 0.0) table.rows.push_back({std::string("F = s_a²/s_b²"), v.ratio});
     table.rows.push_back({std::string("95 % quantile of F"), limit});
     table.rows.push_back({std::string("97.5 % quantile of F"), f_quantile(0.975, v.nu_a, v.nu_b)});
-    table.notes.push_back(v.ratio > limit ? "There is an effect of the groups at the level of 5 %."
-                                          : "No effect of the groups is seen at the level of 5 %.");
+    table.notes.push_back(v.ratio > limit ? tell<"There is an effect of the groups at the level of 5 %.">()
+                                          : tell<"No effect of the groups is seen at the level of 5 %.">());
     if (setup.between == Between::components && !(v.s_between > 0.0))
         table.notes.push_back(
-            "The component of variance between the groups is zero: all observations count as independent.");
+            tell<"The component of variance between the groups is zero: all observations count as "
+                 "independent.">());
     return {groups_table(setup),
             variance_table("variance", "Analysis of variance", unit,
                            {"between the groups", v.between_squares, v.nu_a},

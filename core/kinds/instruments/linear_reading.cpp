@@ -16,12 +16,13 @@ double LinearReading::effect_of(const SystematicDeviation& deviation, Observable
 }
 
 LinearReading linear_reading(const Station& station, const Eigen::Vector3d& p_W) {
-    const Eigen::Vector3d v = station.X_WS().inverse() * p_W;
-    return linear_reading(station, p_W, std::atan2(v.y(), v.x()));
+    const StationGeometry geometry(station);
+    const Eigen::Vector3d v = geometry.in_axes(p_W);
+    return linear_reading(geometry, p_W, std::atan2(v.y(), v.x()));
 }
 
-LinearReading linear_reading(const Station& station, const Eigen::Vector3d& p_W, double azimuth) {
-    return {reading_sensitivity(station, p_W, azimuth), station.X_WS().inverse() * p_W};
+LinearReading linear_reading(const StationGeometry& station, const Eigen::Vector3d& p_W, double azimuth) {
+    return {reading_sensitivity(station, p_W, azimuth), station.in_axes(p_W)};
 }
 
 std::vector<UncertaintyComponent> shared_components(const SensorSource& sensor) {
@@ -34,10 +35,10 @@ std::vector<UncertaintyComponent> shared_components(const SensorSource& sensor) 
         else
             components.push_back(
                 {.id = "station." + number,
-                 .name = "station, combination " + number,
+                 .name = tell<"station, combination %1">(number),
                  .unit = Unit::of("1"),
                  .distribution = Distribution::normal(1.0),
-                 .origin = "instrument: standard uncertainties and correlation of the station"});
+                 .origin = tell<"instrument: standard uncertainties and correlation of the station">()});
     }
     return components;
 }

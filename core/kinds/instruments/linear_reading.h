@@ -17,7 +17,7 @@ struct LinearReading : ReadingSensitivity {
 };
 LinearReading linear_reading(const Station& station, const Eigen::Vector3d& p_W);
 /// The same for an azimuth that was read, which decides what "across" is where the target is overhead.
-LinearReading linear_reading(const Station& station, const Eigen::Vector3d& p_W, double azimuth);
+LinearReading linear_reading(const StationGeometry& station, const Eigen::Vector3d& p_W, double azimuth);
 
 /// What all readings of a sensor share, as independent components: its systematic deviations, then the six
 /// coordinates of its station, or six combinations of them where they are correlated.

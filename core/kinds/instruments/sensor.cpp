@@ -6,6 +6,11 @@
 
 namespace covaria {
 
+Message words_of(Observable observable) {
+    static constexpr Message (*words[])() = {tell<"distance">, tell<"azimuth">, tell<"elevation">};
+    return words[static_cast<int>(observable)]();
+}
+
 Eigen::Isometry3d Station::X_WS() const {
     Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
     X.translation() = Eigen::Vector3d(coordinates[0], coordinates[1], coordinates[2]);
@@ -38,20 +43,7 @@ Eigen::Matrix3d overhead_gradients(const Eigen::Vector3d& v, double azimuth) {
     return G;
 }
 
-/// d(v)/d(station): six columns, v the target in the sensor's axes.
-Eigen::Matrix<double, 3, 6> station_effect(const Station& station, const Eigen::Vector3d& p) {
-    constexpr double step = 1e-5;
-    Eigen::Matrix<double, 3, 6> K;
-    K.leftCols<3>() = -station.X_WS().linear().transpose();
-    for (std::size_t i = 3; i < 6; ++i) {
-        Station higher = station, lower = station;
-        higher.coordinates[i] += step;
-        lower.coordinates[i] -= step;
-        K.col(static_cast<int>(i)) =
-            (higher.X_WS().inverse() * p - lower.X_WS().inverse() * p) / (2.0 * step);
-    }
-    return K;
-}
+constexpr double angle_step = 1e-5;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -66,6 +58,24 @@ Eigen::SelfAdjointEigenSolver<Matrix6> correlation_of(const SensorSource& sensor
 
 }  // namespace
 
+StationGeometry::StationGeometry(const Station& station) : X_WS_(station.X_WS()), inverse_(X_WS_.inverse()) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        Station higher = station, lower = station;
+        higher.coordinates[3 + i] += angle_step;
+        lower.coordinates[3 + i] -= angle_step;
+        higher_[i] = higher.X_WS().inverse();
+        lower_[i] = lower.X_WS().inverse();
+    }
+}
+
+Eigen::Matrix<double, 3, 6> StationGeometry::effect_on(const Eigen::Vector3d& p_W) const {
+    Eigen::Matrix<double, 3, 6> K;
+    K.leftCols<3>() = -X_WS_.linear().transpose();
+    for (std::size_t i = 0; i < 3; ++i)
+        K.col(static_cast<int>(3 + i)) = (higher_[i] * p_W - lower_[i] * p_W) / (2.0 * angle_step);
+    return K;
+}
+
 bool FieldOfView::contains(const Eigen::Vector3d& v) const {
     constexpr double rounding = 1e-12;
     const double distance = v.norm();
@@ -79,21 +89,16 @@ bool FieldOfView::is_limited() const {
     return farthest < all.farthest || azimuth < all.azimuth || elevation < all.elevation;
 }
 
-ReadingSensitivity reading_sensitivity(const Station& station, const Eigen::Vector3d& p_W) {
-    const Eigen::Vector3d v = station.X_WS().inverse() * p_W;
-    return reading_sensitivity(station, p_W, std::atan2(v.y(), v.x()));
-}
-
-ReadingSensitivity reading_sensitivity(const Station& station, const Eigen::Vector3d& p_W, double azimuth) {
-    const Eigen::Isometry3d X_WS = station.X_WS();
-    const Eigen::Vector3d v = X_WS.inverse() * p_W;
+ReadingSensitivity reading_sensitivity(const StationGeometry& station, const Eigen::Vector3d& p_W,
+                                       double azimuth) {
+    const Eigen::Vector3d v = station.in_axes(p_W);
     const double rho = v.head<2>().norm(), d = v.norm();
     ReadingSensitivity s;
     s.overhead = rho < near_zenith * d;
     if (s.overhead) s.azimuth_scale = near_zenith * d;
     const Eigen::Matrix3d G = s.overhead ? overhead_gradients(v, azimuth) : reading_gradients(v);
-    s.to_point = G * X_WS.linear().transpose();
-    s.to_station = G * station_effect(station, p_W);
+    s.to_point = G * station.X_WS().linear().transpose();
+    s.to_station = G * station.effect_on(p_W);
     return s;
 }
 

@@ -18,6 +18,8 @@ namespace covaria {
 enum class Observable { distance, azimuth, elevation };
 inline constexpr std::array<Observable, 3> observables{Observable::distance, Observable::azimuth,
                                                        Observable::elevation};
+/// "azimuth".
+Message words_of(Observable observable);
 
 /// How the three angles of a station turn its axes.
 enum class StationAngles {
@@ -36,6 +38,22 @@ struct Station {
     std::array<double, 6> coordinates{};  ///< x, y, z in m, three angles in rad
     StationAngles angles = StationAngles::zyx;
     Eigen::Isometry3d X_WS() const;
+};
+
+/// What follows from a station alone, for all the points that are seen from it.
+class StationGeometry {
+public:
+    explicit StationGeometry(const Station& station);
+
+    const Eigen::Isometry3d& X_WS() const { return X_WS_; }
+    /// A point of the world in the axes of the sensor.
+    Eigen::Vector3d in_axes(const Eigen::Vector3d& p_W) const { return inverse_ * p_W; }
+    /// Change of `in_axes(p_W)` by the coordinates of the station.
+    Eigen::Matrix<double, 3, 6> effect_on(const Eigen::Vector3d& p_W) const;
+
+private:
+    Eigen::Isometry3d X_WS_, inverse_;
+    std::array<Eigen::Isometry3d, 3> higher_, lower_;  ///< `inverse_` with each angle a step more or less
 };
 
 /// A deviation that all readings of the sensor share: scale, index, axes ...
@@ -89,9 +107,9 @@ struct ReadingSensitivity {
     /// near_zenith of the distance).
     double azimuth_scale = 1.0;
 };
-ReadingSensitivity reading_sensitivity(const Station& station, const Eigen::Vector3d& p_W);
-/// The same for an azimuth that was read, which decides what "across" is where the target is overhead.
-ReadingSensitivity reading_sensitivity(const Station& station, const Eigen::Vector3d& p_W, double azimuth);
+/// The azimuth that was read decides what "across" is where the target is overhead.
+ReadingSensitivity reading_sensitivity(const StationGeometry& station, const Eigen::Vector3d& p_W,
+                                       double azimuth);
 
 /// Whether the correlation coefficients of the station are possible together (no negative eigenvalue).
 bool has_valid_correlation(const SensorSource& sensor);

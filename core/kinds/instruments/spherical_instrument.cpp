@@ -31,11 +31,6 @@ double figure_of(const StatedInstrument& stated, Observable observable, const Ei
     return 0.0;
 }
 
-const char* name_of(Observable observable) {
-    static constexpr const char* names[] = {"distance", "azimuth", "elevation"};
-    return names[static_cast<int>(observable)];
-}
-
 // Effects of shared deviations on the readings of a target at v in the sensor's axes; on an azimuth in m
 // across.
 double effect_of_scale(Observable o, const Eigen::Vector3d& v) {
@@ -63,26 +58,29 @@ double effect_of_refraction(Observable o, const Eigen::Vector3d& v) {
 struct SharedDeviation {
     double StatedInstrument::*u;
     const char* id;
-    const char* name;
+    Message (*name)();
     const char* unit;
     double (*effect)(Observable, const Eigen::Vector3d&);
 };
 constexpr SharedDeviation shared_deviations[] = {
-    {&StatedInstrument::u_scale, "scale", "scale of distances", "ppm", effect_of_scale},
-    {&StatedInstrument::u_zero, "zero", "zero offset of distances", "mm", effect_of_zero},
-    {&StatedInstrument::u_index, "index", "index of the elevation", "arcsec", effect_of_index},
-    {&StatedInstrument::u_collimation, "collimation", "collimation", "arcsec", effect_of_collimation},
-    {&StatedInstrument::u_axis_tilt, "axis_tilt", "squareness of the axes", "arcsec", effect_of_axis_tilt},
-    {&StatedInstrument::u_beam_offset, "beam_offset", "offset of the beam", "mm", effect_of_beam_offset},
-    {&StatedInstrument::u_refraction, "refraction", "coefficient of refraction", "1", effect_of_refraction}};
+    {&StatedInstrument::u_scale, "scale", tell<"scale of distances">, "ppm", effect_of_scale},
+    {&StatedInstrument::u_zero, "zero", tell<"zero offset of distances">, "mm", effect_of_zero},
+    {&StatedInstrument::u_index, "index", tell<"index of the elevation">, "arcsec", effect_of_index},
+    {&StatedInstrument::u_collimation, "collimation", tell<"collimation">, "arcsec", effect_of_collimation},
+    {&StatedInstrument::u_axis_tilt, "axis_tilt", tell<"squareness of the axes">, "arcsec",
+     effect_of_axis_tilt},
+    {&StatedInstrument::u_beam_offset, "beam_offset", tell<"offset of the beam">, "mm",
+     effect_of_beam_offset},
+    {&StatedInstrument::u_refraction, "refraction", tell<"coefficient of refraction">, "1",
+     effect_of_refraction}};
 
-UncertaintyComponent typed_component(const std::string& id, const std::string& name, const char* unit,
-                                     double u, const std::string& shape) {
+UncertaintyComponent typed_component(const std::string& id, Message name, const char* unit, double u,
+                                     const std::string& shape) {
     return {.id = id,
-            .name = name,
+            .name = std::move(name),
             .unit = Unit::of(unit),
             .distribution = distribution_of_shape(shape, u),
-            .origin = "instrument: standard uncertainty"};
+            .origin = tell<"instrument: standard uncertainty">()};
 }
 
 /// Everything the set-up says, in SI.
@@ -116,11 +114,11 @@ public:
 
     UncertaintyComponent reading(Observable observable, const Eigen::Vector3d& v) const override {
         const char* const units[] = {"mm", "arcsec", "arcsec"};
-        return {.id = name_of(observable),
-                .name = name_of(observable),
+        return {.id = words_of(observable).english(),
+                .name = words_of(observable),
                 .unit = Unit::of(units[static_cast<int>(observable)]),
                 .distribution = specified_distribution(data_.meaning, figure_of(data_, observable, v)),
-                .origin = "instrument: " + meaning_words(data_.meaning)};
+                .origin = tell<"instrument: %1">(meaning_words(data_.meaning))};
     }
 
 private:
@@ -142,7 +140,7 @@ public:
         for (Observable o : observables) {
             UncertaintyComponent component = sensor_.reading(o, reading.v);
             const std::string id = o == Observable::distance ? "range" : component.id;
-            const std::string name = component.name;
+            const Message name = component.name;
             component.id = id;
             found.push_back(
                 {id, name, moves.col(static_cast<int>(o)) * reading.scale(o), std::move(component), false});
@@ -152,7 +150,8 @@ public:
         for (UncertaintyComponent& component : shared_components(sensor_)) {
             const Eigen::Vector3d direction = shared.col(column++);
             if (!(component.distribution.standard_uncertainty() > 0.0)) continue;
-            const std::string id = component.id, name = component.name;
+            const std::string id = component.id;
+            const Message name = component.name;
             found.push_back({id, name, direction, std::move(component), true});
         }
         return found;
@@ -191,7 +190,7 @@ public:
             if (sensor_.reads(o))
                 table.columns.push_back({.header = o == Observable::distance
                                                        ? std::string("along")
-                                                       : std::string("across, by ") + name_of(o),
+                                                       : "across, by " + words_of(o).english(),
                                          .unit = mm,
                                          .digits = 3});
         for (double distance : {1.0, 2.0, 5.0, 10.0, 20.0}) {
@@ -204,7 +203,7 @@ public:
             }
             table.rows.push_back(std::move(row));
         }
-        table.notes.push_back("For a target at the height of the instrument.");
+        table.notes.push_back(tell<"For a target at the height of the instrument.">());
         return {table};
     }
 
@@ -270,9 +269,9 @@ void take_station(SensorData& data, Problems& problems) {
     data.station = {data.placement.coordinates_si(), data.angles};
     for (std::size_t i = 0; i < 6; ++i) {
         const StationCoordinate& c = station_coordinates()[i];
-        data.station_components[i] =
-            typed_component(std::string("station.") + c.symbol, std::string("station, ") + c.name, c.unit,
-                            data.u_station[i], data.station_distribution);
+        data.station_components[i] = typed_component(std::string("station.") + c.symbol,
+                                                     tell<"station, %1">(Message::declared(c.name)), c.unit,
+                                                     data.u_station[i], data.station_distribution);
     }
     if (!data.correlations.empty() && data.station_distribution != "normal")
         problems.error(sensor_fields().place(&StatedInstrument::station_distribution),
@@ -318,7 +317,7 @@ std::unique_ptr<Asset> create_instrument(const SetupReader& setup, const AssetLi
         const double u = data.*shared.u;
         if (!applies || u == 0.0) continue;
         data.systematic.push_back(
-            {typed_component(shared.id, shared.name, shared.unit, u, data.distribution), shared.effect});
+            {typed_component(shared.id, shared.name(), shared.unit, u, data.distribution), shared.effect});
     }
     auto instrument = std::make_unique<SphericalInstrument>(std::move(data));
     if (!has_valid_correlation(*offers<SensorSource>(instrument)))

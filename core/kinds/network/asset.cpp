@@ -14,11 +14,6 @@ namespace {
 
 using Member = network::Sensor;
 
-std::string word_of(Observable observable) {
-    static constexpr const char* words[] = {"distance", "azimuth", "elevation"};
-    return words[static_cast<int>(observable)];
-}
-
 /// The readings of points measured together, linearised at the points.
 struct Readings {
     Eigen::MatrixXd to_points;               ///< J: readings x 3 points
@@ -83,8 +78,8 @@ private:
             const int i = static_cast<int>(o);
             rows_.push_back({m, point, s.to_point.row(i), s.scale(o), effects.row(i)});
             UncertaintyComponent component = sensor.reading(o, s.v);
-            component.name = member.name + ", " + word_of(o);
-            component.id = member.id + "." + word_of(o);
+            component.name = tell<"%1, %2">(member.name, words_of(o));
+            component.id = member.id + "." + words_of(o).english();
             readings_.deviations.push_back(
                 {component.id, component.name, std::move(component), point, {}, {}});
         }
@@ -102,7 +97,7 @@ private:
                 F(static_cast<Eigen::Index>(i), F.cols() - 1) =
                     rows_[i].member == m ? rows_[i].shared[k] : 0.0;
             const std::string id = component.id;
-            component.name = member.name + ", " + component.name;
+            component.name = tell<"%1, %2">(member.name, component.name);
             readings_.deviations.push_back({id, component.name, std::move(component), {}, member.id, {}});
         }
     }
@@ -181,7 +176,7 @@ public:
         for (const Member& member : members_) {
             std::string reads;
             for (Observable o : observables)
-                if (member->reads(o)) reads += (reads.empty() ? "" : ", ") + word_of(o);
+                if (member->reads(o)) reads += (reads.empty() ? "" : ", ") + words_of(o).english();
             const auto& at = member->station().coordinates;
             table.rows.push_back({member.name, reads, at[0], at[1], at[2]});
         }

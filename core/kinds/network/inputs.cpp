@@ -43,13 +43,13 @@ private:
             UncertaintyComponent component = sensor->station_components()[i];
             InputQuantity quantity;
             quantity.symbol = std::string(symbols[i]) + "_" + sensor_label(s) + again;
-            quantity.name = sensor.name + ", " + component.name +
-                            (set_up == 0 ? "" : ", set-up " + std::to_string(set_up + 1));
+            quantity.name = set_up == 0 ? tell<"%1, %2">(sensor.name, component.name)
+                                        : tell<"%1, %2, set-up %3">(sensor.name, component.name, set_up + 1);
             quantity.unit = component.unit;
             quantity.offset = sensor->station().coordinates[i];
             quantity.group = sensor.name;
             component.id = sensor.id + "." + component.id + again;
-            component.origin = sensor.name + " (" + component.origin + ")";
+            component.origin = tell<"%1 (%2)">(sensor.name, std::move(component.origin));
             component.contributor = sensor.id;
             component.contributor_name = sensor.name;
             if (set_up == 0) component.identity = component.id;  // later ones stand somewhere else
@@ -75,14 +75,15 @@ private:
             UncertaintyComponent component = sensor->reading(observables[o], reading.v);
             InputQuantity quantity;
             quantity.symbol = std::string(across ? across_symbol : symbols[o]) + "_" + suffix + again;
-            quantity.name = sensor.name + " to " + target.name + ", " +
-                            (across ? "displacement across the azimuth" : component.name);
+            quantity.name =
+                tell<"%1 to %2, %3">(sensor.name, target.name,
+                                     across ? tell<"displacement across the azimuth">() : component.name);
             quantity.unit = o == 0 || across ? Unit::of("mm") : Unit::of("deg");
             quantity.offset = across ? 0.0 : sight.reading[o];
             quantity.group = target.name;
             quantity.source = sight.source[o];
             component.id = target.name + "." + sensor.id + "." + component.id + again;
-            component.origin = sensor.name + " (" + component.origin + ")";
+            component.origin = tell<"%1 (%2)">(sensor.name, std::move(component.origin));
             component.contributor = sensor.id;
             component.contributor_name = sensor.name;
             quantity.shares.push_back({inputs_.add(std::move(component)), reading.scale(observables[o])});
@@ -97,15 +98,15 @@ private:
             label_of(setup_.targets[bar.from].name, bar.from) + label_of(setup_.targets[bar.to].name, bar.to);
         const std::string again = bars_[ends]++ == 0 ? "" : "_" + std::to_string(bars_[ends]);
         UncertaintyComponent component{.id = "bar." + ends + again,
-                                       .name = "calibrated length",
+                                       .name = tell<"calibrated length">(),
                                        .unit = Unit::of("mm"),
                                        .distribution = distribution_of_shape(bar.distribution, bar.u),
-                                       .origin = "calibration of the " + bar.name,
-                                       .contributor = "bar of length " + bar.name,
-                                       .contributor_name = bar.name};
+                                       .origin = tell<"calibration of the %1">(bar.name),
+                                       .contributor = "bar of length " + bar.name.english(),
+                                       .contributor_name = bar.name.english()};
         InputQuantity quantity;
         quantity.symbol = "L_" + ends + again;
-        quantity.name = bar.name + ", calibrated length";
+        quantity.name = tell<"%1, calibrated length">(bar.name);
         quantity.unit = Unit::of("mm");
         quantity.offset = bar.length;
         quantity.group = "calibrated lengths";
@@ -125,7 +126,7 @@ private:
             if (is_new) {
                 UncertaintyComponent component = deviation.component;
                 component.id = component.identity = id;
-                component.origin = sensor.name + " (" + component.origin + ")";
+                component.origin = tell<"%1 (%2)">(sensor.name, std::move(component.origin));
                 component.contributor = sensor.id;
                 component.contributor_name = sensor.name;
                 inputs_.add(std::move(component));

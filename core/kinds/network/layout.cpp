@@ -60,7 +60,7 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
     };
     for (const Distance& d : setup.distances)
         add_dimension(setup.targets[d.from].name + " – " + setup.targets[d.to].name, d.from, d.to);
-    for (const ScaleBar& bar : setup.bars) add_dimension(bar.name, bar.from, bar.to);
+    for (const ScaleBar& bar : setup.bars) add_dimension(bar.name.english(), bar.from, bar.to);
     return layout;
 }
 

@@ -1,6 +1,8 @@
 // Measurement model "points from sensors": the model class and its descriptor.
 #include "core/kinds/network/model.h"
 
+#include <future>
+
 #include "core/kinds/network/equations.h"
 #include "core/kinds/network/sensitivities.h"
 #include "core/kinds/points/output_points.h"
@@ -19,14 +21,14 @@ public:
         for (const network::Target& target : setup_.targets)
             for (const std::string axis : {"x", "y", "z"})
                 outputs_.push_back({.symbol = axis,
-                                    .name = target.name + ", coordinate " + axis,
+                                    .name = tell<"%1, coordinate %2">(target.name, axis),
                                     .unit = mm,
                                     .group = target.name});
         for (const network::Distance& distance : setup_.distances) {
             const std::string from = setup_.targets[distance.from].name,
                               to = setup_.targets[distance.to].name;
             outputs_.push_back({.symbol = from + to,
-                                .name = "distance from " + from + " to " + to,
+                                .name = tell<"distance from %1 to %2">(from, to),
                                 .unit = mm,
                                 .group = "distances"});
         }
@@ -34,14 +36,14 @@ public:
             const auto name = [&](std::size_t t) { return setup_.targets[t].name; };
             outputs_.push_back(
                 {.symbol = name(angle.from) + name(angle.at) + name(angle.to),
-                 .name = "angle at " + name(angle.at) + " from " + name(angle.from) + " to " + name(angle.to),
+                 .name = tell<"angle at %1 from %2 to %3">(name(angle.at), name(angle.from), name(angle.to)),
                  .unit = Unit::of("deg"),
                  .group = "angles"});
         }
         for (const network::TargetFrame& frame : setup_.frames) add_frame(frame.name);
         for (const network::ScaleBar& bar : setup_.bars)
             outputs_.push_back({.symbol = "Δ" + setup_.targets[bar.from].name + setup_.targets[bar.to].name,
-                                .name = bar.name + ", measured minus calibrated length",
+                                .name = tell<"%1, measured minus calibrated length">(bar.name),
                                 .unit = Unit::of("mm"),
                                 .group = "calibrated lengths"});
     }
@@ -67,14 +69,14 @@ private:
     void add_frame(const std::string& name) {
         for (const std::string axis : {"x", "y", "z"})
             outputs_.push_back({.symbol = axis,
-                                .name = "origin of " + name + ", coordinate " + axis,
+                                .name = tell<"origin of %1, coordinate %2">(name, axis),
                                 .unit = Unit::of("mm"),
                                 .group = name});
         static constexpr const char* angles[] = {"alpha", "beta", "gamma"};
         static constexpr const char* axes[] = {"x", "y", "z"};
         for (std::size_t i = 0; i < 3; ++i)
             outputs_.push_back({.symbol = angles[i],
-                                .name = "rotation of " + name + " about " + axes[i],
+                                .name = tell<"rotation of %1 about %2">(name, axes[i]),
                                 .unit = Unit::of("deg"),
                                 .group = name,
                                 .periodic = true});
@@ -104,7 +106,7 @@ void locate_targets(network::NetworkSetup& setup, const InputSet& inputs, Proble
         for (const network::Sight& sight : target.sights) {
             if (!sight.has[1] || !sight.has[2]) continue;
             const network::Sensor& sensor = setup.sensors[sight.sensor];
-            const Eigen::Vector3d v = sensor->station().X_WS().inverse() * target.nominal;
+            const Eigen::Vector3d v = setup.geometry[sight.sensor].in_axes(target.nominal);
             const network::ReadDirections<double> e(sight.reading[1], sight.reading[2]);
             if (e.r.dot(v) < 0.0)
                 problems.error(sight.source[1],
@@ -114,13 +116,22 @@ void locate_targets(network::NetworkSetup& setup, const InputSet& inputs, Proble
     }
 }
 
+constexpr std::size_t most_sights_one_by_one = 1000;
+
 std::unique_ptr<MeasurementModel> create_network_model(const SetupReader& reader, const AssetLibrary& assets,
                                                        Problems& problems) {
     std::optional<network::NetworkSetup> setup = network::read_network_setup(reader, assets, problems);
     if (!setup) return nullptr;
-    network::prepare_weights(*setup, problems);
+    InputSet inputs;
+    {
+        // The two write different members of the sights: of a large network at once.
+        const auto make_inputs = [&] { inputs = network::network_inputs(*setup); };
+        const bool large = setup->targets.size() * setup->sensors.size() > most_sights_one_by_one;
+        std::future<void> made = std::async(large ? std::launch::async : std::launch::deferred, make_inputs);
+        network::prepare_weights(*setup, problems);
+        if (!problems.has_errors()) made.get();
+    }
     if (problems.has_errors()) return nullptr;
-    InputSet inputs = network::network_inputs(*setup);
     if (setup->measured) locate_targets(*setup, inputs, problems);
     if (problems.has_errors()) return nullptr;
     if (setup->measured) network::check_residuals(*setup, problems);

@@ -61,7 +61,7 @@ private:
                     sight.has[i] = source.reads(observables[i]);
                     sight.source[i] = path;
                 }
-                sight.reading = readings_of(source.station(), network_.targets[t].nominal);
+                sight.reading = readings_of(network_.geometry[s], network_.targets[t].nominal);
                 network_.targets[t].sights.push_back(sight);
             }
         }
@@ -70,7 +70,7 @@ private:
 
     bool sees(std::size_t s, std::size_t t) {
         const SensorSource& source = *network_.sensors[s];
-        if (source.sees(source.station().X_WS().inverse() * network_.targets[t].nominal)) return true;
+        if (source.sees(network_.geometry[s].in_axes(network_.targets[t].nominal))) return true;
         unseen_.push_back({s, t});
         return false;
     }
@@ -127,7 +127,7 @@ private:
         bool located = false;
         for (Sight& sight : target.sights) {
             const Sensor& sensor = network_.sensors[sight.sensor];
-            const Eigen::Vector3d v = sensor->station().X_WS().inverse() * target.nominal;
+            const Eigen::Vector3d v = network_.geometry[sight.sensor].in_axes(target.nominal);
             if (v.norm() == 0.0) {
                 problems_.error(sight.source[0],
                                 tell<"target %1 is at the place of %2">(target.name, sensor.name));
@@ -193,6 +193,7 @@ private:
         network_.sensors = sensors_of(stated_.sensors, problems_);
         for (std::size_t s = 0; s < network_.sensors.size(); ++s)
             names_.sensors.emplace(network_.sensors[s].id, s);
+        for (const Sensor& sensor : network_.sensors) network_.geometry.emplace_back(sensor->station());
     }
 
     void take_targets() {
@@ -233,7 +234,7 @@ private:
             ScaleBar bar{.u = stated.u,
                          .distribution = stated.distribution,
                          .constrains = stated.constrains,
-                         .name = scale_bar_words(stated.from, stated.to).english(),
+                         .name = scale_bar_words(stated.from, stated.to),
                          .source = place(&Stated::bars, row)};
             bar.from = called(stated.from, bar.source);
             bar.to = called(stated.to, bar.source);
@@ -351,11 +352,11 @@ Eigen::Isometry3d frame_of(const NetworkSetup& setup, const TargetFrame& frame) 
 }
 
 LinearReading sensitivity_of(const NetworkSetup& setup, const Sight& sight, const Eigen::Vector3d& p) {
-    return linear_reading(setup.sensors[sight.sensor]->station(), p, sight.has[1] ? sight.reading[1] : 0.0);
+    return linear_reading(setup.geometry[sight.sensor], p, sight.has[1] ? sight.reading[1] : 0.0);
 }
 
-std::array<double, 3> readings_of(const Station& station, const Eigen::Vector3d& p) {
-    const Eigen::Vector3d v = station.X_WS().inverse() * p;
+std::array<double, 3> readings_of(const StationGeometry& station, const Eigen::Vector3d& p) {
+    const Eigen::Vector3d v = station.in_axes(p);
     return {v.norm(), std::atan2(v.y(), v.x()), std::atan2(v.z(), v.head<2>().norm())};
 }
 

@@ -155,7 +155,7 @@ struct ScaleBar {
     double u = 0.0;                 ///< standard uncertainty, m
     std::string distribution = {};  ///< shape of its deviation
     bool constrains = false;        ///< takes part in the estimation; else it is compared with its result
-    std::string name = {};          ///< "scale bar A – B"
+    Message name = {};              ///< "scale bar A – B"
     std::string source = {};        ///< place in the set-up
     std::size_t input = 0;          ///< index of the input quantity
 };
@@ -175,6 +175,7 @@ struct TargetFrame {
 
 struct NetworkSetup {
     std::vector<Sensor> sensors;
+    std::vector<StationGeometry> geometry = {};  ///< of their stations
     std::vector<Target> targets;
     std::vector<JointSetUp> set_ups;  ///< in the order of the targets
     std::size_t stations = 1;         ///< set-ups: how often the sensors were located
@@ -208,7 +209,7 @@ std::optional<NetworkSetup> read_network_setup(const SetupReader& setup, const A
 LinearReading sensitivity_of(const NetworkSetup& setup, const Sight& sight, const Eigen::Vector3d& p);
 
 /// Readings of the target at p: by Observable, in SI.
-std::array<double, 3> readings_of(const Station& station, const Eigen::Vector3d& p);
+std::array<double, 3> readings_of(const StationGeometry& station, const Eigen::Vector3d& p);
 
 /// What the readings of a target depend on, to first order; azimuths of overhead sights as their effect in m.
 struct Sensitivities {

@@ -78,9 +78,8 @@ public:
                 "distance " + setup_.targets[distance.from].name + " to " + setup_.targets[distance.to].name,
                 of_distance(distance));
         table.notes = {
-            "The precision of the readings is no uncertainty of a position: it leaves out where the sensors "
-            "stand and "
-            "what their readings share. Monte Carlo is in the results."};
+            tell<"The precision of the readings is no uncertainty of a position: it leaves out where the "
+                 "sensors stand and what their readings share. Monte Carlo is in the results.">()};
         return table;
     }
 
@@ -135,12 +134,13 @@ private:
     std::vector<std::size_t> joint_of_;  ///< precision of each target
 };
 
-double residual_of(const Sensor& sensor, const Sight& sight, std::size_t i, const Eigen::Vector3d& p) {
-    const std::array<double, 3> computed = readings_of(sensor->station(), p);
+double residual_of(const StationGeometry& station, const Sight& sight, std::size_t i,
+                   const Eigen::Vector3d& p) {
+    const std::array<double, 3> computed = readings_of(station, p);
     const double difference = sight.reading[i] - computed[i];
     if (i != 1) return difference;
     if (!sight.overhead) return std::remainder(difference, 2.0 * std::numbers::pi);
-    const Eigen::Vector3d v = sensor->station().X_WS().inverse() * p;
+    const Eigen::Vector3d v = station.in_axes(p);
     return std::sin(sight.reading[1]) * v.x() - std::cos(sight.reading[1]) * v.y();
 }
 
@@ -217,7 +217,7 @@ private:
                 for (std::size_t i = 0; i < 3; ++i)
                     if (sight.has[i])
                         e[row++] =
-                            residual_of(setup_.sensors[sight.sensor], sight, i, setup_.targets[t].nominal);
+                            residual_of(setup_.geometry[sight.sensor], sight, i, setup_.targets[t].nominal);
         for (const std::size_t b : joint.bars) {
             const ScaleBar& bar = setup_.bars[b];
             e[row++] =
@@ -272,18 +272,19 @@ private:
 
     void finish() {
         if (degrees_ <= 0) {
-            table_.notes.push_back("No redundancy: as many readings as unknowns, so nothing can be checked.");
+            table_.notes.push_back(
+                tell<"No redundancy: as many readings as unknowns, so nothing can be checked.">());
             return;
         }
-        table_.notes.push_back(test_words().english());
-        table_.notes.push_back(too_large() ? "The residuals are larger than the uncertainties allow."
-                               : p_value() > 0.99
-                                   ? "The residuals are smaller than the uncertainties lead to expect."
-                                   : "The residuals agree with the uncertainties.");
+        table_.notes.push_back(test_words());
+        table_.notes.push_back(
+            too_large()        ? tell<"The residuals are larger than the uncertainties allow.">()
+            : p_value() > 0.99 ? tell<"The residuals are smaller than the uncertainties lead to expect.">()
+                               : tell<"The residuals agree with the uncertainties.">());
         if (outliers_ > 0)
             table_.notes.push_back(
-                std::to_string(outliers_) +
-                " readings have |w| > 3.29 (0.1 %); where several do, look at the largest first.");
+                tell<"%1 readings have |w| > 3.29 (0.1 %); where several do, look at the largest first.">(
+                    outliers_));
     }
 
     double p_value() const { return chi_squared_upper_tail(chi_square_, degrees_); }

@@ -33,7 +33,7 @@ double spread_off_a_plane(const NetworkSetup& setup, const Target& target) {
     Eigen::MatrixXd positions(3, static_cast<Eigen::Index>(target.sights.size()));
     for (std::size_t i = 0; i < target.sights.size(); ++i)
         positions.col(static_cast<Eigen::Index>(i)) =
-            setup.sensors[target.sights[i].sensor]->station().X_WS().translation();
+            setup.geometry[target.sights[i].sensor].X_WS().translation();
     positions.colwise() -= positions.rowwise().mean().eval();
     const Eigen::VectorXd values = singular_values(positions).singularValues();
     return values.size() < 3 || values[0] == 0.0 ? 0.0 : values[2] / values[0];
@@ -71,9 +71,8 @@ private:
     void warn(const Target& target, const std::string& path, double u) {
         double nearest = std::numeric_limits<double>::infinity();
         for (const Sight& sight : target.sights)
-            nearest = std::min(
-                nearest,
-                (setup_.sensors[sight.sensor]->station().X_WS().translation() - target.nominal).norm());
+            nearest = std::min(nearest,
+                               (setup_.geometry[sight.sensor].X_WS().translation() - target.nominal).norm());
         if (u > 0.01 * nearest)
             problems_.warning(
                 path, tell<"target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m">(
@@ -207,7 +206,7 @@ Eigen::VectorXd linear_scales(const NetworkSetup& setup, const Target& target) {
     Eigen::VectorXd scales(static_cast<Eigen::Index>(target.rows));
     Eigen::Index row = 0;
     for (const Sight& sight : target.sights) {
-        const Eigen::Vector3d v = setup.sensors[sight.sensor]->station().X_WS().inverse() * target.nominal;
+        const Eigen::Vector3d v = setup.geometry[sight.sensor].in_axes(target.nominal);
         if (sight.has[0]) scales[row++] = sight.has[1] && sight.has[2] ? 1.0 : 0.0;
         if (sight.has[1]) scales[row++] = sight.overhead ? 1.0 : v.head<2>().norm();
         if (sight.has[2]) scales[row++] = sight.has[1] ? v.norm() : 0.0;

@@ -297,7 +297,7 @@ private:
             }
             table.rows.push_back(std::move(row));
         }
-        table.notes.push_back("Coordinates that define the frame are left out.");
+        table.notes.push_back(tell<"Coordinates that define the frame are left out.">());
         return table;
     }
 

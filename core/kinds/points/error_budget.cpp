@@ -51,8 +51,7 @@ double temperature_uncertainty(double length, double expansion, double temperatu
 
 namespace {
 
-UncertaintyComponent component(const std::string& id, const std::string& name, double u,
-                               const std::string& origin) {
+UncertaintyComponent component(const std::string& id, const Message& name, double u, const Message& origin) {
     return {.id = id,
             .name = name,
             .unit = Unit::of("mm"),
@@ -71,14 +70,14 @@ void rest_on_observations(const ErrorBudget& budget, PointDeviation& deviation) 
 
 std::vector<PointDeviation> common_parts(const ErrorBudget& budget, const std::string& coordinate,
                                          const Eigen::Vector3d& direction, const DeviationRule& rule) {
-    const auto part = [&](const char* word, const std::string& name, double u) {
-        return PointDeviation{coordinate + "." + word, name + ", coordinate " + coordinate, direction,
+    const auto part = [&](const char* word, const Message& name, double u) {
+        return PointDeviation{coordinate + "." + word, tell<"%1, coordinate %2">(name, coordinate), direction,
                               component(word, name, rule.factor * u, rule.origin), true};
     };
     std::vector<PointDeviation> parts{
-        part("calibration", "calibration of the artefact", budget.u_calibration),
-        part("temperature", "temperature of the artefact", budget.u_temperature),
-        part("bias", "systematic error of indication", budget.u_bias(rule.bias))};
+        part("calibration", tell<"calibration of the artefact">(), budget.u_calibration),
+        part("temperature", tell<"temperature of the artefact">(), budget.u_temperature),
+        part("bias", tell<"systematic error of indication">(), budget.u_bias(rule.bias))};
     const double half_width = std::numbers::sqrt3 * rule.factor * budget.u_temperature;
     parts[1].component.distribution = Distribution::of(Rectangular{-half_width, half_width});
     if (rule.bias == BiasTreatment::corrected) rest_on_observations(budget, parts[2]);
@@ -89,7 +88,7 @@ std::vector<PointDeviation> common_parts(const ErrorBudget& budget, const std::s
 
 std::vector<PointDeviation> deviations_of(const ErrorBudget& budget, const std::string& coordinate,
                                           const Eigen::Vector3d& direction, const DeviationRule& rule) {
-    PointDeviation own{coordinate, "coordinate " + coordinate, direction, {}, false};
+    PointDeviation own{coordinate, tell<"coordinate %1">(coordinate), direction, {}, false};
     own.component = component(coordinate, own.name, rule.factor * budget.combined(rule.bias), rule.origin);
     own.component.degrees_of_freedom = budget.degrees_of_freedom(rule.bias);
     if (std::isfinite(own.component.degrees_of_freedom)) own.estimate = budget.coordinate;
@@ -122,11 +121,13 @@ DataTable budget_table(const std::vector<ErrorBudget>& budgets, BiasTreatment tr
     }
     if (treatment == BiasTreatment::as_uncertainty)
         table.notes.push_back(
-            "The bias b is not corrected; |b| counts as a standard uncertainty (against JCGM 100 3.2.4).");
-    if (treatment == BiasTreatment::ignored) table.notes.push_back("The bias b is not part of u_c.");
+            tell<"The bias b is not corrected; |b| counts as a standard uncertainty (against JCGM 100 "
+                 "3.2.4).">());
+    if (treatment == BiasTreatment::ignored) table.notes.push_back(tell<"The bias b is not part of u_c.">());
     if (treatment == BiasTreatment::corrected)
         table.notes.push_back(
-            "Measured values are taken as corrected by -b; u_var/sqrt(n) of the correction is part of u_c.");
+            tell<"Measured values are taken as corrected by -b; u_var/sqrt(n) of the correction is part of "
+                 "u_c.">());
     return table;
 }
 

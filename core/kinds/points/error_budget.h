@@ -47,7 +47,7 @@ struct DeviationRule {
     BiasTreatment bias = BiasTreatment::as_uncertainty;
     bool systematic_common = false;  ///< calibration, temperature and bias are the same for all points
     double factor = 1.0;             ///< coordinate per length: 1, or 1/sqrt 2
-    std::string origin;              ///< "Porath et al., Eq. 2"
+    Message origin;                  ///< "Porath et al., Eq. 2"
 };
 
 /// Deviations along `direction`: one normal component of the combined standard uncertainty, or, with

@@ -89,7 +89,8 @@ public:
 
     std::vector<DataTable> evaluation() const override {
         DataTable budget = budget_table({budget_}, rule_.bias);
-        if (rule_.factor < 1.0) budget.notes.push_back("A coordinate of a point has u_c divided by √2.");
+        if (rule_.factor < 1.0)
+            budget.notes.push_back(tell<"A coordinate of a point has u_c divided by √2.">());
         std::vector<DataTable> tables{budget};
         if (!stated_.observations.empty()) tables.push_back(error_table());
         return tables;

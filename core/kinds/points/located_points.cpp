@@ -13,10 +13,10 @@ void add_typed(const PointLocator& locator, const LocatedPoint& point, InputSet&
         const std::string symbol = inputs.quantities[point.x_input + c].symbol;
         inputs.quantities[point.x_input + c].shares = {
             {inputs.add({.id = symbol + ".point",
-                         .name = "measured coordinate",
+                         .name = tell<"measured coordinate">(),
                          .unit = Unit::of("mm"),
                          .distribution = distribution_of_shape(locator.distribution, locator.u_point),
-                         .origin = "typed standard uncertainty"}),
+                         .origin = tell<"typed standard uncertainty">()}),
              1.0}};
     }
 }
@@ -38,10 +38,10 @@ void add_deviation(const PointLocator& locator, const JointDeviation& d,
     UncertaintyComponent component = d.component;
     component.id = (d.owner.empty() ? locator.instrument.id : d.owner) + "." + d.id +
                    (d.point ? "." + points[*d.point].label : "");
-    component.name = locator.instrument.name + ", " + d.name;
+    component.name = tell<"%1, %2">(locator.instrument.name, d.name);
     component.local = d.point.has_value();
     if (!d.point) component.identity = component.id;
-    component.origin = locator.instrument.name + " (" + component.origin + ")";
+    component.origin = tell<"%1 (%2)">(locator.instrument.name, component.origin);
     const std::size_t index = inputs.add(std::move(component));
     if (!d.estimate.empty()) inputs.rest_on_estimate(locator.instrument.id + "." + d.estimate, index, true);
     for (std::size_t i = 0; i < points.size(); ++i)

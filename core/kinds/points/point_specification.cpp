@@ -39,18 +39,18 @@ const Fields<StatedSpecification>& specification_fields() {
 
 class PointSpecification : public Asset {
 public:
-    PointSpecification(const Distribution& distribution, std::string meaning)
+    PointSpecification(const Distribution& distribution, Message meaning)
         : distribution_(distribution), meaning_(std::move(meaning)) {
         std::vector<PointDeviation> deviations;
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::string name = std::string("coordinate ") + point_coordinates[i];
+            const Message name = tell<"coordinate %1">(point_coordinates[i]);
             PointDeviation d{
                 point_coordinates[i], name, Eigen::Vector3d::Unit(static_cast<int>(i)), {}, false};
             d.component = {.id = point_coordinates[i],
                            .name = name,
                            .unit = Unit::of("mm"),
                            .distribution = distribution_,
-                           .origin = "specification: " + meaning_};
+                           .origin = tell<"specification: %1">(meaning_)};
             deviations.push_back(std::move(d));
         }
         source_ = OwnFrameSource(std::move(deviations));
@@ -67,13 +67,13 @@ public:
         for (const char* coordinate : point_coordinates)
             table.rows.push_back(
                 {coordinate, std::string(distribution_.title()), distribution_.standard_uncertainty()});
-        table.notes.push_back("The figure is taken as: " + meaning_ + ".");
+        table.notes.push_back(tell<"The figure is taken as: %1.">(meaning_));
         return {table};
     }
 
 private:
     Distribution distribution_;
-    std::string meaning_;
+    Message meaning_;
     OwnFrameSource source_;
 };
 
@@ -82,8 +82,8 @@ std::unique_ptr<Asset> create_specification(const SetupReader& setup, const Asse
     const StatedSpecification stated = specification_fields().read(setup, assets, problems);
     const Distribution distribution = specified_distribution(stated.meaning, stated.figure)
                                           .scaled(stated.of_length ? 1.0 / std::numbers::sqrt2 : 1.0);
-    const std::string words =
-        meaning_words(stated.meaning) + (stated.of_length ? ", of a length: divided by √2" : "");
+    Message words = meaning_words(stated.meaning);
+    if (stated.of_length) words = tell<"%1, of a length: divided by √2">(words);
     return std::make_unique<PointSpecification>(distribution, words);
 }
 

@@ -13,8 +13,8 @@ namespace covaria {
 
 /// Deviation of a measured point along one direction, with its distribution.
 struct PointDeviation {
-    std::string id;    ///< "x", "range", "azimuth": unique per point
-    std::string name;  ///< "coordinate x"
+    std::string id;  ///< "x", "range", "azimuth": unique per point
+    Message name;    ///< "coordinate x"
     Eigen::Vector3d direction =
         Eigen::Vector3d::UnitX();    ///< per unit of the component; need not be a unit vector
     UncertaintyComponent component;  ///< its id is completed by the model ("b_1." + id)
@@ -26,7 +26,8 @@ struct PointDeviation {
 
 /// Deviation of several points measured together that one component causes.
 struct JointDeviation {
-    std::string id, name;
+    std::string id;
+    Message name;
     UncertaintyComponent component;
     std::optional<std::size_t> point = {};  ///< whose reading it is; empty: of the whole set-up
     std::string owner = {};  ///< id of the asset whose deviation it is; empty: the asset that is asked

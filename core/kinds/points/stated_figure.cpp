@@ -46,9 +46,9 @@ Distribution specified_distribution(const std::string& meaning, double figure) {
     return Distribution::normal(figure);
 }
 
-std::string meaning_words(const std::string& meaning) {
+Message meaning_words(const std::string& meaning) {
     for (const Choice& choice : meanings())
-        if (choice.key == meaning) return choice.title;
+        if (choice.key == meaning) return Message::declared(choice.title);
     return meaning;
 }
 

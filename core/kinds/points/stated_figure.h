@@ -13,7 +13,7 @@ FieldSpec meaning_field(const std::string& section);
 
 /// The distribution of a deviation for which the data sheet says `figure` with that meaning.
 Distribution specified_distribution(const std::string& meaning, double figure);
-std::string meaning_words(const std::string& meaning);
+Message meaning_words(const std::string& meaning);
 
 /// The shape of what is stated as a standard uncertainty: a field, or a column that may be left empty.
 FieldSpec distribution_field(const std::string& key, const std::string& of_what, const std::string& section);

@@ -78,9 +78,10 @@ private:
         for (std::size_t c = 0; c < 3; ++c) {
             InputQuantity quantity;
             quantity.symbol = point.letter() + along_axes[c] + point.suffix();
-            quantity.name = point.nominal().name +
-                            (point.pose == 0 ? "" : " in " + setup_.poses[point.pose - 1].name) +
-                            ", coordinate " + along_axes[c];
+            const std::string& name = point.nominal().name;
+            quantity.name = point.pose == 0 ? tell<"%1, coordinate %2">(name, along_axes[c])
+                                            : tell<"%1 in %2, coordinate %3">(
+                                                  name, setup_.poses[point.pose - 1].name, along_axes[c]);
             quantity.unit = Unit::of("mm");
             quantity.offset = point.p_0[static_cast<int>(c)];
             quantity.shares = shares_[i][c];
@@ -135,11 +136,11 @@ private:
             const bool common = point.uncertainty->common[c] && !own;
             UncertaintyComponent component{
                 .id = {},
-                .name = "coordinate " + axis,
+                .name = tell<"coordinate %1">(axis),
                 .unit = Unit::of("mm"),
                 .distribution = distribution_of_shape(point.uncertainty->distribution,
                                                       own.value_or(point.uncertainty->u[c])),
-                .origin = "typed"};
+                .origin = tell<"typed">()};
             const std::string id = (common ? prefix_of(point.side) : point.symbol()) + "." + axis;
             add_shares(i, component_of(component, id, {}, common), point.axes.col(static_cast<int>(c)));
         }
@@ -156,7 +157,7 @@ private:
     std::size_t component_of(UncertaintyComponent& component, const std::string& id,
                              const Offered<PointUncertaintySource>& source, bool common) {
         component.id = id;
-        if (source) component.origin = source.name + " (" + component.origin + ")";
+        if (source) component.origin = tell<"%1 (%2)">(source.name, component.origin);
         component.contributor = source.id;
         component.contributor_name = source.name;
         component.local = !common;

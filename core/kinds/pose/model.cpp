@@ -19,12 +19,12 @@ public:
         for (const pose::Pose& pose : setup_.poses) {
             for (const std::string axis : {"x", "y", "z"})
                 outputs_.push_back({.symbol = axis,
-                                    .name = "position of the platform, " + axis,
+                                    .name = tell<"position of the platform, %1">(axis),
                                     .unit = Unit::of("mm"),
                                     .group = pose.name});
             for (const RotationCoordinate& c : info.coordinates)
                 outputs_.push_back({.symbol = std::string(c.symbol),
-                                    .name = std::string(c.name),
+                                    .name = Message::declared(c.name),
                                     .unit = Unit::of(c.unit),
                                     .group = pose.name,
                                     .periodic = c.periodic});

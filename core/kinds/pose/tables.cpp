@@ -233,13 +233,11 @@ DataTable summary_table(const std::vector<FrameFit>& fits) {
                               tested ? TableCell(largest.normalised) : TableCell(),
                               tested ? TableCell(coordinate_name(fit, largest)) : TableCell(), remark});
     }
-    table.notes = {
+    table.notes = {tell<
         "Chi-square of the residuals with the full covariance of the stated uncertainties; nominal "
-        "coordinates "
-        "are taken as exact. p is the probability of a larger value if all is as stated; the test has a "
-        "level of "
-        "1 % for all sets together. Not tested: sets without stated uncertainty, and sets of more than " +
-        std::to_string(most_tested_points) + " points."};
+        "coordinates are taken as exact. p is the probability of a larger value if all is as stated; the "
+        "test has a level of 1 % for all sets together. Not tested: sets without stated uncertainty, and "
+        "sets of more than %1 points.">(most_tested_points)};
     return table;
 }
 
@@ -272,9 +270,9 @@ DataTable residual_table(const std::vector<FrameFit>& fits) {
             table.rows.push_back(std::move(row));
         }
     table.notes = {
-        "Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| > 3.29 "
-        "(0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in its "
-        "residual."};
+        tell<"Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| > "
+             "3.29 (0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in "
+             "its residual.">()};
     return table;
 }
 

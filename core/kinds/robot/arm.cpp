@@ -13,34 +13,30 @@ std::optional<OutputReference> RobotSource::taken_from(std::size_t joint, JointP
 
 std::vector<UncertaintyComponent> RobotSource::reading(std::size_t joint) const {
     std::vector<UncertaintyComponent> components;
-    const auto add = [&](const char* id, double u) {
+    const auto add = [&](const char* id, const Message& source, double u) {
         if (u == 0.0) return;
         components.push_back({.id = id,
-                              .name = std::string(id) + " of joint " + std::to_string(joint + 1),
+                              .name = tell<"%1 of joint %2">(source, joint + 1),
                               .unit = data_.joints[joint].reading_unit(),
                               .distribution = Distribution::normal(u),
-                              .origin = id});
+                              .origin = source});
     };
-    add("encoder", data_.u_encoder.empty() ? 0.0 : data_.u_encoder[joint]);
-    add("repeatability", data_.u_repeatability.empty() ? 0.0 : data_.u_repeatability[joint]);
+    add("encoder", tell<"encoder">(), data_.u_encoder.empty() ? 0.0 : data_.u_encoder[joint]);
+    add("repeatability", tell<"repeatability">(),
+        data_.u_repeatability.empty() ? 0.0 : data_.u_repeatability[joint]);
     return components;
 }
 
 std::vector<UncertaintyComponent> RobotSource::tool() const {
     std::vector<UncertaintyComponent> components;
-    static const char* const names[] = {"tool x",
-                                        "tool y",
-                                        "tool z",
-                                        "tool, rotation about x",
-                                        "tool, rotation about y",
-                                        "tool, rotation about z"};
+    static const char* const axes[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < 6; ++i)
         components.push_back(
             {.id = "tool." + std::to_string(i + 1),
-             .name = names[i],
+             .name = i < 3 ? tell<"tool %1">(axes[i]) : tell<"tool, rotation about %1">(axes[i - 3]),
              .unit = Unit::of(i < 3 ? "mm" : "deg"),
              .distribution = Distribution::normal(i < 3 ? data_.u_tool_position : data_.u_tool_angle),
-             .origin = "tool: standard uncertainty"});
+             .origin = tell<"tool: standard uncertainty">()});
     return components;
 }
 

@@ -131,7 +131,7 @@ private:
                                    JointParameter p) {
         UncertaintyComponent c{
             .id = symbol + "." + id_part(stated.source),
-            .name = symbol + ", " + stated.source,
+            .name = tell<"%1, %2">(symbol, stated.source),
             .unit = Unit::of(is_length(p) ? "mm" : "deg"),
             .distribution = distribution_of_shape(stated.distribution, *stated.u[index_of(p)]),
             .origin = stated.source};

@@ -34,7 +34,7 @@ private:
     void add_parameter(std::size_t i, JointParameter p) {
         const std::string symbol = std::string(symbol_of(p)) + "_" + std::to_string(i + 1);
         InputQuantity quantity{.symbol = symbol,
-                               .name = std::string(name_of(p)) + " of " + joint_name(i),
+                               .name = tell<"%1 of joint %2">(words_of(p), i + 1),
                                .unit = Unit::of(is_length(p) ? "mm" : "deg"),
                                .offset = robot_.joints()[i].values[p],
                                .group = joint_name(i)};
@@ -56,9 +56,9 @@ private:
             return quantity.shares.front().component;
         }
         UncertaintyComponent component = own;
-        if (!setup_.combine) component.tags.push_back({"source", own.origin});
+        if (!setup_.combine) component.tags.push_back({"source", own.origin.english()});
         component.identity = setup_.arm.id + "." + own.id;
-        component.origin = setup_.arm.name + ": " + own.origin;
+        component.origin = tell<"%1: %2">(setup_.arm.name, own.origin);
         quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
         return quantity.shares.front().component;
     }
@@ -75,8 +75,8 @@ private:
         sum.distribution = Distribution::normal(u);
         sum.id = symbol + ".combined";
         sum.identity = setup_.arm.id + "." + sum.id;
-        sum.name = symbol + ", combined";
-        sum.origin += ", " + more.origin;
+        sum.name = tell<"%1, combined">(symbol);
+        sum.origin = tell<"%1, %2">(sum.origin, more.origin);
     }
 
     void add_tool() {
@@ -88,13 +88,13 @@ private:
         setup_.tool = inputs_.quantities.size();
         for (std::size_t i = 0; i < 6; ++i) {
             InputQuantity quantity{.symbol = symbols[i],
-                                   .name = components[i].name + ", deviation",
+                                   .name = tell<"%1, deviation">(components[i].name),
                                    .unit = Unit::of(i < 3 ? "mm" : "deg"),
                                    .group = "tool"};
             quantity.tags = {
                 {"parameter", symbols[i]}, {"joint", "tool"}, {"kind", i < 3 ? "lengths" : "angles"}};
             components[i].identity = setup_.arm.id + "." + components[i].id;
-            components[i].origin = setup_.arm.name + ": " + components[i].origin;
+            components[i].origin = tell<"%1: %2">(setup_.arm.name, components[i].origin);
             inputs_.add(std::move(quantity), {components[i]});
         }
     }
@@ -107,7 +107,7 @@ private:
             if (components.empty()) continue;
             const std::string symbol = reading_symbol(robot_, i) + "," + std::to_string(k + 1);
             InputQuantity quantity{.symbol = symbol,
-                                   .name = "reading of " + joint_name(i) + ", " + pose.name,
+                                   .name = tell<"reading of joint %1, %2">(i + 1, pose.name),
                                    .unit = robot_.joints()[i].reading_unit(),
                                    .offset = pose.q[i],
                                    .group = pose.name,
@@ -115,8 +115,8 @@ private:
             quantity.tags = {{"parameter", symbol}, {"joint", joint_name(i)}, {"kind", "readings"}};
             for (UncertaintyComponent& c : components) {
                 c.id = symbol + "." + c.id;
-                c.tags.push_back({"source", c.origin});
-                c.origin = setup_.arm.name + ": " + c.origin;
+                c.tags.push_back({"source", c.origin.english()});
+                c.origin = tell<"%1: %2">(setup_.arm.name, c.origin);
             }
             pose.input[i] = inputs_.add(std::move(quantity), std::move(components));
         }

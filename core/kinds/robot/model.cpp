@@ -21,7 +21,7 @@ public:
         for (const robot::Pose& pose : setup_.poses) {
             for (const std::string axis : {"x", "y", "z"})
                 outputs_.push_back({.symbol = axis,
-                                    .name = "position of the tool, " + axis,
+                                    .name = tell<"position of the tool, %1">(axis),
                                     .unit = Unit::of("mm"),
                                     .group = pose.name});
             if (setup_.orientation) add_orientation(pose.name);
@@ -74,7 +74,7 @@ private:
     void add_orientation(const std::string& group) {
         for (const RotationCoordinate& c : rotation_convention(*setup_.orientation).coordinates)
             outputs_.push_back({.symbol = std::string(c.symbol),
-                                .name = "orientation of the tool, " + std::string(c.name),
+                                .name = tell<"orientation of the tool, %1">(Message::declared(c.name)),
                                 .unit = Unit::of(c.unit),
                                 .group = group,
                                 .periodic = c.periodic});

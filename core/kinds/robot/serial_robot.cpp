@@ -12,9 +12,10 @@ const char* symbol_of(JointParameter parameter) {
     return symbols[static_cast<std::size_t>(parameter)];
 }
 
-const char* name_of(JointParameter parameter) {
-    static constexpr const char* names[] = {"joint angle", "offset", "link length", "twist", "second twist"};
-    return names[static_cast<std::size_t>(parameter)];
+Message words_of(JointParameter parameter) {
+    static constexpr Message (*words[])() = {tell<"joint angle">, tell<"offset">, tell<"link length">,
+                                             tell<"twist">, tell<"second twist">};
+    return words[static_cast<std::size_t>(parameter)]();
 }
 
 std::string reading_symbol(const SerialRobotSource& robot, std::size_t joint) {
@@ -67,7 +68,7 @@ Combined combined(const SerialRobotSource& robot, std::size_t joint, JointParame
     for (const ParameterDeviation& d : robot.deviations()) {
         if (d.joint != joint || d.parameter != parameter) continue;
         const double u = d.component.distribution.standard_uncertainty();
-        sum.by_source[d.component.origin] += u * u;
+        sum.by_source[d.component.origin.english()] += u * u;
         sum.squares += u * u;
         sum.welch += std::pow(u, 4) / degrees_of_freedom_of(d.component);
     }
@@ -77,9 +78,8 @@ Combined combined(const SerialRobotSource& robot, std::size_t joint, JointParame
 std::vector<std::string> sources_of(const SerialRobotSource& robot) {
     std::vector<std::string> sources;
     for (const ParameterDeviation& d : robot.deviations()) {
-        bool known = false;
-        for (const std::string& source : sources) known = known || source == d.component.origin;
-        if (!known) sources.push_back(d.component.origin);
+        const std::string source = d.component.origin.english();
+        if (std::find(sources.begin(), sources.end(), source) == sources.end()) sources.push_back(source);
     }
     return sources;
 }
@@ -117,9 +117,9 @@ DataTable parameter_table(const SerialRobotSource& robot) {
         for (JointParameter p : joint_parameters)
             if (robot.joints()[i].has(p)) add_row(robot, sources, i, p, table);
     table.notes.push_back(
-        "Components of a parameter combine in quadrature (Wen et al., Eq. 10). U has the factor 2 of the "
-        "paper; with "
-        "few effective degrees of freedom 95 % need more.");
+        tell<
+            "Components of a parameter combine in quadrature (Wen et al., Eq. 10). U has the factor 2 of the "
+            "paper; with few effective degrees of freedom 95 % need more.">());
     return table;
 }
 

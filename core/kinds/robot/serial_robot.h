@@ -17,7 +17,7 @@ namespace covaria {
 /// "theta", "d", "a", "alpha", "beta".
 const char* symbol_of(JointParameter parameter);
 /// "joint angle", "offset", "link length", "twist", "second twist".
-const char* name_of(JointParameter parameter);
+Message words_of(JointParameter parameter);
 inline bool is_length(JointParameter p) {
     return p == JointParameter::d || p == JointParameter::a;
 }

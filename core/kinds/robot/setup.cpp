@@ -154,7 +154,7 @@ std::vector<DataTable> pose_evaluation(const PoseSetup& setup) {
         for (int k = 0; k < 3; ++k) row.emplace_back(p[k]);
         table.rows.push_back(std::move(row));
     }
-    table.notes.push_back("Places of the tool in the base frame of the robot.");
+    table.notes.push_back(tell<"Places of the tool in the base frame of the robot.">());
     return {table};
 }
 

@@ -18,7 +18,7 @@ public:
         for (std::size_t k = c_.fitted_poses; k < c_.poses.size(); ++k)
             for (const std::string axis : {"x", "y", "z"})
                 outputs_.push_back({.symbol = "d_" + axis,
-                                    .name = "calculated less measured " + axis + ", held back",
+                                    .name = tell<"calculated less measured %1, held back">(axis),
                                     .unit = Unit::of("um"),
                                     .group = "check " + c_.poses[k].name,
                                     .role = OutputRole::intermediate});
@@ -45,20 +45,24 @@ private:
         if (u.kind == UnknownKind::parameter) {
             const IdentifiedParameter& p = u.parameter;
             const std::string joint = "joint " + std::to_string(p.joint + 1);
-            outputs_.push_back({.symbol = p.symbol(),
-                                .name = std::string(name_of(p.parameter)) + " of " + joint,
-                                .unit = Unit::of(is_length(p.parameter) ? "mm" : "deg"),
-                                .group = joint,
-                                .periodic = !is_length(p.parameter)});
+            outputs_.push_back(
+                {.symbol = p.symbol(),
+                 .name = tell<"%1 of %2">(words_of(p.parameter), tell<"joint %1">(p.joint + 1)),
+                 .unit = Unit::of(is_length(p.parameter) ? "mm" : "deg"),
+                 .group = joint,
+                 .periodic = !is_length(p.parameter)});
             return;
         }
-        const std::string what = u.kind == UnknownKind::base ? "base" : "tool";
+        const bool base = u.kind == UnknownKind::base;
+        const char* const coordinate = coordinates[u.coordinate];
         const bool turn = u.coordinate >= 3;
-        outputs_.push_back({.symbol = coordinates[u.coordinate],
-                            .name = (turn ? "orientation of the " : "position of the ") + what + ", " +
-                                    coordinates[u.coordinate],
+        outputs_.push_back({.symbol = coordinate,
+                            .name = base   ? (turn ? tell<"orientation of the base, %1">(coordinate)
+                                                   : tell<"position of the base, %1">(coordinate))
+                                    : turn ? tell<"orientation of the tool, %1">(coordinate)
+                                           : tell<"position of the tool, %1">(coordinate),
                             .unit = Unit::of(turn ? "deg" : "mm"),
-                            .group = what,
+                            .group = base ? "base" : "tool",
                             .role = OutputRole::intermediate,
                             .periodic = turn});
     }

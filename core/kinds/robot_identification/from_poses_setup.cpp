@@ -124,20 +124,20 @@ private:
         for (std::size_t i = 0; i < c_.rows_per_pose(); ++i) {
             const bool turn = i >= 3;
             const std::string symbol = std::string(turn ? angles[i - 3] : axes[i]) + "_" + point.label;
-            InputQuantity quantity{
-                .symbol = symbol,
-                .name = "pose " + pose.name + (turn ? ", rotation about " : ", ") + axes[i % 3],
-                .unit = Unit::of(turn ? "deg" : "mm"),
-                .offset = turn ? 0.0 : pose.p[static_cast<Eigen::Index>(i)],
-                .group = "pose " + pose.name,
-                .source = pose.source};
+            InputQuantity quantity{.symbol = symbol,
+                                   .name = turn ? tell<"pose %1, rotation about %2">(pose.name, axes[i % 3])
+                                                : tell<"pose %1, %2">(pose.name, axes[i % 3]),
+                                   .unit = Unit::of(turn ? "deg" : "mm"),
+                                   .offset = turn ? 0.0 : pose.p[static_cast<Eigen::Index>(i)],
+                                   .group = "pose " + pose.name,
+                                   .source = pose.source};
             quantity.tags = {{"kind", turn ? "measured orientations" : "measured positions"}};
             if (turn)
                 c_.inputs.add(std::move(quantity), {{.id = symbol + ".orientation",
-                                                     .name = "measured orientation",
+                                                     .name = tell<"measured orientation">(),
                                                      .unit = Unit::of("deg"),
                                                      .distribution = Distribution::normal(c_.u_angle),
-                                                     .origin = "typed standard uncertainty"}});
+                                                     .origin = tell<"typed standard uncertainty">()}});
             else
                 c_.inputs.quantities.push_back(std::move(quantity));
         }
@@ -150,13 +150,12 @@ private:
             std::vector<UncertaintyComponent> components = c_.robot().reading(j);
             if (components.empty()) continue;
             const std::string symbol = "q_" + std::to_string(j + 1) + "," + std::to_string(k + 1);
-            InputQuantity quantity{
-                .symbol = symbol,
-                .name = "pose " + pose.name + ", reading of joint " + std::to_string(j + 1),
-                .unit = Unit::of("deg"),
-                .offset = pose.q[j],
-                .group = "pose " + pose.name,
-                .source = pose.source};
+            InputQuantity quantity{.symbol = symbol,
+                                   .name = tell<"pose %1, reading of joint %2">(pose.name, j + 1),
+                                   .unit = Unit::of("deg"),
+                                   .offset = pose.q[j],
+                                   .group = "pose " + pose.name,
+                                   .source = pose.source};
             quantity.tags = {{"kind", "readings of the joints"}};
             for (UncertaintyComponent& component : components) component.id = symbol + "." + component.id;
             pose.reading[j] = c_.inputs.add(std::move(quantity), std::move(components));

@@ -55,8 +55,8 @@ DataTable observability_table(const Calibration& c) {
     for (Index i = 0; i < s.weakest.size(); ++i)
         if (std::abs(s.weakest[i]) > 0.3)
             names += (names.empty() ? "" : ", ") + c.unknowns[static_cast<std::size_t>(i)].name().english();
-    table.notes = {"Singular values are those of the weighted Jacobian with columns of length one.",
-                   "Least well told apart: " + names + "."};
+    table.notes = {tell<"Singular values are those of the weighted Jacobian with columns of length one.">(),
+                   tell<"Least well told apart: %1.">(names)};
     return table;
 }
 
@@ -96,12 +96,11 @@ DataTable residual_table(const Calibration& c) {
         table.rows.push_back({c.poses[k].name, s.residuals[row], s.residuals[row + 1], s.residuals[row + 2],
                               largest, std::string(largest > s.limit ? "outlier" : "")});
     }
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "A residual beyond %.2f times its own standard uncertainty is an outlier: 5 %% for all "
-                  "residuals together (Bonferroni).",
-                  s.limit);
-    table.notes = {text};
+    char limit[16];
+    std::snprintf(limit, sizeof limit, "%.2f", s.limit);
+    table.notes = {
+        tell<"A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals "
+             "together (Bonferroni).">(limit)};
     return table;
 }
 
@@ -125,8 +124,8 @@ DataTable check_table(const Calibration& c) {
                               2.0 * u.maxCoeff(), ratio});
     }
     table.notes = {
-        "Nominal: the same base and ball fitted with the nominal parameters. E_n = |d|/U: below 1 the "
-        "pose agrees with the calibration."};
+        tell<"Nominal: the same base and ball fitted with the nominal parameters. E_n = |d|/U: below 1 the "
+             "pose agrees with the calibration.">()};
     return table;
 }
 

@@ -14,15 +14,16 @@ public:
     explicit RobotCirclePoints(circle_points::Identification id) : id_(std::move(id)) {
         for (const IdentifiedParameter& p : id_.parameters) {
             const std::string joint = "joint " + std::to_string(p.joint + 1);
-            outputs_.push_back({.symbol = p.symbol(),
-                                .name = std::string(name_of(p.parameter)) + " of " + joint,
-                                .unit = Unit::of(is_length(p.parameter) ? "mm" : "deg"),
-                                .group = joint,
-                                .periodic = !is_length(p.parameter)});
+            outputs_.push_back(
+                {.symbol = p.symbol(),
+                 .name = tell<"%1 of %2">(words_of(p.parameter), tell<"joint %1">(p.joint + 1)),
+                 .unit = Unit::of(is_length(p.parameter) ? "mm" : "deg"),
+                 .group = joint,
+                 .periodic = !is_length(p.parameter)});
         }
         for (std::size_t j = 0; j < id_.trajectories.size(); ++j)
             outputs_.push_back({.symbol = "R_" + std::to_string(j + 1),
-                                .name = "radius of the circle of joint " + std::to_string(j + 1),
+                                .name = tell<"radius of the circle of joint %1">(j + 1),
                                 .unit = Unit::of("mm"),
                                 .group = "circles",
                                 .role = OutputRole::intermediate});

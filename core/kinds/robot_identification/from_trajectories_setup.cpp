@@ -248,12 +248,11 @@ private:
         LocatedPoint point{t.points[k], std::to_string(j + 1) + "," + std::to_string(k + 1),
                            id_.inputs.quantities.size()};
         for (int c = 0; c < 3; ++c) {
-            InputQuantity quantity{
-                .symbol = std::string(axes[c]) + "_" + point.label,
-                .name = joint_name(j) + ", point " + std::to_string(k + 1) + ", " + axes[c],
-                .unit = Unit::of("mm"),
-                .offset = t.points[k][c],
-                .group = joint_name(j)};
+            InputQuantity quantity{.symbol = std::string(axes[c]) + "_" + point.label,
+                                   .name = tell<"%1, point %2, %3">(joint_words(j), k + 1, axes[c]),
+                                   .unit = Unit::of("mm"),
+                                   .offset = t.points[k][c],
+                                   .group = joint_name(j)};
             if (!t.rows.empty()) quantity.source = place(&Identification::points, t.rows[k]);
             quantity.tags = {{"trajectory", joint_name(j)}};
             id_.inputs.quantities.push_back(std::move(quantity));

@@ -43,7 +43,7 @@ DataTable circles_table(const Identification& id) {
                               std::sqrt(along / n), std::sqrt(off / n)});
     }
     if (id.simulated)
-        table.notes.push_back("Simulated points of the nominal robot: they lie on their circles.");
+        table.notes.push_back(tell<"Simulated points of the nominal robot: they lie on their circles.">());
     return table;
 }
 

@@ -15,7 +15,7 @@ TableCell cell(JointParameter p, double si) {
 
 /// Deviations of parameters with an uncertainty; `drawn` gets their index among the parameters.
 std::vector<ParameterDeviation> deviations_of(const std::vector<IdentifiedParameter>& found,
-                                              const Eigen::MatrixXd& covariance, const std::string& origin,
+                                              const Eigen::MatrixXd& covariance, const Message& origin,
                                               std::vector<Eigen::Index>& drawn) {
     std::vector<ParameterDeviation> deviations;
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -27,7 +27,7 @@ std::vector<ParameterDeviation> deviations_of(const std::vector<IdentifiedParame
         deviations.push_back({found[i].joint,
                               found[i].parameter,
                               {.id = symbol + ".identification",
-                               .name = symbol + ", identification",
+                               .name = tell<"%1, identification">(symbol),
                                .unit = Unit::of(is_length(found[i].parameter) ? "mm" : "deg"),
                                .distribution = Distribution::normal(std::sqrt(variance)),
                                .origin = origin}});
@@ -75,7 +75,7 @@ DataTable held_table(const std::vector<HeldParameter>& held) {
 
 RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
                            const std::vector<double>& values, const Eigen::MatrixXd& covariance,
-                           const std::string& origin) {
+                           const Message& origin) {
     RobotData data;
     data.convention = nominal.convention();
     data.joints = nominal.joints();

@@ -32,7 +32,7 @@ DataTable held_table(const std::vector<HeldParameter>& held);
 /// The nominal arm with the found values and their full covariance: one deviation for each, correlated.
 RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
                            const std::vector<double>& values, const Eigen::MatrixXd& covariance,
-                           const std::string& origin);
+                           const Message& origin);
 /// The same without uncertainties, each found parameter an output of the analysis that finds it: in the group
 /// "joint 3", by its symbol.
 std::shared_ptr<const Asset> robot_of_analysis(RobotData data, const std::vector<IdentifiedParameter>& found,

@@ -77,8 +77,8 @@ void expect_whole_budgets(const Evaluated& all) {
                 const BudgetComponent& c = result.budget.components[row.component];
                 ASSERT_FALSE(c.quantities.empty()) << c.id;
                 for (const std::string& symbol : c.quantities)
-                    EXPECT_NE(result.inputs.find(symbol), InputSet::npos) << symbol;
-                EXPECT_EQ(c.estimate, estimate_of(result.inputs, result.inputs.find(c.quantities.front())));
+                    EXPECT_NE(result.inputs->find(symbol), InputSet::npos) << symbol;
+                EXPECT_EQ(c.estimate, estimate_of(result.inputs, result.inputs->find(c.quantities.front())));
             }
         for (const DataTable& table : result_tables(Project{}, analysis)) {
             const auto csv = read_csv(to_csv(table), ',');

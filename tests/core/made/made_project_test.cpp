@@ -149,8 +149,8 @@ TEST_F(Edited, OneLawServesForecastLiveResultsAndRuns) {
     const auto alone = evaluate_first_order(*analysis.model, analysis.inputs, analysis.options);
     const auto run = run_analysis(analysis);
     ASSERT_TRUE(live && alone && run);
-    EXPECT_EQ(live->covariance_first_order, alone->covariance_first_order);
-    EXPECT_EQ(run->covariance_first_order, alone->covariance_first_order);
+    EXPECT_EQ(first_order_covariance(*live), first_order_covariance(*alone));
+    EXPECT_EQ(first_order_covariance(*run), first_order_covariance(*alone));
 }
 
 TEST_F(Edited, ProblemsFollowTheirEntryToItsNewPlace) {

@@ -283,7 +283,7 @@ TEST(PublishedExamples, ResistanceAndReactanceFirstOrder) {
     EvaluationOptions options = monte_carlo(100'000);
     const auto result = run(model, options);
     const json& oracle = gum_example("GUM-H2")["oracle"];
-    const auto r = correlation_of(result.covariance_first_order);
+    const auto r = correlation_of(first_order_covariance(result));
     const char* symbols[] = {"R", "X", "Z"};
     for (std::size_t j = 0; j < 3; ++j) {
         const json& expected = oracle["approach1"][symbols[j]];

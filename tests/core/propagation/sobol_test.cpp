@@ -52,9 +52,9 @@ TEST(Sobol, IshigamiFunction) {
     ASSERT_TRUE(result) << result.error().message.english();
     EXPECT_EQ(result->sobol_trials, 200'000u);
     ASSERT_EQ(result->sobol.at(0).size(), 3u);
-    expect_index(index_of(*result, result->inputs.components[0].id), v1 / v, (v1 + v13) / v);
-    expect_index(index_of(*result, result->inputs.components[1].id), v2 / v, v2 / v);
-    expect_index(index_of(*result, result->inputs.components[2].id), 0, v13 / v);
+    expect_index(index_of(*result, result->inputs->components[0].id), v1 / v, (v1 + v13) / v);
+    expect_index(index_of(*result, result->inputs->components[1].id), v2 / v, v2 / v);
+    expect_index(index_of(*result, result->inputs->components[2].id), 0, v13 / v);
 }
 
 // Correlated components have an index together; in a sum, first and total agree.

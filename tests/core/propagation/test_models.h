@@ -77,7 +77,8 @@ inline std::vector<OutputQuantity> outputs_named(const std::vector<std::string>&
     std::vector<OutputQuantity> outputs;
     for (const std::string& symbol : symbols) {
         OutputQuantity output;
-        output.symbol = output.name = symbol;
+        output.symbol = symbol;
+        output.name = symbol;
         outputs.push_back(output);
     }
     return outputs;
@@ -94,7 +95,8 @@ inline void add_quantity(InputSet& inputs, const std::string& symbol, const Dist
     const std::size_t index = inputs.components.size();
     inputs.components.push_back(component);
     InputQuantity quantity;
-    quantity.symbol = quantity.name = symbol;
+    quantity.symbol = symbol;
+    quantity.name = symbol;
     quantity.shares = {{index, 1.0}};
     inputs.quantities.push_back(quantity);
 }

@@ -33,7 +33,9 @@ double number(const Table& table, std::size_t row, const char* key) {
 }
 
 std::string text(const Table& table, std::size_t row, const char* key) {
-    return std::get<std::string>(table.cell(row, key));
+    const Cell cell = table.cell(row, key);
+    const auto* words = std::get_if<Message>(&cell);
+    return words ? words->english() : std::get<std::string>(cell);
 }
 
 bool empty(const Table& table, std::size_t row, const char* key) {

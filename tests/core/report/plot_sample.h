@@ -98,7 +98,6 @@ inline UncertaintyResult plot_sample() {
             result.covariance(i, j) = std::pow(-0.8, std::abs(i - j)) *
                                       result.outputs[static_cast<std::size_t>(i)].standard_uncertainty *
                                       result.outputs[static_cast<std::size_t>(j)].standard_uncertainty;
-    result.covariance_first_order = result.covariance;
     result.trials = static_cast<std::uint64_t>(plot_trials);
     add_contributions(result);
     add_convergence(result);

@@ -130,7 +130,7 @@ TEST(ReportExtent, TheRowsShownAreOfTheGroupWithTheLargestUncertainties) {
         const auto* table = std::get_if<TableBlock>(&block);
         if (!table || table->table.id != "results-" + sample.analyses[0].analysis->id) continue;
         EXPECT_EQ(std::get<std::string>(table->table.rows[0][0]), group);
-        EXPECT_NE(table->table.notes.back().find("of 420 rows"), std::string::npos)
+        EXPECT_NE(table->table.notes.back().english().find("of 420 rows"), std::string::npos)
             << table->table.notes.back();
     }
 }

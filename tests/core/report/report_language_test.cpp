@@ -14,6 +14,7 @@
 #include "core/text/symbol.h"
 #include "tests/core/report/compared_sample.h"
 #include "tests/core/report/sample_report.h"
+#include "tests/core/result/changed_inputs.h"
 
 namespace covaria::report_language_test {
 namespace {
@@ -84,8 +85,11 @@ struct Sample {
 /// With something in every chapter.
 UncertaintyResult result_of(const Sample& sample) {
     UncertaintyResult result = test::sample_result({sample.poses, 3, 3, sample.monte_carlo, "pose"});
-    result.inputs.correlations = {{0, 1, 0.25}};
-    result.inputs.components[2].held = result.budget.components[2].held = true;
+    test::change_inputs(result, [](InputSet& inputs) {
+        inputs.correlations = {{0, 1, 0.25}};
+        inputs.components[2].held = true;
+    });
+    result.budget.components[2].held = true;
     result.budget.components[0].tags = {{"parameter", "b_1"}};
     result.warnings = {tell<"%1 components with smaller indices are left out.">(2)};
     result.stabilised = result.intervals_exact = false;
@@ -189,7 +193,7 @@ struct Texts {
         for (std::size_t r = 0; r < block.table.rows.size(); ++r)
             for (std::size_t c = 0; c < block.table.rows[r].size(); ++c)
                 texts.push_back(to_unicode(cell_typeset(block, r, c)));
-        texts.insert(texts.end(), block.table.notes.begin(), block.table.notes.end());
+        for (const Message& note : block.table.notes) texts.push_back(note.english());
     }
     void operator()(const PlotBlock& block) {
         texts.push_back(block.caption);
@@ -281,7 +285,6 @@ std::set<std::string> declared() {
         for (const Choice& choice : field.choices) known.insert(choice.title);
     }
     const UncertaintyResult result = result_of({});
-    for (const OutputResult& output : result.outputs) known.insert(output.quantity.name);
     know(known, results_table(result));
     know(known, budget_table(result, budget_places(result, 0)));
     know(known, inputs_table(result.inputs, all_shares(result.inputs)));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/report/report.h"
+#include "core/text/symbol.h"
 
 namespace covaria::test {
 
@@ -84,13 +85,13 @@ inline void add_point_inputs(InputSet& inputs, const std::string& point, const s
     for (const char axis : {'x', 'y', 'z'}) {
         UncertaintyComponent component;
         component.id = point + axis + ".typed";
-        component.name = "coordinate of a point";
+        component.name = tell<"coordinate of a point">();
         component.unit = mm();
         component.distribution = Distribution::normal(1e-3 * u_mm);
-        component.origin = "typed, Table 1";
+        component.origin = tell<"typed, Table 1">();
         InputQuantity quantity;
         quantity.symbol = point + axis;
-        quantity.name = "point " + point + ", " + axis;
+        quantity.name = tell<"point %1, %2">(point, std::string(1, axis));
         quantity.unit = mm();
         quantity.offset = 0.344;
         quantity.group = group;
@@ -133,8 +134,12 @@ inline OutputResult sample_output(const std::string& symbol, const std::string& 
                                   double u) {
     OutputResult output;
     const bool angle = symbol.size() > 1;
-    output.quantity = {symbol, symbol + " of the platform", angle ? deg() : mm(),
-                       group,  OutputRole::measurand,       angle};
+    output.quantity = {symbol,
+                       tell<"%1 of the platform">(symbol_to_unicode(symbol)),
+                       angle ? deg() : mm(),
+                       group,
+                       OutputRole::measurand,
+                       angle};
     output.first_order = {estimate, 1.001 * u, infinity, 2.0, 2.002 * u, {}, {}, {}};
     output.estimate = estimate;
     output.standard_uncertainty = u;
@@ -158,7 +163,7 @@ inline void add_pose(UncertaintyResult& result, const std::string& group, int po
 }
 
 inline void add_budget(UncertaintyResult& result) {
-    for (const UncertaintyComponent& c : result.inputs.components)
+    for (const UncertaintyComponent& c : result.inputs->components)
         result.budget.components.push_back({c.id,
                                             c.name,
                                             c.origin,
@@ -197,7 +202,6 @@ inline void add_covariance(UncertaintyResult& result) {
             result.covariance(i, j) = r * result.outputs[static_cast<std::size_t>(i)].standard_uncertainty *
                                       result.outputs[static_cast<std::size_t>(j)].standard_uncertainty;
         }
-    result.covariance_first_order = result.covariance;
 }
 
 inline void add_trials(UncertaintyResult& result) {

@@ -1,5 +1,6 @@
 // The joint covariance of points, of outputs, of inputs and across both.
 #include "core/result/joint_covariance.h"
+#include "tests/core/result/changed_inputs.h"
 
 #include <gtest/gtest.h>
 
@@ -16,17 +17,19 @@ constexpr double u[] = {1e-3, 2e-3, 3e-3, 5e-3};
 /// x_0.
 UncertaintyResult a_result() {
     UncertaintyResult result;
+    InputSet inputs;
     for (const double standard : u) {
         UncertaintyComponent component;
         component.distribution = Distribution::normal(standard);
-        result.inputs.components.push_back(component);
+        inputs.components.push_back(component);
     }
     for (std::size_t i = 0; i < 3; ++i) {
         InputQuantity quantity;
         quantity.shares = {{i, 1.0}};
         if (i < 2) quantity.shares.push_back({3, 0.5});
-        result.inputs.quantities.push_back(quantity);
+        inputs.quantities.push_back(quantity);
     }
+    result.inputs = std::move(inputs);
     result.outputs.resize(3);
     result.budget.rows = {
         {{0, 3.0}, {3, 1.5}}, {{0, 2.0}, {1, 1.0}, {3, 1.5}}, {{0, 2.0}, {2, 1.0}, {3, 1.0}}};
@@ -71,8 +74,10 @@ TEST(JointCovariance, OfInputsAndOutputsGoesThroughTheirComponents) {
 
 TEST(JointCovariance, CorrelationsAndHeldComponentsCount) {
     UncertaintyResult result = a_result();
-    result.inputs.correlations = {{0, 2, -0.5}};
-    result.inputs.components[3].held = true;
+    test::change_inputs(result, [](InputSet& set) {
+        set.correlations = {{0, 2, -0.5}};
+        set.components[3].held = true;
+    });
     const auto V = JointCovariance(result).of({inputs});
     ASSERT_TRUE(V);
     EXPECT_DOUBLE_EQ((*V)(0, 0), 1e-6);

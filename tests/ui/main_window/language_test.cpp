@@ -117,10 +117,8 @@ protected:
         for (const AnalysisEntry& analysis : window_->document().project().analyses)
             if (const auto& prepared = window_->runner().status(to_qt(analysis.id)).prepared) {
                 for (const OutputQuantity& output : prepared->model->outputs()) learn_output(output);
-                for (const InputQuantity& input : prepared->inputs.quantities) learn(to_qt(input.name));
                 for (const UncertaintyComponent& component : prepared->inputs.components)
-                    for (const std::string& text : {component.id, component.name, component.origin})
-                        learn(to_qt(text));
+                    learn(to_qt(component.id));
             }
     }
     /// What a study varies is called as in its file of results.
@@ -132,10 +130,9 @@ protected:
                     learn(to_qt(to_unicode(target->title)));
     }
     void learn_output(const OutputQuantity& output) {
-        for (const std::string& text : {output.group, output.name, output.symbol})
+        for (const std::string& text : {output.group, output.symbol})
             learn(to_qt(text) + QLatin1Char('\n') + to_qt(symbol_to_unicode(text)));
-        const std::string found = output.group.empty() ? "" : " (" + output.group + ")";
-        learn(to_qt(symbol_to_unicode(output.symbol) + found + ": " + output.name));
+        if (!output.group.empty()) learn(to_qt(symbol_to_unicode(output.symbol) + " (" + output.group + ")"));
     }
     bool is_data(const QString& words) const {
         const QStringList lines = words.split(QLatin1Char('\n'));

@@ -231,7 +231,7 @@ TEST_F(ReportSession, ResultsCarryTheNamesOfNow) {
     const Project& project = window_->document().project();
     std::string asset;
     for (const AssetEntry& entry : project.assets)
-        for (const auto& component : before->inputs.components)
+        for (const auto& component : before->inputs->components)
             if (asset.empty() && !entry.name.empty() && component.contributor == entry.id) asset = entry.id;
     ASSERT_FALSE(asset.empty()) << "the example has a contributor";
     window_->document().apply(QStringLiteral("Rename"), [&](Project& changed) {
@@ -242,7 +242,7 @@ TEST_F(ReportSession, ResultsCarryTheNamesOfNow) {
     EXPECT_TRUE(status().is_current()) << "a name makes no result out of date";
     EXPECT_EQ(status().result->trials, before->trials);
     const auto has = [this](const std::string& name) {
-        const auto& all = status().result->inputs.components;
+        const auto& all = status().result->inputs->components;
         return std::any_of(all.begin(), all.end(), [&](const auto& c) { return c.contributor_name == name; });
     };
     EXPECT_TRUE(has("Quite another name"));

@@ -1,5 +1,6 @@
 // Scenes of a known layout: what is in them, at which magnification, and what is left out.
 #include "viz/scene/build_scene.h"
+#include "tests/core/result/changed_inputs.h"
 
 #include <gtest/gtest.h>
 
@@ -91,7 +92,7 @@ TEST(BuildScene, EllipsoidsOfWhatIsComparedStandAboutTheSamePoints) {
 TEST(BuildScene, AQuantityThatWasNotThereHasNoEllipsoidBefore) {
     const auto now = test::stewart_setup(0);
     auto before = std::make_shared<UncertaintyResult>(now.result);
-    before->inputs.quantities[9].symbol = "other";  // p1x
+    test::change_inputs(*before, [](InputSet& inputs) { inputs.quantities[9].symbol = "other"; });  // p1x
     const ResultComparison compared =
         compare_results(before, std::make_shared<UncertaintyResult>(now.result));
     SceneSource source = now.source();
@@ -115,9 +116,10 @@ TEST(BuildScene, EllipsoidIsTurnedWithTheAxesOfItsQuantities) {
 
 TEST(BuildScene, ComponentSharedByTwoCoordinatesTiltsTheEllipsoid) {
     auto setup = test::stewart_setup(0);
-    auto& quantities = setup.result.inputs.quantities;
-    quantities[0].shares = {{0, 1.0}};
-    quantities[1].shares = {{0, 1.0}};  // y moves with x
+    test::change_inputs(setup.result, [](InputSet& inputs) {
+        inputs.quantities[0].shares = {{0, 1.0}};
+        inputs.quantities[1].shares = {{0, 1.0}};  // y moves with x
+    });
     const Scene scene = build_scene(setup.source(), {});
     const SceneEllipsoid* b1 = ellipsoid_of(scene, "point:b1");
     ASSERT_NE(b1, nullptr);
@@ -132,17 +134,21 @@ TEST(BuildScene, ComponentSharedByTwoCoordinatesTiltsTheEllipsoid) {
 
 TEST(BuildScene, ArithmeticComponentsAddLinearly) {
     auto setup = test::stewart_setup(0);
-    auto& x = setup.result.inputs.quantities[0];
-    x.shares = {{0, 1.0}, {1, 1.0}};
-    x.combination = Combination::arithmetic;
-    setup.result.inputs.quantities[1].shares.clear();
+    test::change_inputs(setup.result, [](InputSet& inputs) {
+        InputQuantity& x = inputs.quantities[0];
+        x.shares = {{0, 1.0}, {1, 1.0}};
+        x.combination = Combination::arithmetic;
+        inputs.quantities[1].shares.clear();
+    });
     const Scene scene = build_scene(setup.source(), {});
     EXPECT_NEAR(find_item(scene, "point:b1")->u->x(), 66e-6 + 110e-6, 1e-15);
 }
 
 TEST(BuildScene, HeldComponentsContributeNothing) {
     auto setup = test::stewart_setup(0);
-    for (UncertaintyComponent& component : setup.result.inputs.components) component.held = true;
+    test::change_inputs(setup.result, [](InputSet& inputs) {
+        for (UncertaintyComponent& component : inputs.components) component.held = true;
+    });
     const Scene scene = build_scene(setup.source(), {});
     EXPECT_EQ(scene.ellipsoids.size(), 1u) << "only that of the output is left";
 }

@@ -1,5 +1,6 @@
 // Measuring in the Stewart platform: what is picked, the values, and why a u is not stated.
 #include "viz/scene/measurement.h"
+#include "tests/core/result/changed_inputs.h"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +55,7 @@ TEST_F(SceneMeasurement, DistanceOfInputs) {
     const Eigen::Vector3d e = (at("point:b2") - at("point:b1")).normalized();
     double variance = 0.0;
     for (std::size_t k = 0; k < 6; ++k) {
-        const double u = setup_.result.inputs.components[k].distribution.standard_uncertainty();
+        const double u = setup_.result.inputs->components[k].distribution.standard_uncertainty();
         variance += std::pow(e[static_cast<Eigen::Index>(k % 3)] * u, 2);
     }
     EXPECT_NEAR(*made->u, std::sqrt(variance), 1e-12);
@@ -66,7 +67,7 @@ TEST_F(SceneMeasurement, AnInputAndAnOutputShareComponents) {
     const Eigen::Vector3d e = (at("point:platform origin") - at("point:p1")).normalized();
     double variance = 0.0;
     for (std::size_t k = 9; k < 18; ++k) {
-        const double u = setup_.result.inputs.components[k].distribution.standard_uncertainty();
+        const double u = setup_.result.inputs->components[k].distribution.standard_uncertainty();
         const double c = k < 12 ? 1.0 / 3 - 1 : 1.0 / 3;
         variance += std::pow(c * e[static_cast<Eigen::Index>(k % 3)] * u, 2);
     }
@@ -92,7 +93,9 @@ TEST_F(SceneMeasurement, SaysWhyUIsNotStated) {
     EXPECT_EQ(reason(&setup_.result, "point:b1", "frame:base b"), NotStated::no_quantities);
     EXPECT_EQ(measure(scene_, &setup_.result, {"point:b1", "frame:base b"})->place, "base b");
     UncertaintyResult constant = setup_.result;
-    for (std::size_t k = 3; k < 6; ++k) constant.inputs.components[k].held = true;
+    test::change_inputs(constant, [](InputSet& inputs) {
+        for (std::size_t k = 3; k < 6; ++k) inputs.components[k].held = true;
+    });
     EXPECT_EQ(reason(&constant, "point:b1", "point:b2"), NotStated::constant);
     EXPECT_EQ(measure(scene_, &constant, {"point:b1", "point:b2"})->place, "b2");
     UncertaintyResult unknown = setup_.result;

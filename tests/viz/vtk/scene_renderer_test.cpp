@@ -1,5 +1,6 @@
 // Pictures of the Stewart platform, rendered with no display, and what must be seen in them.
 #include "viz/vtk/scene_renderer.h"
+#include "tests/core/result/changed_inputs.h"
 
 #include <gtest/gtest.h>
 
@@ -253,8 +254,10 @@ TEST(SceneRenderer, DegenerateEllipsoidsAreDrawn) {
     auto setup = test::stewart_setup(0);
     setup.result.covariance.row(2).setZero();
     setup.result.covariance.col(2).setZero();
-    for (std::size_t i = 9; i < 12; ++i)  // p1: a line along x
-        setup.result.inputs.components[i].held = i != 9;
+    test::change_inputs(setup.result, [](InputSet& inputs) {
+        for (std::size_t i = 9; i < 12; ++i)  // p1: a line along x
+            inputs.components[i].held = i != 9;
+    });
     StewartRenderer renderer(StandardView::top, build_scene(setup.source(), {}));
     const Image image = picture(renderer);
     const Pixel on_disc = renderer.project({-0.04, 0.02, 1.175});

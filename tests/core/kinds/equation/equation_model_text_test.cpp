@@ -85,8 +85,8 @@ TEST(EquationModel, StatementsGiveTheirStandardUncertainties) {
         EXPECT_NEAR(result.outputs[0].standard_uncertainty, c.u, 1e-8 * c.u) << c.statement;
         EXPECT_EQ(result.outputs[0].first_order.effective_degrees_of_freedom, c.degrees_of_freedom)
             << c.statement;
-        EXPECT_EQ(result.inputs.components[0].distribution.kind(), c.distribution) << c.statement;
-        EXPECT_NEAR(result.inputs.components[0].distribution.mean(), 0.0, 1e-12) << c.statement;
+        EXPECT_EQ(result.inputs->components[0].distribution.kind(), c.distribution) << c.statement;
+        EXPECT_NEAR(result.inputs->components[0].distribution.mean(), 0.0, 1e-12) << c.statement;
     }
 }
 
@@ -96,8 +96,8 @@ TEST(EquationModel, SeveralComponentsOfOneQuantityAddUp) {
     const auto result = first_order(setup_of("y = 2*x", rows));
     EXPECT_NEAR(result.outputs[0].standard_uncertainty, 2 * 5e-6, 1e-15);
     EXPECT_EQ(result.outputs[0].quantity.unit.text(), "m");
-    EXPECT_EQ(result.inputs.components.size(), 2u);
-    EXPECT_EQ(result.inputs.components[1].id, "x.2");
+    EXPECT_EQ(result.inputs->components.size(), 2u);
+    EXPECT_EQ(result.inputs->components[1].id, "x.2");
 }
 
 TEST(EquationModel, RelativeUncertaintyOfUGivesDegreesOfFreedom) {

@@ -93,7 +93,7 @@ TEST(ForceLoads, CompensationBeatsThePaper) {
 TEST(ForceLoads, TheMatrixIsWellConditioned) {
     const DataTable table = table_with(ForceProject().model_tables("loads"), "matrix");
     ASSERT_FALSE(table.notes.empty());
-    EXPECT_NE(table.notes[0].find(": 1.028"), std::string::npos) << table.notes[0];
+    EXPECT_NE(table.notes[0].english().find(": 1.028"), std::string::npos) << table.notes[0];
 }
 
 TEST(ForceLoads, AReadingOfOneCalibrationStepIsItsLoad) {

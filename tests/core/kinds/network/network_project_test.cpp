@@ -313,7 +313,7 @@ TEST(NetworkReadings, AnOutlierIsFound) {
     double redundancy = 0.0;
     for (const auto& row : residuals.rows) redundancy += std::get<double>(row[5]);
     EXPECT_NEAR(redundancy, 27 - 9, 1e-6);
-    EXPECT_NE(residuals.notes.front().find("18 degrees of freedom"), std::string::npos)
+    EXPECT_NE(residuals.notes.front().english().find("18 degrees of freedom"), std::string::npos)
         << residuals.notes.front();
 }
 

@@ -75,7 +75,7 @@ TEST(NetworkScaleBar, GivenReadingsAreAdjustedWithIt) {
     const DataTable residuals = prepared->model->evaluation().back();
     EXPECT_EQ(std::get<std::string>(residuals.rows.back()[1]), "scale bar");
     EXPECT_EQ(residuals.rows.size(), 28u);
-    EXPECT_NE(residuals.notes.front().find("19 degrees of freedom"), std::string::npos)
+    EXPECT_NE(residuals.notes.front().english().find("19 degrees of freedom"), std::string::npos)
         << residuals.notes.front();
     const UncertaintyResult result = network.run("recommended", 0);
     for (const OutputResult& output : result.outputs)
