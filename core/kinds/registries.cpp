@@ -18,7 +18,6 @@
 #include "core/kinds/pose/model.h"
 #include "core/kinds/robot/asset.h"
 #include "core/kinds/robot/model.h"
-#include "core/kinds/robot_identification/assets.h"
 #include "core/kinds/robot_identification/from_poses_model.h"
 #include "core/kinds/robot_identification/from_trajectories_model.h"
 
@@ -51,9 +50,8 @@ const std::vector<AssetDescriptor>& asset_registry() {
     static const std::vector<AssetDescriptor> kinds{
         artefact_points_kind(),     length_standard_kind(),     spherical_instrument_kind(),
         sensor_network_kind(),      point_specification_kind(), ballbar_set_kind(),
-        robot_repeatability_kind(), serial_robot_kind(),        identified_robot_kind(),
-        calibrated_robot_kind(),    force_calibrator_kind(),    force_sensor_kind(),
-        context_mesh_kind()};
+        robot_repeatability_kind(), serial_robot_kind(),        force_calibrator_kind(),
+        force_sensor_kind(),        context_mesh_kind()};
     return kinds;
 }
 

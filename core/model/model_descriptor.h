@@ -23,6 +23,7 @@ struct ModelDescriptor {
     std::string example;             ///< file in projects/
     /// Where a reference asks for an asset with one of these, an analysis may stand: `as_asset`.
     std::vector<std::string> capabilities = {};
+    std::string was_asset = {};  ///< the kind of asset that it was in project files of version 1
     SetupSchema schema;
     /// Null if `problems` got an error (paths relative to the set-up). `setup` has passed check_setup and its
     /// references exist. Warnings may be added to `problems` beside a model.

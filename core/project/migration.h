@@ -2,13 +2,30 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
 
 namespace covaria {
 
+/// Entries that stand elsewhere than in the file that was read, by JSON pointers.
+struct MovedEntries {
+    struct Move {
+        std::string to, from;
+    };
+    std::vector<Move> moves = {};
+
+    std::string place_in_file(const std::string& place) const;
+};
+
+struct MigratedProject {
+    nlohmann::ordered_json document;
+    MovedEntries moved = {};
+};
+
 /// The document as of `project_schema_version`. Errors (path "/schemaVersion"): no version, or one that this
 /// program does not know because it is newer.
-Result<nlohmann::ordered_json> migrate_project(nlohmann::ordered_json document);
+Result<MigratedProject> migrate_project(nlohmann::ordered_json document);
 
 }  // namespace covaria

@@ -131,6 +131,7 @@ struct Places {
     std::string name;
     std::optional<JsonLocations> locations = {};
     std::vector<CsvOrigin> csv = {};
+    MovedEntries moved = {};
 
     void locate(Problems& problems) const {
         for (Problem& problem : problems.items()) {
@@ -138,14 +139,16 @@ struct Places {
             if (!problem.file.empty()) continue;
             problem.file = name;
             // What is missing in the project itself is missing in the object that begins in the first line.
-            if (problem.line == 0) problem.line = std::max(1, locations ? locations->line(problem.path) : 0);
+            if (problem.line == 0)
+                problem.line =
+                    std::max(1, locations ? locations->line(moved.place_in_file(problem.path)) : 0);
         }
     }
 };
 
-Result<Json> project_document(const std::string& text) {
+Result<MigratedProject> project_document(const std::string& text) {
     auto document = parse_json(text);
-    if (!document) return document;
+    if (!document) return fail(document.error());
     const bool is_project =
         document->is_object() && document->contains("format") && (*document)["format"] == "covaria";
     if (!is_project)
@@ -176,13 +179,14 @@ ReadProject read_project(const std::string& text, const fs::path& directory, con
     }
     read.problems = locations->duplicate_keys();
     places->locations = std::move(*locations);
-    const auto document = project_document(text);
-    if (!document) {
-        add_error(read.problems, document.error());
+    const auto migrated = project_document(text);
+    if (!migrated) {
+        add_error(read.problems, migrated.error());
         return read;
     }
+    places->moved = migrated->moved;
     ProjectReader reader(directory, read.problems);
-    read.project = reader.read(*document);
+    read.project = reader.read(migrated->document);
     read.is_project = true;
     places->csv = reader.csv();
     return read;

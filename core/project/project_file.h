@@ -11,7 +11,7 @@
 
 namespace covaria {
 
-inline constexpr int project_schema_version = 1;
+inline constexpr int project_schema_version = 2;
 
 /// A project as its text says it.
 struct ReadProject {

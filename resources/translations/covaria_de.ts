@@ -3060,14 +3060,6 @@
         <translation>Standardunsicherheit jeder Drehung des Werkzeugs um seine eigenen Achsen.</translation>
     </message>
     <message>
-        <source>Robot identified by joint trajectories</source>
-        <translation>Roboter, identifiziert aus Gelenkbahnen</translation>
-    </message>
-    <message>
-        <source>Robot identified from measured poses</source>
-        <translation>Roboter, identifiziert aus gemessenen Posen</translation>
-    </message>
-    <message>
         <source>Force/moment calibration machine</source>
         <translation>Kraft-/Momenten-Kalibriermaschine</translation>
     </message>
@@ -5188,10 +5180,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>u, Bereich</translation>
     </message>
     <message>
-        <source>u, identification from measured poses</source>
-        <translation>u, Identifikation aus gemessenen Posen</translation>
-    </message>
-    <message>
         <source>Identified parameters beside the nominal ones</source>
         <translation>Identifizierte Parameter neben den Nennwerten</translation>
     </message>
@@ -5254,10 +5242,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>E_n, largest</source>
         <translation>E_n, größtes</translation>
-    </message>
-    <message>
-        <source>u, identification by joint trajectories</source>
-        <translation>u, Identifikation durch Gelenkbahnen</translation>
     </message>
     <message>
         <source>Circles of the joints</source>
@@ -6470,34 +6454,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
         <translation>Der Gelenkwinkel ist theta plus Ablesung minus Nullablesung; ein Schubgelenk addiert seine Ablesung ebenso zu d.</translation>
-    </message>
-    <message>
-        <source>A serial robot whose parameters follow from points measured while one joint after the other turns, with the full covariance of the identification.</source>
-        <translation>Ein serieller Roboter, dessen Parameter aus Punkten folgen, die gemessen werden, während ein Gelenk nach dem anderen dreht, mit der vollen Kovarianz der Identifikation.</translation>
-    </message>
-    <message>
-        <source>The covariance is that of the law of propagation; the analysis &quot;Robot by joint trajectories&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation>Die Kovarianz ist die des Fortpflanzungsgesetzes; die Analyse &quot;Roboter aus Gelenkbahnen&quot; mit denselben Einstellungen liefert sie auch durch Monte Carlo.</translation>
-    </message>
-    <message>
-        <source>An analysis that uses this robot follows when a point changes.</source>
-        <translation>Eine Analyse, die diesen Roboter verwendet, folgt, wenn sich ein Punkt ändert.</translation>
-    </message>
-    <message>
-        <source>A serial robot whose parameters follow by least squares from measured positions or poses of its tool, with the full covariance of the identification.</source>
-        <translation>Ein serieller Roboter, dessen Parameter durch kleinste Quadrate aus gemessenen Positionen oder Posen seines Werkzeugs folgen, mit der vollen Kovarianz der Identifikation.</translation>
-    </message>
-    <message>
-        <source>The covariance is that of the law of propagation; the analysis &quot;Robot from measured poses&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation>Die Kovarianz ist die des Fortpflanzungsgesetzes; die Analyse &quot;Roboter aus gemessenen Posen&quot; mit denselben Einstellungen liefert sie auch durch Monte Carlo.</translation>
-    </message>
-    <message>
-        <source>The robot stands where the fit found its base; its tool is that of the nominal robot.</source>
-        <translation>Der Roboter steht dort, wo die Anpassung seine Basis gefunden hat; sein Werkzeug ist das des Nennroboters.</translation>
-    </message>
-    <message>
-        <source>An analysis that uses this robot follows when a pose changes.</source>
-        <translation>Eine Analyse, die diesen Roboter verwendet, folgt, wenn sich eine Pose ändert.</translation>
     </message>
     <message>
         <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
@@ -12440,10 +12396,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Simulierte Punkte des Nennroboters: sie liegen auf ihren Kreisen.</translation>
     </message>
     <message>
-        <source>%1, identification</source>
-        <translation>%1, Identifikation</translation>
-    </message>
-    <message>
         <source>load %1, compensated</source>
         <translation>Last %1, ausgeglichen</translation>
     </message>
@@ -12710,6 +12662,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>The x of y = %1 lies outside of the points of the calibration.</source>
         <translation>Das x von y = %1 liegt außerhalb der Punkte der Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
+        <translation>die Parameter stammen aus einer Analyse, die in jedem Versuch ausgewertet wird: ihre Korrelation lässt sich nicht vernachlässigen</translation>
     </message>
 </context>
 <context>

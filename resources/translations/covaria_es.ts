@@ -3060,14 +3060,6 @@
         <translation>Incertidumbre típica de cada rotación de la herramienta alrededor de sus propios ejes.</translation>
     </message>
     <message>
-        <source>Robot identified by joint trajectories</source>
-        <translation>Robot identificado por trayectorias articulares</translation>
-    </message>
-    <message>
-        <source>Robot identified from measured poses</source>
-        <translation>Robot identificado a partir de poses medidas</translation>
-    </message>
-    <message>
         <source>Force/moment calibration machine</source>
         <translation>Máquina de calibración de fuerza/momento</translation>
     </message>
@@ -5188,10 +5180,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>u, intervalo</translation>
     </message>
     <message>
-        <source>u, identification from measured poses</source>
-        <translation>u, identificación a partir de poses medidas</translation>
-    </message>
-    <message>
         <source>Identified parameters beside the nominal ones</source>
         <translation>Parámetros identificados junto a los nominales</translation>
     </message>
@@ -5254,10 +5242,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>E_n, largest</source>
         <translation>E_n, mayor</translation>
-    </message>
-    <message>
-        <source>u, identification by joint trajectories</source>
-        <translation>u, identificación por trayectorias de las articulaciones</translation>
     </message>
     <message>
         <source>Circles of the joints</source>
@@ -6470,34 +6454,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
         <translation>El ángulo de la articulación es theta más la lectura menos la lectura cero; una articulación deslizante suma del mismo modo su lectura a d.</translation>
-    </message>
-    <message>
-        <source>A serial robot whose parameters follow from points measured while one joint after the other turns, with the full covariance of the identification.</source>
-        <translation>Un robot serie cuyos parámetros resultan de puntos medidos mientras giran las articulaciones, una tras otra, con la covarianza completa de la identificación.</translation>
-    </message>
-    <message>
-        <source>The covariance is that of the law of propagation; the analysis &quot;Robot by joint trajectories&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation>La covarianza es la de la ley de propagación; el análisis «Robot por trayectorias articulares» con los mismos ajustes la da también por Monte Carlo.</translation>
-    </message>
-    <message>
-        <source>An analysis that uses this robot follows when a point changes.</source>
-        <translation>Un análisis que usa este robot se actualiza cuando cambia un punto.</translation>
-    </message>
-    <message>
-        <source>A serial robot whose parameters follow by least squares from measured positions or poses of its tool, with the full covariance of the identification.</source>
-        <translation>Un robot serie cuyos parámetros resultan, por mínimos cuadrados, de posiciones o poses medidas de su herramienta, con la covarianza completa de la identificación.</translation>
-    </message>
-    <message>
-        <source>The covariance is that of the law of propagation; the analysis &quot;Robot from measured poses&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation>La covarianza es la de la ley de propagación; el análisis «Robot a partir de poses medidas» con los mismos ajustes la da también por Monte Carlo.</translation>
-    </message>
-    <message>
-        <source>The robot stands where the fit found its base; its tool is that of the nominal robot.</source>
-        <translation>El robot está donde el ajuste halló su base; su herramienta es la del robot nominal.</translation>
-    </message>
-    <message>
-        <source>An analysis that uses this robot follows when a pose changes.</source>
-        <translation>Un análisis que usa este robot se actualiza cuando cambia una pose.</translation>
     </message>
     <message>
         <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
@@ -12440,10 +12396,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Puntos simulados del robot nominal: están sobre sus círculos.</translation>
     </message>
     <message>
-        <source>%1, identification</source>
-        <translation>%1, identificación</translation>
-    </message>
-    <message>
         <source>load %1, compensated</source>
         <translation>carga %1, compensada</translation>
     </message>
@@ -12710,6 +12662,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>The x of y = %1 lies outside of the points of the calibration.</source>
         <translation>La x de y = %1 está fuera de los puntos de la calibración.</translation>
+    </message>
+    <message>
+        <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
+        <translation>los parámetros proceden de un análisis que se evalúa en cada prueba: su correlación no puede omitirse</translation>
     </message>
 </context>
 <context>

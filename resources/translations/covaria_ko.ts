@@ -3060,14 +3060,6 @@
         <translation>공구의 자체 축 둘레 각 회전의 표준불확도.</translation>
     </message>
     <message>
-        <source>Robot identified by joint trajectories</source>
-        <translation>관절 궤적으로 식별한 로봇</translation>
-    </message>
-    <message>
-        <source>Robot identified from measured poses</source>
-        <translation>측정 포즈로 식별한 로봇</translation>
-    </message>
-    <message>
         <source>Force/moment calibration machine</source>
         <translation>힘/모멘트 교정기</translation>
     </message>
@@ -5188,10 +5180,6 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <translation>u, 범위</translation>
     </message>
     <message>
-        <source>u, identification from measured poses</source>
-        <translation>u, 측정된 자세로부터의 식별</translation>
-    </message>
-    <message>
         <source>Identified parameters beside the nominal ones</source>
         <translation>식별된 매개변수와 공칭 매개변수</translation>
     </message>
@@ -5254,10 +5242,6 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>E_n, largest</source>
         <translation>E_n, 최대</translation>
-    </message>
-    <message>
-        <source>u, identification by joint trajectories</source>
-        <translation>u, 관절 궤적에 의한 식별</translation>
     </message>
     <message>
         <source>Circles of the joints</source>
@@ -6470,34 +6454,6 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
         <translation>관절각은 theta + 읽음값 − 영점 읽음값입니다. 미끄럼 관절은 같은 방법으로 읽음값을 d에 더합니다.</translation>
-    </message>
-    <message>
-        <source>A serial robot whose parameters follow from points measured while one joint after the other turns, with the full covariance of the identification.</source>
-        <translation>관절을 하나씩 돌리며 측정한 점에서 파라미터를 구한 직렬 로봇. 식별의 전체 공분산을 가집니다.</translation>
-    </message>
-    <message>
-        <source>The covariance is that of the law of propagation; the analysis &quot;Robot by joint trajectories&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation>공분산은 전파 법칙의 것입니다. 설정이 같은 분석 &quot;관절 궤적에 의한 로봇&quot;이 몬테카를로로도 줍니다.</translation>
-    </message>
-    <message>
-        <source>An analysis that uses this robot follows when a point changes.</source>
-        <translation>점이 바뀌면 이 로봇을 쓰는 분석이 따라갑니다.</translation>
-    </message>
-    <message>
-        <source>A serial robot whose parameters follow by least squares from measured positions or poses of its tool, with the full covariance of the identification.</source>
-        <translation>측정한 공구 위치나 자세에서 최소제곱으로 파라미터를 구한 직렬 로봇. 식별의 전체 공분산을 가집니다.</translation>
-    </message>
-    <message>
-        <source>The covariance is that of the law of propagation; the analysis &quot;Robot from measured poses&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation>공분산은 전파 법칙의 것입니다. 설정이 같은 분석 &quot;측정한 자세에 의한 로봇&quot;이 몬테카를로로도 줍니다.</translation>
-    </message>
-    <message>
-        <source>The robot stands where the fit found its base; its tool is that of the nominal robot.</source>
-        <translation>로봇은 맞춤이 구한 베이스에 서 있으며 공구는 공칭 로봇의 것입니다.</translation>
-    </message>
-    <message>
-        <source>An analysis that uses this robot follows when a pose changes.</source>
-        <translation>자세가 바뀌면 이 로봇을 쓰는 분석이 따라갑니다.</translation>
     </message>
     <message>
         <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
@@ -12440,10 +12396,6 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <translation>공칭 로봇의 모의 점들: 각자의 원 위에 있습니다.</translation>
     </message>
     <message>
-        <source>%1, identification</source>
-        <translation>%1, 식별</translation>
-    </message>
-    <message>
         <source>load %1, compensated</source>
         <translation>하중 %1, 보상됨</translation>
     </message>
@@ -12710,6 +12662,10 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>The x of y = %1 lies outside of the points of the calibration.</source>
         <translation>y = %1의 x가 교정 점들의 바깥에 있습니다.</translation>
+    </message>
+    <message>
+        <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
+        <translation>매개변수는 매 시행에서 평가되는 분석에서 옵니다. 그 상관은 무시할 수 없습니다</translation>
     </message>
 </context>
 <context>

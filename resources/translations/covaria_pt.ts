@@ -3060,14 +3060,6 @@
         <translation>Incerteza-padrão de cada rotação da ferramenta em torno de seus próprios eixos.</translation>
     </message>
     <message>
-        <source>Robot identified by joint trajectories</source>
-        <translation>Robô identificado por trajetórias das juntas</translation>
-    </message>
-    <message>
-        <source>Robot identified from measured poses</source>
-        <translation>Robô identificado a partir de poses medidas</translation>
-    </message>
-    <message>
         <source>Force/moment calibration machine</source>
         <translation>Máquina de calibração de força/momento</translation>
     </message>
@@ -5188,10 +5180,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>u, faixa</translation>
     </message>
     <message>
-        <source>u, identification from measured poses</source>
-        <translation>u, identificação a partir de poses medidas</translation>
-    </message>
-    <message>
         <source>Identified parameters beside the nominal ones</source>
         <translation>Parâmetros identificados ao lado dos nominais</translation>
     </message>
@@ -5254,10 +5242,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>E_n, largest</source>
         <translation>E_n, maior</translation>
-    </message>
-    <message>
-        <source>u, identification by joint trajectories</source>
-        <translation>u, identificação por trajetórias das juntas</translation>
     </message>
     <message>
         <source>Circles of the joints</source>
@@ -6470,34 +6454,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
         <translation>O ângulo da junta é theta mais a leitura menos a leitura de zero; uma junta deslizante soma sua leitura a d do mesmo modo.</translation>
-    </message>
-    <message>
-        <source>A serial robot whose parameters follow from points measured while one joint after the other turns, with the full covariance of the identification.</source>
-        <translation>Um robô serial cujos parâmetros decorrem de pontos medidos enquanto uma junta após a outra gira, com a covariância completa da identificação.</translation>
-    </message>
-    <message>
-        <source>The covariance is that of the law of propagation; the analysis &quot;Robot by joint trajectories&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation>A covariância é a da lei de propagação; a análise &quot;Robô por trajetórias de juntas&quot; com os mesmos ajustes a dá também por Monte Carlo.</translation>
-    </message>
-    <message>
-        <source>An analysis that uses this robot follows when a point changes.</source>
-        <translation>Uma análise que usa este robô acompanha quando um ponto muda.</translation>
-    </message>
-    <message>
-        <source>A serial robot whose parameters follow by least squares from measured positions or poses of its tool, with the full covariance of the identification.</source>
-        <translation>Um robô serial cujos parâmetros decorrem por mínimos quadrados de posições ou poses medidas de sua ferramenta, com a covariância completa da identificação.</translation>
-    </message>
-    <message>
-        <source>The covariance is that of the law of propagation; the analysis &quot;Robot from measured poses&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation>A covariância é a da lei de propagação; a análise &quot;Robô a partir de poses medidas&quot; com os mesmos ajustes a dá também por Monte Carlo.</translation>
-    </message>
-    <message>
-        <source>The robot stands where the fit found its base; its tool is that of the nominal robot.</source>
-        <translation>O robô está onde o ajuste encontrou sua base; sua ferramenta é a do robô nominal.</translation>
-    </message>
-    <message>
-        <source>An analysis that uses this robot follows when a pose changes.</source>
-        <translation>Uma análise que usa este robô acompanha quando uma pose muda.</translation>
     </message>
     <message>
         <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
@@ -12440,10 +12396,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Pontos simulados do robô nominal: estão sobre seus círculos.</translation>
     </message>
     <message>
-        <source>%1, identification</source>
-        <translation>%1, identificação</translation>
-    </message>
-    <message>
         <source>load %1, compensated</source>
         <translation>carga %1, compensada</translation>
     </message>
@@ -12710,6 +12662,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>The x of y = %1 lies outside of the points of the calibration.</source>
         <translation>O x de y = %1 está fora dos pontos da calibração.</translation>
+    </message>
+    <message>
+        <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
+        <translation>os parâmetros vêm de uma análise que é avaliada em cada ensaio: sua correlação não pode ser ignorada</translation>
     </message>
 </context>
 <context>

@@ -3060,14 +3060,6 @@
         <translation>工具绕其自身各轴旋转的标准不确定度。</translation>
     </message>
     <message>
-        <source>Robot identified by joint trajectories</source>
-        <translation>由关节轨迹辨识的机器人</translation>
-    </message>
-    <message>
-        <source>Robot identified from measured poses</source>
-        <translation>由实测位姿辨识的机器人</translation>
-    </message>
-    <message>
         <source>Force/moment calibration machine</source>
         <translation>力/力矩校准机</translation>
     </message>
@@ -5188,10 +5180,6 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <translation>u，范围</translation>
     </message>
     <message>
-        <source>u, identification from measured poses</source>
-        <translation>u，由测量位姿辨识</translation>
-    </message>
-    <message>
         <source>Identified parameters beside the nominal ones</source>
         <translation>辨识参数与名义参数对照</translation>
     </message>
@@ -5254,10 +5242,6 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>E_n, largest</source>
         <translation>E_n，最大</translation>
-    </message>
-    <message>
-        <source>u, identification by joint trajectories</source>
-        <translation>u，由关节轨迹辨识</translation>
     </message>
     <message>
         <source>Circles of the joints</source>
@@ -6470,34 +6454,6 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
         <translation>关节角为 theta 加读数减零位读数；滑动关节以同样方式将其读数加到 d。</translation>
-    </message>
-    <message>
-        <source>A serial robot whose parameters follow from points measured while one joint after the other turns, with the full covariance of the identification.</source>
-        <translation>参数由逐个关节转动时测得的点得出的串联机器人，带有辨识的全协方差。</translation>
-    </message>
-    <message>
-        <source>The covariance is that of the law of propagation; the analysis &quot;Robot by joint trajectories&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation>协方差是传播律的；相同设置的分析“由关节轨迹得出机器人”也用蒙特卡洛给出它。</translation>
-    </message>
-    <message>
-        <source>An analysis that uses this robot follows when a point changes.</source>
-        <translation>点改变时，使用此机器人的分析随之更新。</translation>
-    </message>
-    <message>
-        <source>A serial robot whose parameters follow by least squares from measured positions or poses of its tool, with the full covariance of the identification.</source>
-        <translation>参数由测得的工具位置或位姿按最小二乘得出的串联机器人，带有辨识的全协方差。</translation>
-    </message>
-    <message>
-        <source>The covariance is that of the law of propagation; the analysis &quot;Robot from measured poses&quot; with the same settings gives it by Monte Carlo too.</source>
-        <translation>协方差是传播律的；相同设置的分析“由测得位姿得出机器人”也用蒙特卡洛给出它。</translation>
-    </message>
-    <message>
-        <source>The robot stands where the fit found its base; its tool is that of the nominal robot.</source>
-        <translation>机器人位于拟合所得基座处；其工具为标称机器人的工具。</translation>
-    </message>
-    <message>
-        <source>An analysis that uses this robot follows when a pose changes.</source>
-        <translation>位姿改变时，使用此机器人的分析随之更新。</translation>
     </message>
     <message>
         <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
@@ -12440,10 +12396,6 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <translation>标称机器人的模拟点：它们位于各自的圆上。</translation>
     </message>
     <message>
-        <source>%1, identification</source>
-        <translation>%1，辨识</translation>
-    </message>
-    <message>
         <source>load %1, compensated</source>
         <translation>载荷 %1，已补偿</translation>
     </message>
@@ -12710,6 +12662,10 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>The x of y = %1 lies outside of the points of the calibration.</source>
         <translation>y = %1 对应的 x 在校准点之外。</translation>
+    </message>
+    <message>
+        <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
+        <translation>参数来自在每次试验中求值的分析：其相关性不能忽略</translation>
     </message>
 </context>
 <context>

@@ -52,9 +52,9 @@ TEST(Export, AnIdentifiedRobotGoesOutAndIn) {
         const std::string file = (folder / name).string(),
                           back = (folder / (std::string(writer) + ".covaria")).string();
         const Outcome done = run_program({"export", project, "--as", writer, "--first-order", "--analysis",
-                                          "zero-pose-identified", "-o", file});
+                                          "trajectories", "-o", file});
         ASSERT_EQ(done.status, 0) << done.err;
-        EXPECT_TRUE(has(done.out, "robot er10l-identified, 6 joints")) << done.out;
+        EXPECT_TRUE(has(done.out, "robot trajectories, 6 joints")) << done.out;
         EXPECT_TRUE(has(read_text(file), " mm (u = "));
         const Outcome read =
             run_program({writer == std::string("urdf") ? "import-urdf" : "import", file, "-o", back});

@@ -1,5 +1,5 @@
-// A network of sensors as one source of points: what each reading and each shared deviation does to points
-// measured together, by weighted least squares (Galetto et al., Eqs 1-5).
+// A network of sensors as one source of points: the set-up of the model "points from sensors", made for the
+// points that are asked for and linearised there (Galetto et al., Eqs 1-5).
 #include "core/kinds/network/asset.h"
 #include "core/kinds/instruments/linear_reading.h"
 #include "core/kinds/instruments/sensor.h"
@@ -8,110 +8,89 @@
 #include "core/kinds/points/point_uncertainty.h"
 #include "core/quantity/input_quantity.h"
 
+#include <algorithm>
+
 namespace covaria {
 
 namespace {
 
-using Member = network::Sensor;
+using network::NetworkSetup;
+using network::Sensor;
 
-/// The readings of points measured together, linearised at the points.
-struct Readings {
-    Eigen::MatrixXd to_points;               ///< J: readings x 3 points
-    Eigen::MatrixXd shared;                  ///< readings x shared deviations, per unit of each
-    Eigen::VectorXd scale;                   ///< what the own deviation of a reading is multiplied by
-    std::vector<JointDeviation> deviations;  ///< of the readings, then the shared ones; without directions
-
-    double standard_uncertainty(Eigen::Index deviation) const {
-        return deviations[static_cast<std::size_t>(deviation)].component.distribution.standard_uncertainty();
-    }
-    /// Of the readings alone.
-    Eigen::VectorXd u() const {
-        Eigen::VectorXd u(scale.size());
-        for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = scale[i] * standard_uncertainty(i);
-        return u;
-    }
-    /// The columns of `shared` for deviations of standard uncertainty one.
-    Eigen::MatrixXd unit_shared() const {
-        Eigen::MatrixXd F = shared;
-        for (Eigen::Index k = 0; k < F.cols(); ++k) F.col(k) *= standard_uncertainty(scale.size() + k);
-        return F;
-    }
-};
-
-class ReadingCollector {
+/// What each reading and each shared deviation does to the points of a network: the least-squares gain times
+/// it.
+class Deviations {
 public:
-    ReadingCollector(const std::vector<Member>& members, const std::vector<Eigen::Vector3d>& points)
-        : members_(members), points_(points) {}
+    explicit Deviations(const NetworkSetup& setup) : setup_(setup) {
+        for (const Sensor& sensor : setup.sensors)
+            for (UncertaintyComponent& component : shared_components(*sensor)) {
+                component.name = tell<"%1, %2">(sensor.name, component.name);
+                shared_.push_back({component.id,
+                                   component.name,
+                                   std::move(component),
+                                   {},
+                                   sensor.id,
+                                   std::vector<Eigen::Vector3d>(setup.targets.size(), no_move)});
+            }
+    }
 
-    Readings collect() {
-        for (std::size_t p = 0; p < points_.size(); ++p)
-            for (std::size_t m = 0; m < members_.size(); ++m) add_sight(m, p);
-        const auto rows = static_cast<Eigen::Index>(rows_.size());
-        readings_.to_points.setZero(rows, static_cast<Eigen::Index>(3 * points_.size()));
-        readings_.scale.resize(rows);
-        for (Eigen::Index i = 0; i < rows; ++i) {
-            const Row& row = rows_[static_cast<std::size_t>(i)];
-            readings_.to_points.block<1, 3>(i, static_cast<Eigen::Index>(3 * row.point)) = row.to_point;
-            readings_.scale[i] = row.scale;
-        }
-        readings_.shared.resize(rows, 0);
-        for (std::size_t m = 0; m < members_.size(); ++m) add_shared(m);
-        return std::move(readings_);
+    std::vector<JointDeviation> all() {
+        for (const network::JointSetUp& joint : setup_.set_ups) add(joint);
+        std::erase_if(shared_, [](const JointDeviation& d) { return !(u_of(d) > 0.0); });
+        of_readings_.insert(of_readings_.end(), shared_.begin(), shared_.end());
+        return std::move(of_readings_);
     }
 
 private:
-    struct Row {
-        std::size_t member, point;
-        Eigen::RowVector3d to_point;
-        double scale;
-        Eigen::RowVectorXd shared;  ///< by the member's shared components
-    };
+    static double u_of(const JointDeviation& d) { return d.component.distribution.standard_uncertainty(); }
 
-    void add_sight(std::size_t m, std::size_t point) {
-        const Member& member = members_[m];
-        const SensorSource& sensor = *member;
-        const LinearReading s = linear_reading(sensor.station(), points_[point]);
-        if (!sensor.sees(s.v)) return;
-        const Eigen::Matrix3Xd effects = shared_effects(sensor, s);
-        for (Observable o : observables) {
-            if (!sensor.reads(o)) continue;
-            const int i = static_cast<int>(o);
-            rows_.push_back({m, point, s.to_point.row(i), s.scale(o), effects.row(i)});
-            UncertaintyComponent component = sensor.reading(o, s.v);
-            component.name = tell<"%1, %2">(member.name, words_of(o));
-            component.id = member.id + "." + words_of(o).english();
-            readings_.deviations.push_back(
-                {component.id, component.name, std::move(component), point, {}, {}});
-        }
+    void add(const network::JointSetUp& joint) {
+        const network::Sensitivities all = network::sensitivities_of(setup_, joint);
+        const bool weighted = setup_.weights == network::Weights::with_stations;
+        const Eigen::MatrixXd gain = least_squares_gain(
+            all.to_point, all.u, weighted ? all.shared : Eigen::MatrixXd(all.shared.rows(), 0));
+        const Eigen::MatrixXd shared = gain * all.shared;
+        for (std::size_t k = 0; k < shared_.size(); ++k)
+            if (const double u = u_of(shared_[k]); u > 0.0)
+                move(joint, shared.col(Eigen::Index(k)) / u, shared_[k]);
+        Eigen::Index row = 0;
+        for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t)
+            for (const network::Sight& sight : setup_.targets[t].sights)
+                for (Observable o : observables)
+                    if (sight.has[std::size_t(o)]) add(joint, t, sight, o, gain.col(row++));
     }
 
-    void add_shared(std::size_t m) {
-        const Member& member = members_[m];
-        Eigen::Index k = -1;
-        for (UncertaintyComponent& component : shared_components(*member)) {
-            ++k;
-            if (!(component.distribution.standard_uncertainty() > 0.0)) continue;
-            Eigen::MatrixXd& F = readings_.shared;
-            F.conservativeResize(Eigen::NoChange, F.cols() + 1);
-            for (std::size_t i = 0; i < rows_.size(); ++i)
-                F(static_cast<Eigen::Index>(i), F.cols() - 1) =
-                    rows_[i].member == m ? rows_[i].shared[k] : 0.0;
-            const std::string id = component.id;
-            component.name = tell<"%1, %2">(member.name, component.name);
-            readings_.deviations.push_back({id, component.name, std::move(component), {}, member.id, {}});
-        }
+    void add(const network::JointSetUp& joint, std::size_t target, const network::Sight& sight, Observable o,
+             const Eigen::VectorXd& gain) {
+        const Sensor& sensor = setup_.sensors[sight.sensor];
+        const LinearReading reading = sensitivity_of(setup_, sight, setup_.targets[target].nominal);
+        UncertaintyComponent component = sensor->reading(o, reading.v);
+        component.name = tell<"%1, %2">(sensor.name, words_of(o));
+        component.id = sensor.id + "." + words_of(o).english();
+        of_readings_.push_back({component.id,
+                                component.name,
+                                std::move(component),
+                                target,
+                                {},
+                                std::vector<Eigen::Vector3d>(setup_.targets.size(), no_move)});
+        move(joint, gain * reading.scale(o), of_readings_.back());
     }
 
-    const std::vector<Member>& members_;
-    const std::vector<Eigen::Vector3d>& points_;
-    std::vector<Row> rows_;
-    Readings readings_;
+    static void move(const network::JointSetUp& joint, const Eigen::VectorXd& moves,
+                     JointDeviation& deviation) {
+        for (std::size_t t = 0; t < joint.targets; ++t)
+            deviation.directions[joint.first + t] = moves.segment<3>(Eigen::Index(3 * t));
+    }
+
+    inline static const Eigen::Vector3d no_move = Eigen::Vector3d::Zero();
+    const NetworkSetup& setup_;
+    std::vector<JointDeviation> of_readings_, shared_;
 };
 
 class SensorNetwork : public Asset, public PointUncertaintySource {
 public:
-    SensorNetwork(std::vector<Member> members, bool with_stations)
-        : members_(std::move(members)), with_stations_(with_stations) {
+    SensorNetwork(network::SensorList list, network::Weights weights, Problems& problems)
+        : list_(std::move(list)), sensors_(network::sensors_of(list_, problems)), weights_(weights) {
         offer(*this);
     }
 
@@ -127,28 +106,26 @@ public:
     }
 
     std::vector<JointDeviation> joint_deviations(const std::vector<Eigen::Vector3d>& points) const override {
-        Readings readings = ReadingCollector(members_, points).collect();
-        const Eigen::MatrixXd gain = gain_of(readings);
-        const Eigen::Index rows = readings.scale.size();
-        Eigen::MatrixXd moves(gain.rows(), rows + readings.shared.cols());
-        moves << gain * readings.scale.asDiagonal(), gain * readings.shared;
-        for (Eigen::Index k = 0; k < moves.cols(); ++k)
-            for (std::size_t p = 0; p < points.size(); ++p)
-                readings.deviations[static_cast<std::size_t>(k)].directions.push_back(
-                    moves.col(k).segment<3>(static_cast<Eigen::Index>(3 * p)));
-        return std::move(readings.deviations);
+        Problems problems;
+        std::optional<NetworkSetup> setup = setup_for(points, problems);
+        if (!setup) return {};
+        network::prepare_weights(*setup, problems);
+        if (problems.has_errors()) return {};
+        return Deviations(*setup).all();
     }
 
     Message objection(const Eigen::Vector3d& p) const override {
-        const std::vector<Eigen::Vector3d> points{p};
         std::string seeing;
-        for (const Member& member : members_) {
-            const Eigen::Vector3d v = member->station().X_WS().inverse() * p;
-            if (v.norm() == 0.0) return tell<"it is at the place of %1">(member.name);
-            if (member->sees(v)) seeing += (seeing.empty() ? "" : ", ") + member.name;
+        for (const Sensor& sensor : sensors_) {
+            const Eigen::Vector3d v = StationGeometry(sensor->station()).in_axes(p);
+            if (v.norm() == 0.0) return tell<"it is at the place of %1">(sensor.name);
+            if (sensor->sees(v)) seeing += (seeing.empty() ? "" : ", ") + sensor.name;
         }
         if (seeing.empty()) return tell<"no sensor of the network sees it">();
-        if (localises(ReadingCollector(members_, points).collect().to_points)) return {};
+        Problems problems;
+        const std::optional<NetworkSetup> setup = setup_for({p}, problems);
+        if (!setup) return first_error(problems);
+        if (localises(network::sensitivities_of(*setup, setup->set_ups.front()).to_point)) return {};
         return tell<
             "it cannot be localised from what %1 read: the readings leave a direction undetermined; "
             "add a sensor or a reading">(seeing);
@@ -156,7 +133,7 @@ public:
 
     std::vector<Eigen::Vector3d> stations_seeing(const Eigen::Vector3d& p) const override {
         std::vector<Eigen::Vector3d> stations;
-        for (const Member& member : members_) {
+        for (const Sensor& member : sensors_) {
             const Eigen::Isometry3d X_WS = member->station().X_WS();
             if (member->sees(X_WS.inverse() * p)) stations.push_back(X_WS.translation());
         }
@@ -173,7 +150,7 @@ public:
                          {.header = "x", .unit = mm, .digits = 2},
                          {.header = "y", .unit = mm, .digits = 2},
                          {.header = "z", .unit = mm, .digits = 2}};
-        for (const Member& member : members_) {
+        for (const Sensor& member : sensors_) {
             std::string reads;
             for (Observable o : observables)
                 if (member->reads(o)) reads += (reads.empty() ? "" : ", ") + words_of(o).english();
@@ -185,7 +162,7 @@ public:
 
     Layout layout() const override {
         Layout layout;
-        for (const Member& member : members_) {
+        for (const Sensor& member : sensors_) {
             const Layout own = as_part(member.asset->layout(), member.id);
             for (LayoutBody body : own.bodies) {
                 body.name = member.name;
@@ -201,20 +178,30 @@ public:
     }
 
 private:
-    /// With weights of the readings alone, or with what they share.
-    Eigen::MatrixXd gain_of(const Readings& r) const {
-        const Eigen::MatrixXd F = r.unit_shared();
-        const Eigen::VectorXd u = weighting_uncertainties(r.to_points, r.u(), F);
-        return least_squares_gain(r.to_points, u, with_stations_ ? F : Eigen::MatrixXd(F.rows(), 0));
+    /// The model's set-up of the points that are asked for.
+    std::optional<NetworkSetup> setup_for(const std::vector<Eigen::Vector3d>& points,
+                                          Problems& problems) const {
+        network::StatedNetwork stated;
+        stated.sensors = list_;
+        stated.weights = weights_;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            stated.targets.push_back({.name = std::to_string(i + 1), .nominal = points[i]});
+        return network::network_setup(stated, problems);
     }
 
-    std::vector<Member> members_;
-    bool with_stations_;
+    static Message first_error(const Problems& problems) {
+        const auto found = std::ranges::find(problems.items(), Severity::error, &Problem::severity);
+        return found == problems.items().end() ? Message() : found->message;
+    }
+
+    network::SensorList list_;
+    std::vector<Sensor> sensors_;
+    network::Weights weights_;
 };
 
 struct StatedSource {
     network::SensorList sensors;
-    bool with_stations = true;
+    network::Weights weights = network::Weights::with_stations;
 };
 
 const Fields<StatedSource>& source_fields() {
@@ -222,20 +209,21 @@ const Fields<StatedSource>& source_fields() {
         Fields<StatedSource>()
             .section("Network")
             .part(&StatedSource::sensors, network::sensor_list_fields())
-            .choice(&StatedSource::with_stations, "weights", "Weights",
+            .choice(&StatedSource::weights, "weights", "Weights",
                     "What the weights of the readings account for. With the stations, all points of one "
                     "analysis are estimated together.",
-                    {{true, "with-stations", "readings and stations, all points at once"},
-                     {false, "observations", "readings alone, each point by itself"}},
-                    true);
+                    {{network::Weights::with_stations, "with-stations",
+                      "readings and stations, all points at once"},
+                     {network::Weights::observations_only, "observations",
+                      "readings alone, each point by itself"}},
+                    network::Weights::with_stations);
     return fields;
 }
 
 std::unique_ptr<Asset> create_network(const SetupReader& setup, const AssetLibrary& assets,
                                       Problems& problems) {
     const StatedSource stated = source_fields().read(setup, assets, problems);
-    return std::make_unique<SensorNetwork>(network::sensors_of(stated.sensors, problems),
-                                           stated.with_stations);
+    return std::make_unique<SensorNetwork>(stated.sensors, stated.weights, problems);
 }
 
 }  // namespace

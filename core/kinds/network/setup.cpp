@@ -360,10 +360,13 @@ std::array<double, 3> readings_of(const StationGeometry& station, const Eigen::V
     return {v.norm(), std::atan2(v.y(), v.x()), std::atan2(v.z(), v.head<2>().norm())};
 }
 
+std::optional<NetworkSetup> network_setup(const StatedNetwork& stated, Problems& problems) {
+    return SetupReading(stated, problems).read();
+}
+
 std::optional<NetworkSetup> read_network_setup(const SetupReader& setup, const AssetLibrary& assets,
                                                Problems& problems) {
-    const Stated stated = network_fields().read(setup, assets, problems);
-    return SetupReading(stated, problems).read();
+    return network_setup(network_fields().read(setup, assets, problems), problems);
 }
 
 }  // namespace covaria::network

@@ -201,7 +201,9 @@ struct NetworkSetup {
 /// X_WF of a frame on targets at their nominal coordinates.
 Eigen::Isometry3d frame_of(const NetworkSetup& setup, const TargetFrame& frame);
 
-/// Empty if `problems` got an error.
+/// Checked and completed with predicted or given readings. Empty if `problems` got an error.
+std::optional<NetworkSetup> network_setup(const StatedNetwork& stated, Problems& problems);
+/// Likewise, as it is read.
 std::optional<NetworkSetup> read_network_setup(const SetupReader& setup, const AssetLibrary& assets,
                                                Problems& problems);
 

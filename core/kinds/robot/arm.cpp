@@ -41,9 +41,7 @@ std::vector<UncertaintyComponent> RobotSource::tool() const {
 }
 
 std::vector<DataTable> RobotAsset::evaluation() const {
-    std::vector<DataTable> tables{parameter_table(source_)};
-    tables.insert(tables.end(), tables_.begin(), tables_.end());
-    return tables;
+    return {parameter_table(source_)};
 }
 
 Layout RobotAsset::layout() const {

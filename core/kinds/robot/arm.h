@@ -1,4 +1,4 @@
-// A serial robot from plain data, for every kind of asset that is one.
+// A serial robot from plain data: an asset, or what an identification found.
 #pragma once
 
 #include "core/kinds/robot/serial_robot.h"
@@ -44,18 +44,14 @@ private:
 
 class RobotAsset : public Asset {
 public:
-    explicit RobotAsset(RobotData data, std::vector<DataTable> tables = {})
-        : source_(std::move(data)), tables_(std::move(tables)) {
-        offer(source_);
-    }
-    /// Parameters first, then what the kind of asset adds.
+    explicit RobotAsset(RobotData data) : source_(std::move(data)) { offer(source_); }
+    /// Its parameters.
     std::vector<DataTable> evaluation() const override;
     /// The arm at the zero readings.
     Layout layout() const override;
 
 private:
     RobotSource source_;
-    std::vector<DataTable> tables_;
 };
 
 }  // namespace covaria

@@ -126,12 +126,24 @@ private:
     std::set<std::string> names_;
 };
 
+bool has_parameters_of_analysis(const SerialRobotSource& robot) {
+    for (std::size_t i = 0; i < robot.joints().size(); ++i)
+        for (JointParameter p : joint_parameters)
+            if (robot.taken_from(i, p)) return true;
+    return false;
+}
+
 }  // namespace
 
 std::optional<PoseSetup> read_pose_setup(const SetupReader& setup, const AssetLibrary& assets,
                                          Problems& problems) {
     PoseSetup stated = pose_fields().read(setup, assets, problems);
     if (!stated.arm) return {};
+    if (!stated.correlated && has_parameters_of_analysis(*stated.arm))
+        problems.warning(
+            pose_fields().place(&PoseSetup::correlated),
+            tell<"the parameters come from an analysis, which is evaluated in every trial: their "
+                 "correlation cannot be ignored">());
     return PoseReading(std::move(stated), problems).read();
 }
 

@@ -113,7 +113,7 @@ std::optional<Calibration> read(const SetupReader& setup, const AssetLibrary& as
 /// Parameters, what is held and why, observability, residuals, check poses.
 std::vector<DataTable> tables(const Calibration& c);
 Layout layout(const Calibration& c);
-/// The arm with the identified parameters and their full covariance, standing where the base was found.
+/// The arm with the identified parameters, standing where the base was found.
 RobotData identified(const Calibration& c);
 
 /// The arm of one trial: joints at their zero readings, base and tool.

@@ -126,6 +126,7 @@ ModelDescriptor robot_calibration_model() {
     d.help_page = "robot-calibration.md";
     d.example = "er10l-c10.covaria";
     d.capabilities = {"serial-robot"};
+    d.was_asset = "calibrated-robot";
     d.schema = pose_calibration::fields().schema();
     d.create = create_calibration;
     return d;

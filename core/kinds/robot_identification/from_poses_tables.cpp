@@ -185,8 +185,7 @@ Layout layout(const Calibration& c) {
 }
 
 RobotData identified(const Calibration& c) {
-    RobotData data = identified_robot(c.robot(), c.parameters(), parameter_values(c), parameter_covariance(c),
-                                      "identification from measured poses");
+    RobotData data = identified_robot(c.robot(), c.parameters(), parameter_values(c));
     data.X_WB = c.X_MB;
     for (std::size_t j = 0; j < data.joints.size(); ++j)
         for (const UncertaintyComponent& component : c.robot().reading(j))

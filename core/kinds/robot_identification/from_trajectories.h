@@ -91,7 +91,7 @@ std::optional<std::vector<double>> estimates(const Identification& id);
 /// Circles, parameters beside the nominal ones, what is not identified and why.
 std::vector<DataTable> tables(const Identification& id);
 Layout layout(const Identification& id);
-/// The arm with the identified parameters and their full covariance.
-std::optional<RobotData> identified(const Identification& id, Problems& problems);
+/// The arm with the identified parameters. Empty: the points do not lead to them.
+std::optional<RobotData> identified(const Identification& id);
 
 }  // namespace covaria::circle_points

@@ -35,8 +35,7 @@ public:
     Layout layout(std::span<const double>) const override { return circle_points::layout(id_); }
 
     std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
-        Problems problems;
-        auto data = circle_points::identified(id_, problems);
+        auto data = circle_points::identified(id_);
         return data ? robot_of_analysis(std::move(*data), id_.parameters, id) : nullptr;
     }
 
@@ -118,6 +117,7 @@ ModelDescriptor robot_circle_points_model() {
     d.help_page = "robot-circle-points.md";
     d.example = "er10l-c10.covaria";
     d.capabilities = {"serial-robot"};
+    d.was_asset = "identified-robot";
     d.schema = circle_points::fields().schema();
     d.create = create_circle_points;
     return d;

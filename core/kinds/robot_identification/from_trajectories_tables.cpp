@@ -4,7 +4,6 @@
 
 #include "core/kinds/robot/layout.h"
 #include "core/kinds/robot_identification/from_trajectories.h"
-#include "core/kinds/robot_identification/input_sensitivity.h"
 #include "core/quantity/input_quantity.h"
 
 namespace covaria::circle_points {
@@ -110,9 +109,7 @@ void add_identified_arm(const Identification& id, Layout& layout) {
         axes[j] = {s.centre, s.axes.col(2)};
     }
     frames_from_axes(axes.data(), n, id.structure, frames.data());
-    RobotData data = identified_robot(
-        id.robot(), id.parameters, *values,
-        Eigen::MatrixXd::Zero(Eigen::Index(values->size()), Eigen::Index(values->size())), "");
+    RobotData data = identified_robot(id.robot(), id.parameters, *values);
     data.X_WB.linear() << frames[0].x, frames[0].y, frames[0].z;
     data.X_WB.translation() = frames[0].o;
     const RobotSource robot(std::move(data));
@@ -139,18 +136,10 @@ Layout layout(const Identification& id) {
     return layout;
 }
 
-std::optional<RobotData> identified(const Identification& id, Problems& problems) {
+std::optional<RobotData> identified(const Identification& id) {
     const auto values = estimates(id);
-    if (!values) {
-        problems.error(fields().place(&Identification::points),
-                       tell<"the points do not lead to parameters of the arm">());
-        return {};
-    }
-    const Eigen::MatrixXd S =
-        scaled_sensitivity(id.inputs, id.parameters.size(),
-                           [&](const EstimatedInputs& x, const auto& set) { evaluate<Dual>(id, x, set); });
-    RobotData data = identified_robot(id.robot(), id.parameters, *values, S * S.transpose(),
-                                      "identification by joint trajectories");
+    if (!values) return {};
+    RobotData data = identified_robot(id.robot(), id.parameters, *values);
     for (std::size_t j = 0; j + 1 < data.joints.size(); ++j) {
         data.joints[j].parallel = id.structure.parallel[j];
         if (data.joints[j].parallel) data.joints[j].values.d = 0.0;

@@ -13,28 +13,6 @@ TableCell cell(JointParameter p, double si) {
     return Quantity{unit.interval_from_si(si), unit};
 }
 
-/// Deviations of parameters with an uncertainty; `drawn` gets their index among the parameters.
-std::vector<ParameterDeviation> deviations_of(const std::vector<IdentifiedParameter>& found,
-                                              const Eigen::MatrixXd& covariance, const Message& origin,
-                                              std::vector<Eigen::Index>& drawn) {
-    std::vector<ParameterDeviation> deviations;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        const double variance = covariance(row, row);
-        if (!(variance > 0.0)) continue;
-        drawn.push_back(row);
-        const std::string symbol = found[i].symbol();
-        deviations.push_back({found[i].joint,
-                              found[i].parameter,
-                              {.id = symbol + ".identification",
-                               .name = tell<"%1, identification">(symbol),
-                               .unit = Unit::of(is_length(found[i].parameter) ? "mm" : "deg"),
-                               .distribution = Distribution::normal(std::sqrt(variance)),
-                               .origin = origin}});
-    }
-    return deviations;
-}
-
 }  // namespace
 
 double next_to(double nominal, JointParameter parameter, double value) {
@@ -74,8 +52,7 @@ DataTable held_table(const std::vector<HeldParameter>& held) {
 }
 
 RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
-                           const std::vector<double>& values, const Eigen::MatrixXd& covariance,
-                           const Message& origin) {
+                           const std::vector<double>& values) {
     RobotData data;
     data.convention = nominal.convention();
     data.joints = nominal.joints();
@@ -83,21 +60,11 @@ RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<I
     data.X_FT = nominal.X_FT();
     for (std::size_t i = 0; i < found.size(); ++i)
         data.joints[found[i].joint].values[found[i].parameter] = values[i];
-    std::vector<Eigen::Index> drawn;
-    data.deviations = deviations_of(found, covariance, origin, drawn);
-    for (std::size_t a = 0; a < drawn.size(); ++a)
-        for (std::size_t b = a + 1; b < drawn.size(); ++b) {
-            const double scale = std::sqrt(covariance(drawn[a], drawn[a]) * covariance(drawn[b], drawn[b]));
-            const double r = covariance(drawn[a], drawn[b]) / scale;
-            if (std::abs(r) > 1e-12) data.correlations.push_back({a, b, r});
-        }
     return data;
 }
 
 std::shared_ptr<const Asset> robot_of_analysis(RobotData data, const std::vector<IdentifiedParameter>& found,
                                                const std::string& analysis) {
-    data.deviations.clear();
-    data.correlations.clear();
     for (const IdentifiedParameter& p : found)
         data.outputs.push_back(
             {p.joint, p.parameter, {analysis, "joint " + std::to_string(p.joint + 1), p.symbol()}});

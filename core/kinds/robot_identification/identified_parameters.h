@@ -1,5 +1,4 @@
-// Parameters of an arm that an identification finds: their tables, and the arm that carries them with their
-// covariance. Shared by all ways of identification.
+// Parameters of an arm that an identification finds: their tables, and the arm that has them. Shared by all ways of identification.
 #pragma once
 
 #include <memory>
@@ -29,12 +28,10 @@ double next_to(double nominal, JointParameter parameter, double value);
 DataTable identified_table(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
                            const std::vector<double>& values, const Eigen::MatrixXd& covariance = {});
 DataTable held_table(const std::vector<HeldParameter>& held);
-/// The nominal arm with the found values and their full covariance: one deviation for each, correlated.
+/// The nominal arm with the found values, without uncertainties.
 RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
-                           const std::vector<double>& values, const Eigen::MatrixXd& covariance,
-                           const Message& origin);
-/// The same without uncertainties, each found parameter an output of the analysis that finds it: in the group
-/// "joint 3", by its symbol.
+                           const std::vector<double>& values);
+/// Each found parameter is an output of the analysis that finds it: in the group "joint 3", by its symbol.
 std::shared_ptr<const Asset> robot_of_analysis(RobotData data, const std::vector<IdentifiedParameter>& found,
                                                const std::string& analysis);
 

@@ -23,7 +23,7 @@ std::ostream& operator<<(std::ostream& out, const BadInput& input) {
 // clang-format off
 const BadInput bad_inputs[] = {
     // syntax
-    {"MissingComma", "\"schemaVersion\": 1,", "\"schemaVersion\": 1", "',' or '}' is expected here", "", 4},
+    {"MissingComma", "\"schemaVersion\": 2,", "\"schemaVersion\": 2", "',' or '}' is expected here", "", 4},
     {"MissingColon", "\"title\":", "\"title\"", "':' is expected after the key 'title'", "", 4},
     {"UnquotedKey", "\"title\":", "title:", "a key in double quotes is expected here (column 3)", "", 4},
     {"TrailingComma", "196000, 0.066, true]", "196000, 0.066, ]", "a value is expected here", "", 25},
@@ -38,8 +38,8 @@ const BadInput bad_inputs[] = {
     {"TextAfterTheEnd", "    }\n  ]\n}\n", "    }\n  ]\n}\n}", "nothing may follow its closing '}'", "", 91},
     // document
     {"OtherFormat", "\"format\": \"covaria\"", "\"format\": \"other\"", "not a project of Covaria", "/format", 2},
-    {"NoVersion", "  \"schemaVersion\": 1,\n", "", "'schemaVersion' is missing", "", 1},
-    {"TextVersion", "\"schemaVersion\": 1", "\"schemaVersion\": \"1\"", "must be a whole number", "/schemaVersion", 3},
+    {"NoVersion", "  \"schemaVersion\": 2,\n", "", "'schemaVersion' is missing", "", 1},
+    {"TextVersion", "\"schemaVersion\": 2", "\"schemaVersion\": \"2\"", "must be a whole number", "/schemaVersion", 3},
     {"UnknownTopKey", "\"title\"", "\"titel\"", "there is no 'titel' in the project (did you mean 'title'?)", "/titel", 4},
     {"MissingTitle", "\"title\"", "\"titel\"", "'title' is missing in the project", "/title", 1},
     {"AssetsNotAList", "\"notes\": \"first line\\nsecond line\"", "\"notes\": 7", "'notes' must be a text in quotes, not the number 7", "/notes", 5},

@@ -162,7 +162,7 @@ namespace test {
 
 const char* const whole_project = R"json({
   "format": "covaria",
-  "schemaVersion": 1,
+  "schemaVersion": 2,
   "title": "Block \"A\" of 5 µm",
   "notes": "first line\nsecond line",
   "assets": [

@@ -252,9 +252,9 @@ TEST(WriteRobots, OfSeveralRobotsOneIsToBeChosen) {
     for (const char* words : {"er10l-calibrated", "er10l-nominal", "--analysis"})
         EXPECT_NE(both.error().message.english().find(words), std::string::npos)
             << both.error().message.english();
-    const auto one = write_as("urdf", identification({"zero-pose-identified"}).source());
+    const auto one = write_as("urdf", identification({"trajectories", "zero-pose-identified"}).source());
     ASSERT_TRUE(one) << one.error().message.english();
-    EXPECT_EQ(one->said.front().substr(0, 22), "robot er10l-identified");
+    EXPECT_EQ(one->said.front().substr(0, 18), "robot trajectories");
     EXPECT_FALSE(write_as("urdf", {*MadeProject::make(Project{}), {}}));
 }
 

@@ -1,6 +1,7 @@
 // projects/er10l-c10.covaria with changes, for tests. Millimetres.
 #pragma once
 
+#include <cmath>
 #include <stdexcept>
 
 #include "core/base/resource_path.h"
@@ -87,6 +88,16 @@ inline const BudgetRow* budget_row(const UncertaintyResult& r, std::size_t outpu
     for (const BudgetRow& row : r.budget.rows[output])
         if (r.budget.components[row.component].quantities == std::vector<std::string>{quantity}) return &row;
     return nullptr;
+}
+/// Of x, y, z in the zero pose, had the parameters that an analysis finds nothing in common.
+inline Row u_without_correlation(Robot& robot, const std::string& identification) {
+    const UncertaintyResult found = robot.run(identification, 0), zero = robot.run("zero-pose", 0);
+    Row u(3);
+    for (const OutputResult& parameter : found.outputs)
+        for (std::size_t i = 0; i < 3; ++i)
+            if (const BudgetRow* row = budget_row(zero, i, parameter.quantity.symbol))
+                u[i] = std::hypot(u[i], 1e3 * row->sensitivity * parameter.standard_uncertainty);
+    return u;
 }
 
 }  // namespace covaria::robot_test

@@ -144,8 +144,7 @@ TEST(Calibration, TheIdentifiedRobotCarriesItsCovariance) {
         EXPECT_NEAR(y[i], calibrated_zero[i], 4 * u[i]);
         EXPECT_LT(u[i], .03);
     }
-    robot.setup("zero-pose-from-poses").values["correlation"] = std::string("ignored");
-    const auto alone = robot_test::u(robot.run("zero-pose-from-poses", 0));
+    const auto alone = robot_test::u_without_correlation(robot, "poses-measured");
     EXPECT_GT(std::hypot(alone[0], alone[1], alone[2]), 1.5 * std::hypot(u[0], u[1], u[2]));
 }
 
