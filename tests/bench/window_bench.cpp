@@ -1,5 +1,5 @@
 // What a user waits for in the window, as a table: start, a live edit, turning the scene, dragging an
-// instrument, memory. Run by hand; the goals are those of ARCHITECTURE.md.
+// instrument, memory. Run by hand; the goals are those of docs/performance.md.
 // usage: window_bench [start|edit|turn|drag|large|memory ...]
 #include <unistd.h>
 
