@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/setup/symbol_column.h"
 #include "core/text/symbol.h"
 #include "ui/document/project_edits.h"
 #include "ui/document/quantity_text.h"
@@ -88,7 +89,7 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
             return rejected != rejected_.end() ? rejected->second.text : cell_text(spec, cell, QLocale());
         case typeset_role:  // "theta" is a name in every other column
             if (const auto* name = std::get_if<std::string>(&cell);
-                name && spec.key == "symbol" && rejected == rejected_.end())
+                name && names_quantities(spec) && rejected == rejected_.end())
                 return QVariant::fromValue(symbol_text(*name));
             return {};
         case Qt::TextAlignmentRole:
