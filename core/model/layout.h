@@ -81,6 +81,7 @@ struct LayoutVector {
     Eigen::Vector3d vector_W = Eigen::Vector3d::Zero();  ///< N or N m
     std::string group = {};
     VectorKind kind = VectorKind::force;
+    bool is_measured = false;  ///< its label says how large it is
     /// Output quantities that are its three coordinates; their uncertainty is then drawn at the tip ...
     std::optional<std::array<std::size_t, 3>> outputs = {};
     Eigen::Matrix3d R_WQ = Eigen::Matrix3d::Identity();  ///< ... along these axes

@@ -208,11 +208,12 @@ private:
         for (const Tick& tick : sheet_.out.y.ticks) put(geometry.y_at(tick.at), tick.text, TextKind::figures);
         const double cell = geometry.area.height() / (geometry.view.y_high - geometry.view.y_low);
         const std::size_t step = every(cell, closest_lines * sheet_.line);
-        for (std::size_t i = 0; i < sheet_.plot.y.categories.size(); ++i) {
+        const std::vector<Text> names =
+            shortened_apart(sheet_.plot.y.categories, sheet_.out.fonts.label, sheet_.y_labels_width());
+        for (std::size_t i = 0; i < names.size(); ++i) {
             const double y = geometry.y_at(static_cast<double>(i));
             if (i % step != 0 || y < geometry.area.top() || y > geometry.area.bottom()) continue;
-            put(y, shortened(sheet_.plot.y.categories[i], sheet_.out.fonts.label, sheet_.y_labels_width()),
-                TextKind::label);
+            put(y, names[i], TextKind::label);
         }
     }
 

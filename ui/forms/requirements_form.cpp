@@ -11,6 +11,7 @@
 #include "ui/forms/form_labels.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -90,7 +91,7 @@ QString conformity_words(const UncertaintyResult& result, const RequirementResul
                        .arg(number(unit, r.guard_band),
                             accepted ? RequirementsForm::tr("accepted") : RequirementsForm::tr("rejected"),
                             percent(r.conformance), distribution_words(r.conformance_by),
-                            to_qt(decision_rule(r.guard_factor)));
+                            to_qt(decision_rule(r.guard_factor, language_of_window())));
     if (r.uncertainty_ratio && r.capability_index)
         text += RequirementsForm::tr("<br>TUR %1, C<sub>m</sub> %2.")
                     .arg(localized(format_significant(*r.uncertainty_ratio, 3)),

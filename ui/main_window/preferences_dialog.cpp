@@ -46,7 +46,7 @@ PreferencesDialog::PreferencesDialog(PreferenceStore& preferences, QWidget* pare
     auto* column = new QVBoxLayout(this);
     add_results(*add_group(*column, tr("Results in the window"),
                            tr("Where the project does not state them. Reports and files are the project's "
-                              "alone, with the decimal point everywhere.")));
+                              "alone.")));
     add_new_analyses(*add_group(*column, tr("New analyses"),
                                 tr("Written into analyses that are added; others stay as they are.")));
     add_window(*add_group(*column, tr("Window"), {}));
@@ -109,7 +109,6 @@ void PreferencesDialog::add_new_analyses(QFormLayout& form) {
     trials_ = add_number(form, tr("Trials"), "trials", tr("Of Monte Carlo"),
                          {int(fewest_trials), int(most_trials)});
     trials_->setSingleStep(100'000);
-    trials_->setGroupSeparatorShown(true);
 }
 
 void PreferencesDialog::add_window(QFormLayout& form) {

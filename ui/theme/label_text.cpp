@@ -67,6 +67,22 @@ Text shortened(const Text& text, const QFont& font, double width) {
     return with(most);
 }
 
+std::vector<Text> shortened_apart(const std::vector<Text>& texts, const QFont& font, double width) {
+    std::vector<Text> labels;
+    for (const Text& text : texts) labels.push_back(shortened(text, font, width));
+    const std::vector<Text> first = labels;
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        for (std::size_t k = 0; k < texts.size(); ++k) {
+            if (first[i] != first[k] || texts[i] == texts[k]) continue;
+            const std::string own = texts[i].letters(), other = texts[k].letters();
+            std::size_t same = 0;  // up to the word with which they part
+            for (std::size_t at = 0; at < std::min(own.size(), other.size()) && own[at] == other[at]; ++at)
+                if (own[at] == ' ') same = at + 1;
+            if (same > 0) labels[i] = shortened("…" + texts[i].part(same), font, width);
+        }
+    return labels;
+}
+
 std::vector<Text> wrapped(const Text& text, const QFont& font, double width) {
     std::vector<Text> lines;
     const std::string letters = text.letters();

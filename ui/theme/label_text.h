@@ -40,6 +40,8 @@ private:
 double text_width(const Text& text, const QFont& font);
 /// `text` cut in the middle, marked by an ellipsis, where it is wider than `width`.
 Text shortened(const Text& text, const QFont& font, double width);
+/// Likewise, of labels beside each other: those that would look alike are cut where they are alike.
+std::vector<Text> shortened_apart(const std::vector<Text>& texts, const QFont& font, double width);
 /// Lines no wider than `width` where words allow it.
 std::vector<Text> wrapped(const Text& text, const QFont& font, double width);
 

@@ -214,13 +214,22 @@ double vector_scale(const SceneBuild& build, VectorKind kind) {
     return longest > 0.0 && std::isfinite(longest) ? longest_vector * build.scene.size / longest : 0.0;
 }
 
+/// "F 79.93 N"
+std::string label_of(const LayoutVector& vector, const NumberLocale& numbers) {
+    if (!vector.is_measured) return vector.name;
+    char magnitude[32];
+    std::snprintf(magnitude, sizeof magnitude, "%.4g", vector.vector_W.norm());
+    return vector.name + " " + typeset_number(magnitude, numbers) +
+           (vector.kind == VectorKind::moment ? " N·m" : " N");
+}
+
 void add_vectors(SceneBuild& build) {
     for (const LayoutVector& vector : build.source.layout->vectors) {
         const double scale = vector_scale(build, vector.kind);
         if (!build.shows(vector.group) || !(scale > 0.0)) continue;
         SceneVector& added = build.scene.vectors.emplace_back();
-        added.item = {
-            build.unique_id("vector", vector.name), vector.name, vector.group, vector.at_W, {}, {}, {}};
+        const std::string label = label_of(vector, build.scene.numbers);
+        added.item = {build.unique_id("vector", label), label, vector.group, vector.at_W, {}, {}, {}};
         added.kind = vector.kind;
         added.arrow = vector.vector_W * scale;
         added.radius = 0.006 * build.scene.size;

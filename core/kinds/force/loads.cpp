@@ -89,7 +89,8 @@ private:
     void add_vector(std::size_t k, VectorKind kind, const std::vector<double>& y, Layout& layout) const {
         const std::size_t n = setup_.size();
         const bool moment = kind == VectorKind::moment;
-        LayoutVector vector{.name = {}, .group = setup_.cases[k].name, .kind = kind};
+        LayoutVector vector{.name = moment ? "M" : "F", .group = setup_.cases[k].name, .kind = kind};
+        vector.is_measured = true;
         std::array<std::size_t, 3> outputs{};
         std::size_t found = 0;
         Eigen::Vector3d value = Eigen::Vector3d::Zero();
@@ -101,10 +102,6 @@ private:
             value[Eigen::Index(channel.axis % 3)] = y[2 * n * k + c];
         }
         if (found == 0) return;
-        char text[64];
-        std::snprintf(text, sizeof text, "%s %.4g %s", moment ? "M" : "F", value.norm(),
-                      moment ? "N·m" : "N");
-        vector.name = text;
         const Eigen::Isometry3d& X_WS = setup_.sensor->placement();
         vector.at_W = X_WS.translation();
         vector.vector_W = X_WS.linear() * value;

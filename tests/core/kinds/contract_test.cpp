@@ -167,6 +167,25 @@ TEST_P(Contract, QuantitiesAreNamedOnce) {
     }
 }
 
+/// Names are put together from parts: none of them may be missing or there twice.
+void expect_whole(const Message& name) {
+    const std::string words = name.english();
+    for (const char* wrong : {", ,", ",,", "  ", " ,", "coordinate , ", "%1"})
+        EXPECT_EQ(words.find(wrong), std::string::npos) << words;
+    EXPECT_TRUE(words.empty() || (words.back() != ' ' && words.back() != ',')) << words;
+}
+
+TEST_P(Contract, NamesAreWhole) {
+    for (const Analysis& a : analyses_of(descriptor())) {
+        for (const InputQuantity& q : a.inputs().quantities) expect_whole(q.name);
+        for (const OutputQuantity& y : a.model().outputs()) expect_whole(y.name);
+        for (const UncertaintyComponent& c : a.inputs().components) {
+            expect_whole(c.name);
+            expect_whole(c.origin);
+        }
+    }
+}
+
 TEST_P(Contract, EvaluatesFinitelyAndDeterministically) {
     for (const Analysis& a : analyses_of(descriptor())) {
         const std::vector<double> x = estimates(a.inputs());

@@ -160,5 +160,18 @@ TEST(Shortened, TextFitsAndKeepsItsSubscripts) {
     EXPECT_EQ(shortened("ü", font, 0.0), Text("…"));
 }
 
+TEST(Shortened, LabelsThatWouldLookAlikeAreCutWhereTheyAreAlike) {
+    const QFont font = QApplication::font();
+    const std::vector<Text> names{"d, comparator, random effects", "d, comparator, systematic effects",
+                                  "theta"};
+    const double room = text_width("d, compar…c effects", font);
+    ASSERT_EQ(shortened(names[0], font, 0.6 * room), shortened(names[1], font, 0.6 * room)) << "middle cut";
+    const std::vector<Text> apart = shortened_apart(names, font, 0.6 * room);
+    EXPECT_NE(apart[0], apart[1]);
+    EXPECT_EQ(apart[2], names[2]);
+    for (const Text& label : apart) EXPECT_LE(text_width(label, font), 0.6 * room);
+    EXPECT_EQ(shortened_apart({"alike", "alike"}, font, 0.0).front(), Text("…")) << "the same name twice";
+}
+
 }  // namespace
 }  // namespace covaria::ui::typeset_test
