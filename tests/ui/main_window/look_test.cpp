@@ -163,6 +163,19 @@ TEST_F(Look, ColumnsAreChosenAndRemembered) {
     EXPECT_TRUE(again.isColumnHidden(column(*again.model(), QStringLiteral("k"))));
 }
 
+// A table with other columns than before: what appears in the place of a hidden one is fitted as well.
+TEST_F(Look, OnlyWidthsThatTheUserGaveAreRemembered) {
+    for (const char* name : {"chain", "stewart-platform"}) {
+        open(project_copy(QString::fromLatin1(name)));
+        wait_until_idle();
+        for (const AnalysisEntry& analysis : window_->document().project().analyses)
+            window_->selection().select_entry({SetupOwner::analysis, analysis.id});
+    }
+    for (const QString& key : QSettings().allKeys())
+        EXPECT_FALSE(key.endsWith(QLatin1String("/widths")))
+            << key.toStdString() << QSettings().value(key).toMap().firstKey().toStdString();
+}
+
 TEST_F(Look, UnitsAreChosenForTablesAndChartsAndRemembered) {
     open(project_copy());
     wait_until_idle();
