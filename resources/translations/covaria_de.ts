@@ -12016,6 +12016,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>%1, Koordinate %2</translation>
     </message>
     <message>
+        <source>tool centre point</source>
+        <translation>Werkzeugmittelpunkt</translation>
+    </message>
+    <message>
+        <source>centre of the flange</source>
+        <translation>Mittelpunkt des Flansches</translation>
+    </message>
+    <message>
         <source>calibration of the artefact</source>
         <translation>Kalibrierung des Prüfkörpers</translation>
     </message>

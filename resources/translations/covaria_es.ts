@@ -12016,6 +12016,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>%1, coordenada %2</translation>
     </message>
     <message>
+        <source>tool centre point</source>
+        <translation>punto central de la herramienta</translation>
+    </message>
+    <message>
+        <source>centre of the flange</source>
+        <translation>centro de la brida</translation>
+    </message>
+    <message>
         <source>calibration of the artefact</source>
         <translation>calibración del artefacto</translation>
     </message>

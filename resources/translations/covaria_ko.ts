@@ -12016,6 +12016,14 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <translation>%1, 좌표 %2</translation>
     </message>
     <message>
+        <source>tool centre point</source>
+        <translation>공구 중심점</translation>
+    </message>
+    <message>
+        <source>centre of the flange</source>
+        <translation>플랜지의 중심</translation>
+    </message>
+    <message>
         <source>calibration of the artefact</source>
         <translation>기준물의 교정</translation>
     </message>

@@ -12016,6 +12016,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>%1, coordenada %2</translation>
     </message>
     <message>
+        <source>tool centre point</source>
+        <translation>ponto central da ferramenta</translation>
+    </message>
+    <message>
+        <source>centre of the flange</source>
+        <translation>centro do flange</translation>
+    </message>
+    <message>
         <source>calibration of the artefact</source>
         <translation>calibração do artefato</translation>
     </message>

@@ -12016,6 +12016,14 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <translation>%1，坐标 %2</translation>
     </message>
     <message>
+        <source>tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>centre of the flange</source>
+        <translation>法兰中心</translation>
+    </message>
+    <message>
         <source>calibration of the artefact</source>
         <translation>实物标准器的校准</translation>
     </message>

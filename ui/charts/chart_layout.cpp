@@ -289,7 +289,12 @@ private:
         if (at.x() > sheet_.edge && at.x() + width > sheet_.size.width() - sheet_.edge)
             at = {sheet_.edge, at.y() + 1.2 * sheet_.line};
         sheet_.out.legend.push_back({QRectF(at, QSizeF(swatch, sheet_.line)), kind, role});
-        sheet_.add_text(name, at + QPointF(swatch + gap, 0.0), TextKind::label);
+        const double room = sheet_.size.width() - sheet_.edge - at.x() - swatch - gap;
+        const std::vector<Text> lines = wrapped(name, sheet_.out.fonts.label, room);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            if (i > 0) at.ry() += sheet_.line;
+            sheet_.add_text(lines[i], at + QPointF(swatch + gap, 0.0), TextKind::label);
+        }
         at.rx() += width + std::round(16.0 * sheet_.unit);
     }
 

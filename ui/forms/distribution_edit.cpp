@@ -108,7 +108,7 @@ void DistributionEdit::set_place(UnreadTexts& unread, const TextPlace& place) {
 
 void DistributionEdit::set_component(const ComponentEdit& component) {
     component_ = component;
-    kind_->setCurrentIndex(kind_->findData(core_text(component.distribution)));
+    kind_->setCurrentIndex(kind_->findData(to_qt(component.distribution)));
     unit_->clear();
     for (const Unit& unit : DisplayUnits::choices(component.unit.interval()))
         unit_->addItem(to_qt(unit.display()), to_qt(unit.text()));

@@ -3,6 +3,8 @@
 #include <QStyle>
 #include <QWidget>
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace covaria::ui {
 
@@ -22,18 +24,26 @@ int FlowLayout::gap() const {
 
 int FlowLayout::arrange(const QRect& rect, bool move) const {
     int x = rect.left(), y = rect.top(), line = 0;
+    std::vector<std::pair<QLayoutItem*, QRect>> in_line;
+    const auto end_line = [&] {
+        for (const auto& [item, place] : in_line)
+            if (move) item->setGeometry(place.translated(0, (line - place.height()) / 2));
+        in_line.clear();
+    };
     for (QLayoutItem* item : items_) {
         if (item->isEmpty()) continue;  // hidden
         const QSize size = item->sizeHint().boundedTo(QSize(std::max(0, rect.width()), QLAYOUTSIZE_MAX));
         if (x > rect.left() && x + size.width() > rect.right() + 1) {
+            end_line();
             x = rect.left();
             y += line + gap();
             line = 0;
         }
-        if (move) item->setGeometry(QRect(QPoint(x, y), size));
+        in_line.emplace_back(item, QRect(QPoint(x, y), size));
         x += size.width() + gap();
         line = std::max(line, size.height());
     }
+    end_line();
     return y + line - rect.top();
 }
 

@@ -6,10 +6,12 @@
 #include "core/text/symbol.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
+#include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
 
 OutputTicks::OutputTicks(QWidget* parent) : QListWidget(parent) {
+    setItemDelegate(new TypesetDelegate(this));
     setMinimumHeight(8 * fontMetrics().height());
     connect(this, &QListWidget::itemChanged, this, &OutputTicks::take);
 }

@@ -165,6 +165,11 @@ int MainWindow::room_for_names() const {
     return std::clamp(project_->wanted_width(), 210, (27 * width()) / 100);
 }
 
+/// Never takes any.
+void MainWindow::give_names_room() {
+    if (docks_[0]->width() < room_for_names()) resizeDocks({docks_[0]}, {room_for_names()}, Qt::Horizontal);
+}
+
 void MainWindow::make_actions() {
     undo_ = document_.undo_stack().createUndoAction(this, tr("&Undo"));
     redo_ = document_.undo_stack().createRedoAction(this, tr("&Redo"));
@@ -456,13 +461,7 @@ void MainWindow::take_preferences() {
     if (other_numbers || other_font) finish_typing();  // what was typed is of the form before
     if (other_font) {
         // Widths of names as well, when all have taken it.
-        QMetaObject::invokeMethod(
-            this,
-            [this] {
-                if (docks_[0]->width() < room_for_names())
-                    resizeDocks({docks_[0]}, {room_for_names()}, Qt::Horizontal);
-            },
-            Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &MainWindow::give_names_room, Qt::QueuedConnection);
     }
     if (other_numbers) {
         apply_number_form(numbers_ = wanted.numbers);
@@ -498,6 +497,8 @@ void MainWindow::show_project() {
     if (first) {
         arrange();
         restore_window(*this);
+    } else {
+        give_names_room();
     }
     selection_.clear();
     budget_->start_over();

@@ -80,6 +80,7 @@ private:
     void arrange();
     /// Of the project tree, within a share of the window.
     int room_for_names() const;
+    void give_names_room();
     void count_problems();
     void make_menus();
     void make_actions();

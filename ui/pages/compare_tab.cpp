@@ -26,7 +26,15 @@ CompareTab::CompareTab(Document& document, AnalysisRunner& runner, Selection& se
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(make_head());
-    column->addWidget(make_body(), 1);
+    body_ = make_body();
+    column->addWidget(body_, 1);
+    what_to_do_ = new QLabel;
+    what_to_do_->setAlignment(Qt::AlignCenter);
+    what_to_do_->setWordWrap(true);
+    what_to_do_->setMargin(12);
+    what_to_do_->setBackgroundRole(QPalette::Base);
+    what_to_do_->setAutoFillBackground(true);
+    column->addWidget(what_to_do_, 1);
     connect_parts();
     refresh();
 }
@@ -68,6 +76,7 @@ QWidget* CompareTab::make_head() {
     }
     state_ = new ElidedLabel;
     row->addWidget(state_, 1);
+    row->addStretch();  // the buttons stay where they are without it
     return head;
 }
 
@@ -173,6 +182,10 @@ void CompareTab::refresh() {
     comparison_ = kept && status.result
                       ? std::make_shared<const ResultComparison>(compare_results(kept->result, status.result))
                       : nullptr;
+    state_->setVisible(comparison_ != nullptr);
+    body_->setVisible(comparison_ != nullptr);
+    what_to_do_->setVisible(!comparison_);
+    what_to_do_->setText(state_->text());
     current_ = status.is_of_present();
     const QString said = reservation(status);
     for (SortableTable* table : {results_, budget_}) table->set_remark(said);

@@ -67,6 +67,8 @@ private:
     DisplayUnits units_;
     QAction *keep_ = nullptr, *go_back_ = nullptr, *discard_ = nullptr;
     QLabel* state_ = nullptr;
+    QLabel* what_to_do_ = nullptr;  ///< in the place of the body while nothing is compared
+    QWidget* body_ = nullptr;
     SortableTable* results_ = nullptr;
     SortableTable* budget_ = nullptr;
     QComboBox* chart_list_ = nullptr;

@@ -15,6 +15,7 @@
 #include "ui/pages/evaluation_view.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
+#include "ui/theme/elided_label.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -62,8 +63,7 @@ void DesignTab::make_head() {
                    tr("Variables, rows and objective of the design, in the properties of the analysis"));
     take_over_ = button(tr("Take Over This Design"), "take_over_design",
                         tr("Puts the values and rows that were found into the project; can be undone"));
-    state_ = new QLabel;
-    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    state_ = new ElidedLabel;
     for (QWidget* each : std::initializer_list<QWidget*>{list_, run_, stop_, edit_, take_over_})
         row->addWidget(each);
     row->addWidget(state_, 1);

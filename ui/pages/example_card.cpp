@@ -11,7 +11,9 @@ namespace {
 
 constexpr QSize picture_size(300, 188);
 constexpr int padding = 12;
+constexpr int title_lines = 2;
 constexpr int summary_lines = 3;
+constexpr int title_gap = 4;
 
 QFont title_font(const QFont& font) {
     QFont bold = font;
@@ -40,6 +42,27 @@ void paint_placeholder(QPainter& painter, const QRectF& area, const QPalette& pa
     painter.restore();
 }
 
+/// The last of `most` lines ends in "…" where there are more words. Gives the height of the lines.
+int paint_lines(QPainter& painter, const QString& words, const QFont& font, const QRect& area, int most) {
+    const QFontMetrics metrics(font);
+    painter.setFont(font);
+    QTextLayout layout(words, font);
+    int height = 0;
+    layout.beginLayout();
+    for (int i = 0; i < most; ++i) {
+        QTextLine line = layout.createLine();
+        if (!line.isValid()) break;
+        line.setLineWidth(area.width());
+        const int length = i + 1 == most ? -1 : line.textLength();
+        painter.drawText(
+            QPoint(area.left(), area.top() + height + metrics.ascent()),
+            metrics.elidedText(words.mid(line.textStart(), length).trimmed(), Qt::ElideRight, area.width()));
+        height += metrics.lineSpacing();
+    }
+    layout.endLayout();
+    return height;
+}
+
 }  // namespace
 
 ExampleCard::ExampleCard(const QString& title, const QString& summary, const QString& picture,
@@ -55,8 +78,8 @@ ExampleCard::ExampleCard(const QString& title, const QString& summary, const QSt
 }
 
 QSize ExampleCard::sizeHint() const {
-    const int words =
-        QFontMetrics(title_font(font())).lineSpacing() * 2 + fontMetrics().lineSpacing() * summary_lines;
+    const int words = QFontMetrics(title_font(font())).lineSpacing() * title_lines + title_gap +
+                      fontMetrics().lineSpacing() * summary_lines;
     return {picture_size.width() + 2, picture_size.height() + words + 2 * padding};
 }
 
@@ -102,29 +125,10 @@ void ExampleCard::paintEvent(QPaintEvent*) {
 }
 
 void ExampleCard::paint_words(QPainter& painter, const QRect& area) const {
-    const QFont bold = title_font(font());
-    const QFontMetrics title(bold);
     painter.setPen(palette().color(QPalette::Text));
-    painter.setFont(bold);
-    painter.drawText(QRect(area.topLeft(), QSize(area.width(), title.lineSpacing())), Qt::AlignLeft,
-                     title.elidedText(text(), Qt::ElideRight, area.width()));
-    painter.setFont(font());
+    const int title = paint_lines(painter, text(), title_font(font()), area, title_lines);
     painter.setPen(mix(palette().color(QPalette::Base), palette().color(QPalette::Text), 0.72));
-    QTextLayout layout(summary_, font());
-    int y = area.top() + title.lineSpacing() + 4;
-    layout.beginLayout();
-    for (int i = 0; i < summary_lines; ++i) {
-        QTextLine line = layout.createLine();
-        if (!line.isValid()) break;
-        line.setLineWidth(area.width());
-        const bool last = i + 1 == summary_lines;
-        const QString words =
-            last ? summary_.mid(line.textStart()) : summary_.mid(line.textStart(), line.textLength());
-        painter.drawText(QPoint(area.left(), y + fontMetrics().ascent()),
-                         fontMetrics().elidedText(words.trimmed(), Qt::ElideRight, area.width()));
-        y += fontMetrics().lineSpacing();
-    }
-    layout.endLayout();
+    paint_lines(painter, summary_, font(), area.adjusted(0, title + title_gap, 0, 0), summary_lines);
 }
 
 }  // namespace covaria::ui

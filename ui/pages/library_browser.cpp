@@ -24,6 +24,7 @@ namespace {
 
 constexpr QSize card_picture(160, 100);
 constexpr int entry_role = Qt::UserRole;
+constexpr int least_collections_width = 200;
 
 QString icon_of_category(const AssetEntry& asset) {
     const AssetDescriptor* kind = find_asset_kind(asset.kind);
@@ -63,7 +64,6 @@ QPixmap card_pixmap(const QString& file, const QString& icon_name, const QPalett
 QListWidget* make_collections() {
     auto* list = new QListWidget;
     list->setObjectName(QStringLiteral("library_collections"));
-    list->setFixedWidth(200);
     list->setAccessibleName(LibraryBrowser::tr("Collections"));
     return list;
 }
@@ -143,6 +143,8 @@ void LibraryBrowser::fill() {
     for (const Entry& entry : entries_)
         if (collections_->findItems(entry.collection, Qt::MatchExactly).isEmpty())
             collections_->addItem(entry.collection);
+    collections_->setFixedWidth(std::max(
+        least_collections_width, collections_->sizeHintForColumn(0) + 2 * collections_->frameWidth() + 8));
     show_collection(shown);
     refresh_cards();
 }

@@ -155,7 +155,9 @@ int ProjectPane::wanted_width() const {
         take(above, 1);
         for (int row = 0; row < model_.rowCount(above); ++row) take(model_.index(row, 0, above), 2);
     }
-    return names + sizeHintForColumn(1) + 2 * frameWidth() + 12;
+    const int states =  // as the head makes the column, with or without states
+        std::max({sizeHintForColumn(1), header()->sectionSizeHint(1), header()->minimumSectionSize()});
+    return names + states + 2 * frameWidth() + 12;
 }
 
 void ProjectPane::follow_selection() {

@@ -75,6 +75,7 @@ QString SortableTable::column_name(int column) const {
 }
 
 void SortableTable::apply_columns() {
+    fitting_ = true;  // what appears has the width of what stood there before: nobody's wish
     for (int column = 0; column < proxy_.columnCount(); ++column)
         setColumnHidden(column, hidden_.contains(column_name(column)));
     fit_columns();
@@ -102,6 +103,7 @@ void SortableTable::set_column_shown(int column, bool shown) {
     hidden_.removeAll(name);
     if (!shown) hidden_ << name;
     if (!key_.isEmpty()) QSettings().setValue(key_ + QStringLiteral("/hidden"), hidden_);
+    fitting_ = true;
     setColumnHidden(column, !shown);
     fit_columns();
 }

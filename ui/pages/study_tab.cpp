@@ -57,6 +57,8 @@ void StudyTab::make_head() {
         return made;
     };
     list_ = combo(tr("Study"), tr("Study of this analysis"));
+    list_->setMinimumWidth(list_->minimumSizeHint().width());  // as little as the others if need be
+    list_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     run_ = new QPushButton(tr("Run Study"));
     edit_ = new QPushButton(tr("Edit …"));
     edit_->setToolTip(tr("Axes, outputs and method of the study, in the properties of the analysis"));

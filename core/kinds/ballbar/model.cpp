@@ -42,7 +42,7 @@ private:
     }
 
     void add_tool() {
-        add_position("TCP", "tool centre point, ", OutputRole::measurand);
+        add_position("TCP", tell<"tool centre point">(), OutputRole::measurand);
         for (const tcp::Sequence& s : setup_.sequences)
             for (int other = 0; other < 3; ++other) {
                 if (other == s.axis) continue;
@@ -53,7 +53,7 @@ private:
                                     .group = "axes of the flange",
                                     .role = OutputRole::intermediate});
             }
-        add_position("centre of the flange", "centre of the flange, coordinate ", OutputRole::intermediate);
+        add_position("centre of the flange", tell<"centre of the flange">(), OutputRole::intermediate);
     }
 
     tcp::TcpSetup setup_;

@@ -28,6 +28,7 @@
 #include "core/text/symbol.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
+#include "ui/forms/distribution_edit.h"
 #include "ui/forms/import_dialog.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/search_actions.h"
@@ -248,6 +249,15 @@ TEST_F(Languages, NamesInAProjectStayAsTheyAre) {
         ++references;
     }
     EXPECT_GE(references, 2);
+}
+
+TEST_F(Languages, ADistributionIsShownByItsTitle) {
+    DistributionEdit edit;
+    edit.set_component({.name = "limits", .distribution = "rectangular", .parameters = {-1.0, 1.0}});
+    const auto* box = edit.findChild<QComboBox*>(QStringLiteral("distribution"));
+    ASSERT_TRUE(box);
+    EXPECT_EQ(box->currentData().toString(), QStringLiteral("rectangular"));
+    EXPECT_TRUE(box->currentText().startsWith(opening)) << box->currentText().toStdString();
 }
 
 TEST_F(Languages, TheSameColumnsAreHidden) {

@@ -22,6 +22,7 @@
 #include "ui/pages/example_card.h"
 #include "ui/pages/field_help.h"
 #include "ui/pages/message_panes.h"
+#include "ui/pages/project_pane.h"
 #include "ui/pages/properties_pane.h"
 #include "ui/pages/results_pane.h"
 #include "ui/pages/run_status.h"
@@ -161,6 +162,39 @@ TEST_F(Look, ColumnsAreChosenAndRemembered) {
     EXPECT_FALSE(again.isColumnHidden(group));
     EXPECT_EQ(again.columnWidth(group), 123);
     EXPECT_TRUE(again.isColumnHidden(column(*again.model(), QStringLiteral("k"))));
+}
+
+TEST_F(Look, TheTreeHasRoomForNamesOfTheNextProjectToo) {
+    const auto* tree = window_->findChild<ProjectPane*>();
+    ASSERT_TRUE(tree);
+    for (const char* name : {"force-moment-sensor", "lsm-network"}) {
+        open(project_copy(QString::fromLatin1(name)));
+        wait_until_idle();
+        settle();
+        QStyleOptionViewItem option;
+        option.initFrom(tree);
+        const QAbstractItemModel& model = *tree->model();
+        for (int category = 1; category < model.rowCount(); ++category)  // the first is the project
+            for (int row = 0; row < model.rowCount(model.index(category, 0)); ++row) {
+                const QModelIndex entry = model.index(row, 0, model.index(category, 0));
+                EXPECT_LE(tree->itemDelegate()->sizeHint(option, entry).width(),
+                          tree->visualRect(entry).width())
+                    << entry.data().toString().toStdString();
+            }
+    }
+}
+
+// A table with other columns than before: what appears in the place of a hidden one is fitted as well.
+TEST_F(Look, OnlyWidthsThatTheUserGaveAreRemembered) {
+    for (const char* name : {"chain", "stewart-platform"}) {
+        open(project_copy(QString::fromLatin1(name)));
+        wait_until_idle();
+        for (const AnalysisEntry& analysis : window_->document().project().analyses)
+            window_->selection().select_entry({SetupOwner::analysis, analysis.id});
+    }
+    for (const QString& key : QSettings().allKeys())
+        EXPECT_FALSE(key.endsWith(QLatin1String("/widths")))
+            << key.toStdString() << QSettings().value(key).toMap().firstKey().toStdString();
 }
 
 TEST_F(Look, UnitsAreChosenForTablesAndChartsAndRemembered) {
