@@ -15297,10 +15297,6 @@ Gewählt: %2</translation>
         <translation>Ergebnisse im Fenster</translation>
     </message>
     <message>
-        <source>Where the project does not state them. Reports and files are the project&apos;s alone, with the decimal point everywhere.</source>
-        <translation>Wo das Projekt sie nicht angibt. Berichte und Dateien richten sich allein nach dem Projekt, überall mit Dezimalpunkt.</translation>
-    </message>
-    <message>
         <source>New analyses</source>
         <translation>Neue Analysen</translation>
     </message>
@@ -15439,6 +15435,10 @@ Gewählt: %2</translation>
     <message>
         <source> s after an edit</source>
         <translation> s nach einer Änderung</translation>
+    </message>
+    <message>
+        <source>Where the project does not state them. Reports and files are the project&apos;s alone.</source>
+        <translation>Wo das Projekt sie nicht angibt. Berichte und Dateien richten sich allein nach dem Projekt.</translation>
     </message>
 </context>
 <context>

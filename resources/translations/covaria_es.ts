@@ -15297,10 +15297,6 @@ Elegido: %2</translation>
         <translation>Resultados en la ventana</translation>
     </message>
     <message>
-        <source>Where the project does not state them. Reports and files are the project&apos;s alone, with the decimal point everywhere.</source>
-        <translation>Cuando el proyecto no los indica. Los informes y archivos dependen solo del proyecto, con el punto decimal en todas partes.</translation>
-    </message>
-    <message>
         <source>New analyses</source>
         <translation>Nuevos análisis</translation>
     </message>
@@ -15439,6 +15435,10 @@ Elegido: %2</translation>
     <message>
         <source> s after an edit</source>
         <translation> s tras un cambio</translation>
+    </message>
+    <message>
+        <source>Where the project does not state them. Reports and files are the project&apos;s alone.</source>
+        <translation>Donde el proyecto no las indica. Los informes y archivos siguen solo al proyecto.</translation>
     </message>
 </context>
 <context>

@@ -15294,10 +15294,6 @@ Chosen: %2</source>
         <translation>창에 표시되는 결과</translation>
     </message>
     <message>
-        <source>Where the project does not state them. Reports and files are the project&apos;s alone, with the decimal point everywhere.</source>
-        <translation>프로젝트에 지정되지 않은 경우에 적용됩니다. 보고서와 파일은 프로젝트의 설정만 따르며, 소수점은 항상 점입니다.</translation>
-    </message>
-    <message>
         <source>New analyses</source>
         <translation>새 분석</translation>
     </message>
@@ -15436,6 +15432,10 @@ Chosen: %2</source>
     <message>
         <source> s after an edit</source>
         <translation> s 이내</translation>
+    </message>
+    <message>
+        <source>Where the project does not state them. Reports and files are the project&apos;s alone.</source>
+        <translation>프로젝트가 정하지 않은 곳에 쓰입니다. 보고서와 파일은 프로젝트만을 따릅니다.</translation>
     </message>
 </context>
 <context>

@@ -15297,10 +15297,6 @@ Escolhido: %2</translation>
         <translation>Resultados na janela</translation>
     </message>
     <message>
-        <source>Where the project does not state them. Reports and files are the project&apos;s alone, with the decimal point everywhere.</source>
-        <translation>Onde o projeto não os declara. Relatórios e arquivos seguem só o projeto, com o ponto decimal em toda parte.</translation>
-    </message>
-    <message>
         <source>New analyses</source>
         <translation>Novas análises</translation>
     </message>
@@ -15439,6 +15435,10 @@ Escolhido: %2</translation>
     <message>
         <source> s after an edit</source>
         <translation> s após uma edição</translation>
+    </message>
+    <message>
+        <source>Where the project does not state them. Reports and files are the project&apos;s alone.</source>
+        <translation>Onde o projeto não as declara. Relatórios e arquivos seguem apenas o projeto.</translation>
     </message>
 </context>
 <context>

@@ -15294,10 +15294,6 @@ Chosen: %2</source>
         <translation>窗口中的结果</translation>
     </message>
     <message>
-        <source>Where the project does not state them. Reports and files are the project&apos;s alone, with the decimal point everywhere.</source>
-        <translation>用于项目未作规定之处。报告和文件只按项目的规定，一律使用小数点。</translation>
-    </message>
-    <message>
         <source>New analyses</source>
         <translation>新分析</translation>
     </message>
@@ -15436,6 +15432,10 @@ Chosen: %2</source>
     <message>
         <source> s after an edit</source>
         <translation> s（编辑后）</translation>
+    </message>
+    <message>
+        <source>Where the project does not state them. Reports and files are the project&apos;s alone.</source>
+        <translation>项目未指定时使用。报告和文件只以项目为准。</translation>
     </message>
 </context>
 <context>

@@ -203,8 +203,13 @@ void ComponentsEdit::show_component() {
     remove_->setEnabled(some);
     if (!some) return;
     const ComponentEdit& shown = all[static_cast<std::size_t>(row)];
-    if (name_->text() != to_qt(shown.name)) name_->setText(to_qt(shown.name));
-    if (origin_->text() != to_qt(shown.origin)) origin_->setText(to_qt(shown.origin));
+    const auto show_text = [](QLineEdit& edit, const QString& text) {
+        if (edit.text() == text) return;
+        edit.setText(text);
+        edit.setCursorPosition(0);  // of a long one the beginning is seen
+    };
+    show_text(*name_, to_qt(shown.name));
+    show_text(*origin_, to_qt(shown.origin));
     type_->setCurrentIndex(shown.type == EvaluationType::type_a ? 0 : 1);
     const TextPlace place{{SetupOwner::analysis, analysis_->id}, components_part() + std::to_string(row)};
     distribution_->set_place(document_.unread(), place);
