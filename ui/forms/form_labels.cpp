@@ -1,6 +1,7 @@
 #include "ui/forms/form_labels.h"
 
 #include <QAbstractItemView>
+#include <QTimer>
 
 #include "core/text/symbol.h"
 #include "ui/theme/core_text.h"
@@ -38,9 +39,16 @@ void may_be_narrow(QComboBox& box) {
     box.setMinimumContentsLength(narrowest_list);
     box.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     const auto widen = [&box] { box.view()->setMinimumWidth(box.view()->sizeHintForColumn(0) + 8); };
+    // Once for all that are added together: each time all are measured.
+    auto* when_added = new QTimer(&box);
+    when_added->setSingleShot(true);
+    QObject::connect(when_added, &QTimer::timeout, &box, widen);
+    const auto later = [when_added] {
+        if (!when_added->isActive()) when_added->start(0);
+    };
     const QAbstractItemModel* entries = box.model();
-    QObject::connect(entries, &QAbstractItemModel::rowsInserted, &box, widen);
-    QObject::connect(entries, &QAbstractItemModel::dataChanged, &box, widen);
+    QObject::connect(entries, &QAbstractItemModel::rowsInserted, &box, later);
+    QObject::connect(entries, &QAbstractItemModel::dataChanged, &box, later);
     widen();
 }
 
