@@ -1,4 +1,5 @@
-// Parameters of an arm that an identification finds: their tables, and the arm that has them. Shared by all ways of identification.
+// Parameters of an arm that an identification finds: their tables, and the arm that has them. Shared by all
+// ways of identification.
 #pragma once
 
 #include <memory>
