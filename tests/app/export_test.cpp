@@ -51,8 +51,8 @@ TEST(Export, AnIdentifiedRobotGoesOutAndIn) {
     for (const auto& [writer, name] : {std::pair("urdf", "robot.urdf"), {"ur-calibration", "robot.yaml"}}) {
         const std::string file = (folder / name).string(),
                           back = (folder / (std::string(writer) + ".covaria")).string();
-        const Outcome done = run_program({"export", project, "--as", writer, "--first-order", "--analysis",
-                                          "trajectories", "-o", file});
+        const Outcome done = run_program(
+            {"export", project, "--as", writer, "--first-order", "--analysis", "trajectories", "-o", file});
         ASSERT_EQ(done.status, 0) << done.err;
         EXPECT_TRUE(has(done.out, "robot trajectories, 6 joints")) << done.out;
         EXPECT_TRUE(has(read_text(file), " mm (u = "));
