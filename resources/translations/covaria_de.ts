@@ -15142,6 +15142,10 @@ Gewählt: %2</translation>
         <source>First &amp;Steps</source>
         <translation>Erste &amp;Schritte</translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MeasureTool</name>
@@ -16269,10 +16273,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>Iso</translation>
     </message>
     <message>
-        <source>View from the front right, from above (1)</source>
-        <translation>Ansicht von vorn rechts, von oben (1)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Einpassen</translation>
     </message>
@@ -16353,10 +16353,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>Ebenen</translation>
     </message>
     <message>
-        <source>What the picture shows</source>
-        <translation>Was das Bild zeigt</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;%1&lt;/b&gt;  at %2</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;  bei %2</translation>
     </message>
@@ -16373,10 +16369,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>Ansichten</translation>
     </message>
     <message>
-        <source>Standard and saved views, orthographic or perspective</source>
-        <translation>Standard- und gespeicherte Ansichten, orthografisch oder perspektivisch</translation>
-    </message>
-    <message>
         <source>Ellipsoids of the Kept State</source>
         <translation>Ellipsoide des behaltenen Stands</translation>
     </message>
@@ -16387,6 +16379,14 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Context Meshes</source>
         <translation>Umgebungsnetze</translation>
+    </message>
+    <message>
+        <source>View from the front right, from above (1); beside it standard and saved views, orthographic or perspective</source>
+        <translation>Ansicht von vorn rechts oben (1); daneben Standard- und gespeicherte Ansichten, orthografisch oder perspektivisch</translation>
+    </message>
+    <message>
+        <source>Layers: what the picture shows</source>
+        <translation>Ebenen: was das Bild zeigt</translation>
     </message>
 </context>
 <context>
@@ -16984,6 +16984,13 @@ und Großraummetrologie</translation>
     <message>
         <source>Why there are no values, or what is wrong with them</source>
         <translation>Warum es keine Werte gibt oder was mit ihnen nicht stimmt</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::TabBar</name>
+    <message>
+        <source>More tabs</source>
+        <translation>Weitere Reiter</translation>
     </message>
 </context>
 <context>

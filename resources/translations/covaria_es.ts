@@ -15142,6 +15142,10 @@ Elegido: %2</translation>
         <source>First &amp;Steps</source>
         <translation>Primeros &amp;pasos</translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Deshacer: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MeasureTool</name>
@@ -16269,10 +16273,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Iso</translation>
     </message>
     <message>
-        <source>View from the front right, from above (1)</source>
-        <translation>Vista desde delante a la derecha, desde arriba (1)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Ajustar</translation>
     </message>
@@ -16353,10 +16353,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Capas</translation>
     </message>
     <message>
-        <source>What the picture shows</source>
-        <translation>Lo que muestra la imagen</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;%1&lt;/b&gt;  at %2</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;  en %2</translation>
     </message>
@@ -16373,10 +16369,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Vistas</translation>
     </message>
     <message>
-        <source>Standard and saved views, orthographic or perspective</source>
-        <translation>Vistas estándar y guardadas, ortográfica o en perspectiva</translation>
-    </message>
-    <message>
         <source>Ellipsoids of the Kept State</source>
         <translation>Elipsoides del estado conservado</translation>
     </message>
@@ -16387,6 +16379,14 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Context Meshes</source>
         <translation>Mallas de contexto</translation>
+    </message>
+    <message>
+        <source>View from the front right, from above (1); beside it standard and saved views, orthographic or perspective</source>
+        <translation>Vista desde delante a la derecha y arriba (1); al lado, vistas estándar y guardadas, ortográficas o en perspectiva</translation>
+    </message>
+    <message>
+        <source>Layers: what the picture shows</source>
+        <translation>Capas: lo que muestra la imagen</translation>
     </message>
 </context>
 <context>
@@ -16984,6 +16984,13 @@ y metrología de grandes dimensiones</translation>
     <message>
         <source>Why there are no values, or what is wrong with them</source>
         <translation>Por qué no hay valores, o qué les pasa</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::TabBar</name>
+    <message>
+        <source>More tabs</source>
+        <translation>Más pestañas</translation>
     </message>
 </context>
 <context>

@@ -15139,6 +15139,10 @@ Chosen: %2</source>
         <source>First &amp;Steps</source>
         <translation>첫걸음(&amp;S)</translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>실행 취소(&amp;U): %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MeasureTool</name>
@@ -16266,10 +16270,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>등각</translation>
     </message>
     <message>
-        <source>View from the front right, from above (1)</source>
-        <translation>오른쪽 앞 위에서 보기 (1)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>화면 맞춤</translation>
     </message>
@@ -16350,10 +16350,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>레이어</translation>
     </message>
     <message>
-        <source>What the picture shows</source>
-        <translation>그림에 표시할 것</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;%1&lt;/b&gt;  at %2</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;  위치 %2</translation>
     </message>
@@ -16370,10 +16366,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>보기</translation>
     </message>
     <message>
-        <source>Standard and saved views, orthographic or perspective</source>
-        <translation>표준 보기와 저장한 보기, 직교 또는 원근</translation>
-    </message>
-    <message>
         <source>Ellipsoids of the Kept State</source>
         <translation>보관된 상태의 타원체</translation>
     </message>
@@ -16384,6 +16376,14 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Context Meshes</source>
         <translation>주변 메시</translation>
+    </message>
+    <message>
+        <source>View from the front right, from above (1); beside it standard and saved views, orthographic or perspective</source>
+        <translation>오른쪽 앞 위에서 본 모습(1); 옆에는 표준 보기와 저장한 보기, 직교 또는 원근</translation>
+    </message>
+    <message>
+        <source>Layers: what the picture shows</source>
+        <translation>레이어: 그림에 보이는 것</translation>
     </message>
 </context>
 <context>
@@ -16980,6 +16980,13 @@ and large-scale metrology</source>
     <message>
         <source>Why there are no values, or what is wrong with them</source>
         <translation>값이 없는 이유, 또는 값의 문제</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::TabBar</name>
+    <message>
+        <source>More tabs</source>
+        <translation>더 많은 탭</translation>
     </message>
 </context>
 <context>

@@ -15142,6 +15142,10 @@ Escolhido: %2</translation>
         <source>First &amp;Steps</source>
         <translation>Primeiros &amp;passos</translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Desfazer: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MeasureTool</name>
@@ -16269,10 +16273,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>Iso</translation>
     </message>
     <message>
-        <source>View from the front right, from above (1)</source>
-        <translation>Vista da frente à direita, de cima (1)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Enquadrar</translation>
     </message>
@@ -16353,10 +16353,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>Camadas</translation>
     </message>
     <message>
-        <source>What the picture shows</source>
-        <translation>O que a imagem mostra</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;%1&lt;/b&gt;  at %2</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;  em %2</translation>
     </message>
@@ -16373,10 +16369,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>Vistas</translation>
     </message>
     <message>
-        <source>Standard and saved views, orthographic or perspective</source>
-        <translation>Vistas padrão e salvas, ortográfica ou em perspectiva</translation>
-    </message>
-    <message>
         <source>Ellipsoids of the Kept State</source>
         <translation>Elipsoides do estado mantido</translation>
     </message>
@@ -16387,6 +16379,14 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Context Meshes</source>
         <translation>Malhas de contexto</translation>
+    </message>
+    <message>
+        <source>View from the front right, from above (1); beside it standard and saved views, orthographic or perspective</source>
+        <translation>Vista da frente à direita, de cima (1); ao lado, vistas padrão e guardadas, ortográficas ou em perspectiva</translation>
+    </message>
+    <message>
+        <source>Layers: what the picture shows</source>
+        <translation>Camadas: o que a imagem mostra</translation>
     </message>
 </context>
 <context>
@@ -16984,6 +16984,13 @@ e metrologia de grandes volumes</translation>
     <message>
         <source>Why there are no values, or what is wrong with them</source>
         <translation>Por que não há valores, ou o que há de errado com eles</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::TabBar</name>
+    <message>
+        <source>More tabs</source>
+        <translation>Mais separadores</translation>
     </message>
 </context>
 <context>

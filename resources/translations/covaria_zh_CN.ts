@@ -15139,6 +15139,10 @@ Chosen: %2</source>
         <source>First &amp;Steps</source>
         <translation>入门(&amp;S)</translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>撤销(&amp;U)：%1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MeasureTool</name>
@@ -16266,10 +16270,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>轴测</translation>
     </message>
     <message>
-        <source>View from the front right, from above (1)</source>
-        <translation>从右前上方观察 (1)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>适合窗口</translation>
     </message>
@@ -16350,10 +16350,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>图层</translation>
     </message>
     <message>
-        <source>What the picture shows</source>
-        <translation>图中显示的内容</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;%1&lt;/b&gt;  at %2</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;  位于 %2</translation>
     </message>
@@ -16370,10 +16366,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>视图</translation>
     </message>
     <message>
-        <source>Standard and saved views, orthographic or perspective</source>
-        <translation>标准视图和已保存的视图，正投影或透视</translation>
-    </message>
-    <message>
         <source>Ellipsoids of the Kept State</source>
         <translation>保留状态的椭球</translation>
     </message>
@@ -16384,6 +16376,14 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Context Meshes</source>
         <translation>环境网格</translation>
+    </message>
+    <message>
+        <source>View from the front right, from above (1); beside it standard and saved views, orthographic or perspective</source>
+        <translation>从右前上方观察（1）；旁边是标准视图和已保存的视图，正交或透视</translation>
+    </message>
+    <message>
+        <source>Layers: what the picture shows</source>
+        <translation>图层：图中显示的内容</translation>
     </message>
 </context>
 <context>
@@ -16980,6 +16980,13 @@ and large-scale metrology</source>
     <message>
         <source>Why there are no values, or what is wrong with them</source>
         <translation>为何没有值，或值有何问题</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::TabBar</name>
+    <message>
+        <source>More tabs</source>
+        <translation>更多选项卡</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,14 @@ std::filesystem::path folder_of(const QString& file) {
                           : project_folder(to_path(QFileInfo(file).absoluteFilePath()));
 }
 
+/// Of texts that cannot be read: they came with a step of the history, or after it.
+int with_step(int index) {
+    return 2 * index;
+}
+int after_step(int index) {
+    return 2 * index + 1;
+}
+
 bool is_report(const QString& file) {
     return file.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive);
 }
@@ -46,6 +54,11 @@ void Document::connect_parts() {
     connect(&unread_, &UnreadTexts::changed, this, &Document::collect_problems);
     connect(&watch_, &FileWatch::changed, this, &Document::changed_on_disk);
     connect(&undo_stack_, &QUndoStack::cleanChanged, this, [this] { emit modified_changed(is_modified()); });
+    connect(&undo_stack_, &QUndoStack::indexChanged, this, [this](int step) {
+        unread_.take_back(with_step(step + 1));
+        unread_.begin_step(after_step(step));
+    });
+    unread_.begin_step(after_step(0));
 }
 
 Document::~Document() {
@@ -68,7 +81,19 @@ bool Document::apply(const QString& text, const ProjectEdit& edit, const QString
 void Document::push(const QString& text, ProjectSnapshot after, const QString& merge_key) {
     undo_stack_.push(
         new ProjectCommand(*this, text, std::move(after), {merge_key, merge_series_, merge_window_}));
+    // What is refused of a pasted block comes with the step, until the caller has returned.
+    unread_.begin_step(with_step(undo_stack_.index()));
+    QMetaObject::invokeMethod(
+        this, [this] { unread_.begin_step(after_step(undo_stack_.index())); }, Qt::QueuedConnection);
     push_waiting();
+}
+
+void Document::undo() {
+    if (!unread_.take_back(after_step(undo_stack_.index()))) undo_stack_.undo();
+}
+
+bool Document::can_undo() const {
+    return undo_stack_.canUndo() || unread_.has_since(after_step(undo_stack_.index()));
 }
 
 /// A step inside another would stand before it in the history.

@@ -43,6 +43,10 @@ public:
     void set_merge_window(int milliseconds) { merge_window_ = milliseconds; }
 
     QUndoStack& undo_stack() { return undo_stack_; }
+    /// Takes back texts that cannot be read and were typed since the last step, else that step with those
+    /// that came with it.
+    void undo();
+    bool can_undo() const;
     bool is_modified() const { return unsaved_ || !undo_stack_.isClean(); }
 
     /// The file on disk is no longer this project: it counts as unsaved whatever its history says.

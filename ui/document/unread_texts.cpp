@@ -1,5 +1,7 @@
 #include "ui/document/unread_texts.h"
 
+#include <algorithm>
+
 #include "core/project/entry_graph.h"
 #include "core/project/links.h"
 #include "ui/theme/strings.h"
@@ -11,11 +13,29 @@ const UnreadText* UnreadTexts::find(const TextPlace& place) const {
     return found == texts_.end() ? nullptr : &found->second;
 }
 
+UnreadText UnreadTexts::stamped(UnreadText text, const UnreadText* before) const {
+    text.step = before && before->text == text.text ? before->step : step_;
+    return text;
+}
+
 void UnreadTexts::set(const TextPlace& place, UnreadText text) {
-    const auto [at, is_new] = texts_.try_emplace(place);
-    if (!is_new && at->second == text) return;
-    at->second = std::move(text);
+    const UnreadText* before = find(place);
+    if (before && *before == text) return;
+    text = stamped(std::move(text), before);
+    texts_[place] = std::move(text);
     emit changed();
+}
+
+bool UnreadTexts::has_since(int step) const {
+    return std::any_of(texts_.begin(), texts_.end(),
+                       [step](const auto& known) { return known.second.step >= step; });
+}
+
+bool UnreadTexts::take_back(int step) {
+    if (std::erase_if(texts_, [step](const auto& known) { return known.second.step >= step; }) == 0)
+        return false;
+    emit changed();
+    return true;
 }
 
 void UnreadTexts::remove(const TextPlace& place) {
@@ -36,7 +56,14 @@ UnreadTexts::Texts UnreadTexts::under(const SetupAddress& entry, const std::stri
 }
 
 void UnreadTexts::replace_under(const SetupAddress& entry, const std::string& part, Texts texts) {
-    if (under(entry, part) == texts) return;
+    const Texts before = under(entry, part);
+    if (before == texts) return;
+    for (auto& [place, text] : texts) {
+        // Rows that come and go move it.
+        const auto same = std::find_if(before.begin(), before.end(),
+                                       [&](const auto& known) { return known.second == text; });
+        text = stamped(std::move(text), same == before.end() ? nullptr : &same->second);
+    }
     std::erase_if(texts_, [&](const auto& known) {
         return known.first.entry == entry && known.first.part.starts_with(part);
     });

@@ -27,7 +27,10 @@ struct UnreadText {
     QString text;
     QString reason;
     std::string instead_of = {};  ///< what the project has there; the text is forgotten when that changes
-    bool operator==(const UnreadText&) const = default;
+    int step = 0;                 ///< of UnreadTexts::begin_step, given by it
+    bool operator==(const UnreadText& other) const {
+        return text == other.text && reason == other.reason && instead_of == other.instead_of;
+    }
 };
 
 class UnreadTexts : public QObject {
@@ -46,6 +49,12 @@ public:
     void replace_under(const SetupAddress& entry, const std::string& part, Texts texts);
     const Texts& all() const { return texts_; }
 
+    /// What is typed from now on belongs to this step; steps grow.
+    void begin_step(int step) { step_ = step; }
+    /// Forgets the texts of this step and of later ones; returns whether there were any.
+    bool take_back(int step);
+    bool has_since(int step) const;
+
     /// As problems of the project; those of entries that are gone are left out.
     Problems problems(const Project& project) const;
     /// The analyses that must not run, by id, with the reason; those whose studies and designs must not.
@@ -58,6 +67,9 @@ signals:
     void changed();
 
 private:
+    UnreadText stamped(UnreadText text, const UnreadText* before) const;
+
+    int step_ = 0;
     Texts texts_;
 };
 

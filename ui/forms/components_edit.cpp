@@ -11,6 +11,7 @@
 #include "ui/document/quantity_edits.h"
 #include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
+#include "ui/forms/whole_text.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset_views.h"
@@ -77,6 +78,7 @@ void ComponentsEdit::build() {
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Type"), type_);
     form->addRow(tr("Degrees of freedom"), degrees_);
+    keep_whole(*origin_);
     form->addRow(tr("Origin"), origin_);
     form->addRow(distribution_);
     align_labels(*form, component_label_width(*this));

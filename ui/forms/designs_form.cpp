@@ -11,6 +11,7 @@
 #include "core/project/options_json.h"
 #include "ui/document/setup_address.h"
 #include "ui/forms/form_labels.h"
+#include "ui/forms/whole_text.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
@@ -94,6 +95,7 @@ void DesignsForm::build_goal(QVBoxLayout& column) {
     objective_->setObjectName(QStringLiteral("design_objective"));
     objective_->setAccessibleName(tr("Objective"));
     may_be_narrow(*objective_);
+    keep_whole(*objective_);
     objective_->setToolTip(tr(
         "What is made smallest of the ratios of U to the target uncertainties; without targets to U of the "
         "present design"));

@@ -1,8 +1,8 @@
 #include "ui/forms/lines_editor.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QFocusEvent>
 #include <QFontDatabase>
-#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTextBlock>
 #include <QVBoxLayout>
@@ -58,7 +58,7 @@ LinesEditor::LinesEditor(const FieldSpec& field, const FieldContext& context, QW
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     edit_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
+    edit_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     edit_->setTabChangesFocus(true);
     edit_->setAccessibleName(core_text(field.title));
     edit_->setObjectName(to_qt(field.key));
@@ -123,6 +123,7 @@ void LinesEditor::focus_part(const std::string& path) {
 }
 
 bool LinesEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == edit_ && event->type() == QEvent::Resize) adapt_height();  // its lines are broken anew
     if (watched == edit_ && event->type() == QEvent::FocusOut && typed_) {
         const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
         typed_ = reason == Qt::PopupFocusReason || reason == Qt::ActiveWindowFocusReason;
@@ -132,10 +133,11 @@ bool LinesEditor::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void LinesEditor::adapt_height() {
-    const int lines = std::clamp(edit_->blockCount() + 1, fewest_lines, most_lines);
+    // The size of a document of plain text is in lines.
+    const int needed = int(edit_->document()->documentLayout()->documentSize().height());
+    const int lines = std::clamp(needed + 1, fewest_lines, most_lines);
     const int frame = 2 * edit_->frameWidth() + 2 * int(edit_->document()->documentMargin());
-    edit_->setFixedHeight(lines * edit_->fontMetrics().lineSpacing() + frame +
-                          edit_->horizontalScrollBar()->sizeHint().height() / 2);
+    edit_->setFixedHeight(lines * edit_->fontMetrics().lineSpacing() + frame);
 }
 
 void LinesEditor::refresh_completion() {

@@ -9,6 +9,7 @@
 #include "ui/document/setup_address.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
+#include "ui/forms/whole_text.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
@@ -85,6 +86,7 @@ void OptionsForm::add(const OptionField& field) {
 OptionsForm::Row OptionsForm::choice_row(const OptionField& field, const ChosenOption& member) {
     auto* box = new QComboBox(this);
     may_be_narrow(*box);
+    keep_whole(*box);
     for (const Choice& choice : field.choices) box->addItem(core_text(choice.title), to_qt(choice.key));
     box->setToolTip(core_text(field.help));
     layout_->addRow(core_text(field.title), box);

@@ -9,6 +9,7 @@
 #include "ui/document/project_edits.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/form_labels.h"
+#include "ui/forms/whole_text.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
@@ -89,6 +90,7 @@ ListEditor::ListEditor(const FieldSpec& field, QWidget* parent)
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box_->setMinimumContentsLength(10);
     box_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    keep_whole(*box_);
     connect(box_, &QComboBox::activated, this, [this](int row) {
         const QString key = box_->itemData(row).toString();
         emit edited(key.isEmpty() ? SetupValue() : SetupValue(to_std(key)));

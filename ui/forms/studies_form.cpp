@@ -8,6 +8,7 @@
 
 #include "ui/document/setup_address.h"
 #include "ui/forms/form_labels.h"
+#include "ui/forms/whole_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -79,6 +80,7 @@ void StudiesForm::build_body() {
     method_->setObjectName(QStringLiteral("study_method"));
     method_->setAccessibleName(tr("Method"));
     may_be_narrow(*method_);
+    keep_whole(*method_);
     method_->addItem(tr("Law of propagation"), int(Method::first_order));
     method_->addItem(tr("Monte Carlo"), int(Method::monte_carlo));
     trials_ = new QuantityEdit;

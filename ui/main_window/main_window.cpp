@@ -80,7 +80,7 @@ MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     setDockNestingEnabled(true);
     setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::South);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);  // tables and tabs want the width
     resize(1280, 800);
     make_panes();
     make_actions();
@@ -155,23 +155,27 @@ void MainWindow::arrange() {
     tabifyDockWidget(docks_[2], docks_[3]);
     tabifyDockWidget(docks_[3], docks_[4]);
     docks_[2]->raise();
-    resizeDocks({docks_[0], docks_[1]}, {room_for_names(), 395}, Qt::Horizontal);
+    given_to_names_ = room_for_names();
+    resizeDocks({docks_[0], docks_[1]}, {given_to_names_, 395}, Qt::Horizontal);
     resizeDocks({docks_[2]}, {(45 * height()) / 100}, Qt::Vertical);
     addToolBar(Qt::TopToolBarArea, toolbar_);
     toolbar_->show();
 }
 
 int MainWindow::room_for_names() const {
-    return std::clamp(project_->wanted_width(), 210, (27 * width()) / 100);
+    return std::clamp(project_->wanted_width(), 210, (32 * width()) / 100);
 }
 
-/// Never takes any.
+/// Takes what names of another project needed, never what the user gave.
 void MainWindow::give_names_room() {
-    if (docks_[0]->width() < room_for_names()) resizeDocks({docks_[0]}, {room_for_names()}, Qt::Horizontal);
+    const int wanted = room_for_names();
+    const int now = docks_[0]->width();
+    if (now < wanted || now == given_to_names_) resizeDocks({docks_[0]}, {wanted}, Qt::Horizontal);
+    given_to_names_ = wanted;
 }
 
 void MainWindow::make_actions() {
-    undo_ = document_.undo_stack().createUndoAction(this, tr("&Undo"));
+    undo_ = make_undo_action();
     redo_ = document_.undo_stack().createRedoAction(this, tr("&Redo"));
     undo_->setIcon(icon(QStringLiteral("undo")));
     redo_->setIcon(icon(QStringLiteral("redo")));
@@ -180,6 +184,22 @@ void MainWindow::make_actions() {
     run_ = new RunActions(document_, runner_, selection_, this);
     add_ = project_->make_add_menu(this);
     add_->menuAction()->setToolTip(tr("Add an analysis or what it uses"));
+}
+
+/// As QUndoStack makes it, and for texts that cannot be read.
+QAction* MainWindow::make_undo_action() {
+    auto* action = new QAction(tr("&Undo"), this);
+    connect(action, &QAction::triggered, &document_, &Document::undo);
+    const auto refresh = [this, action] {
+        const QUndoStack& stack = document_.undo_stack();
+        action->setEnabled(document_.can_undo());
+        action->setText(stack.canUndo() ? tr("&Undo %1").arg(stack.undoText()) : tr("&Undo"));
+    };
+    connect(&document_.undo_stack(), &QUndoStack::indexChanged, action, refresh);
+    connect(&document_.undo_stack(), &QUndoStack::undoTextChanged, action, refresh);
+    connect(&document_.unread(), &UnreadTexts::changed, action, refresh);
+    refresh();
+    return action;
 }
 
 void MainWindow::make_toolbar() {

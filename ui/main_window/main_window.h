@@ -84,6 +84,7 @@ private:
     void count_problems();
     void make_menus();
     void make_actions();
+    QAction* make_undo_action();
     void make_toolbar();
     void make_file_menu();
     void make_edit_menu();
@@ -130,6 +131,7 @@ private:
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     NumberForm numbers_ = NumberForm::system;
+    int given_to_names_ = 0;  ///< width of the tree that no one but this gave
     int font_points_ = 0;
     bool has_project_ = false;  ///< false: only the start page has been shown
     QToolBar* toolbar_ = nullptr;

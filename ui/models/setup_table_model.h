@@ -72,6 +72,7 @@ private:
     void shift_rejected(int row, int count);
     void remember_rejected();
     void recall_rejected();
+    void forget_rejected();
     std::string written(const CellPosition& at) const;
     void refresh_problems();
     SetupTable read() const;

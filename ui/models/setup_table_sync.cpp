@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <string_view>
+#include <vector>
 
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
@@ -113,6 +114,20 @@ void SetupTableModel::recall_rejected() {
             at.first >= 0 && at.first < rowCount() && at.second >= 0 && at.second < columnCount();
         if (there && written(at) == text.instead_of)
             rejected_[at] = {text.text, text.reason, text.instead_of};
+    }
+}
+
+/// Texts that were taken back.
+void SetupTableModel::forget_rejected() {
+    const std::string part = "/setup/" + field_ + "/rows/";
+    std::vector<CellPosition> gone;
+    for (const auto& [at, mark] : rejected_)
+        if (!document_.unread().find(
+                {address_, part + std::to_string(at.first) + "/" + std::to_string(at.second)}))
+            gone.push_back(at);
+    for (const CellPosition& at : gone) {
+        rejected_.erase(at);
+        emit dataChanged(index(at.first, at.second), index(at.first, at.second));
     }
 }
 

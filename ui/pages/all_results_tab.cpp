@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "core/project/stated_requirements.h"
+#include "ui/forms/form_labels.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/strings.h"
@@ -20,8 +21,8 @@ AllResultsTab::AllResultsTab(Document& document, AnalysisRunner& runner, QWidget
     filter_->setPlaceholderText(tr("Filter: analysis, symbol, name, group"));
     filter_->setAccessibleName(tr("Filter of all results"));
     filter_->setClearButtonEnabled(true);
-    filter_->setMinimumWidth(200);
-    filter_->setMaximumWidth(260);
+    keep_letters(*filter_, int(filter_->placeholderText().size()));
+    filter_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     only_not_met_ = new QCheckBox(tr("Not met only"));
     only_not_met_->setToolTip(tr("Only results whose target uncertainty or tolerance is not met"));
     count_ = new QLabel;

@@ -5,7 +5,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QSplitter>
-#include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -44,8 +43,7 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     observations_ = new EvaluationView(Qt::Vertical);
     correlations_ = new CorrelationEdit(document_);
     notes_ = new QuantityNotesEdit(document_, analysis_);
-    auto* details = details_ = new QTabWidget;
-    details->setDocumentMode(true);
+    auto* details = details_ = new Tabs;
     details->addTab(scrolled(components_), tr("Components"));
     details->addTab(observations_, tr("Observations"));
     details->addTab(scrolled(correlations_), tr("Correlations"));

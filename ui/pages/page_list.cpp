@@ -33,7 +33,7 @@ PageList::PageList(QWidget* parent) : QListView(parent) {
 
 /// The picture, and a heading of usual length beside it.
 QSize PageList::sizeHint() const {
-    constexpr int digits = 18;
+    constexpr int digits = 28;
     return {small_page.width() + digits * fontMetrics().horizontalAdvance(QLatin1Char('0')),
             QListView::sizeHint().height()};
 }

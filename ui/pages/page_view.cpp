@@ -94,14 +94,15 @@ void PageView::set_zoom(PageZoom zoom) {
     zoom.factor = std::clamp(zoom.factor, offered_factors().front(), offered_factors().back());
     if (zoom == zoom_) return;
     const QPoint middle = viewport()->rect().center();
-    const QRect before = current_ < 0 ? QRect() : page_rect(current_);
+    const int page = current_;  // a bar that goes makes a resize, which finds another one
+    const QRect before = page < 0 ? QRect() : page_rect(page);
     zoom_ = zoom;
     lay_out();
-    if (current_ >= 0 && before.isValid()) {
+    if (before.isValid()) {
         const double down = double(middle.y() - before.top()) / before.height();
         const double across = double(middle.x() - before.left()) / before.width();
-        const QSizeF size = page_size(current_);
-        verticalScrollBar()->setValue(top_of(current_) + int(down * size.height()) - middle.y());
+        const QSizeF size = page_size(page);
+        verticalScrollBar()->setValue(top_of(page) + int(down * size.height()) - middle.y());
         horizontalScrollBar()->setValue(page_margin + int(across * size.width()) - middle.x());
     }
     take_current_page();

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QLabel>
 #include <QPointer>
-#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "ui/document/setup_address.h"
@@ -22,6 +21,7 @@
 #include "ui/pages/project_page.h"
 #include "ui/pages/scrolled.h"
 #include "ui/theme/strings.h"
+#include "ui/theme/tabs.h"
 
 namespace covaria::ui {
 
@@ -51,8 +51,7 @@ void PropertiesPane::rebuild() {
     studies_ = nullptr;
     designs_ = nullptr;
     requirements_ = nullptr;
-    tabs_ = new QTabWidget(this);
-    tabs_->setDocumentMode(true);
+    tabs_ = new Tabs(this);
     static_cast<QVBoxLayout*>(layout())->insertWidget(0, tabs_, 1);
     const SetupAddress& entry = selection_.entry();
     if (entry.owner == SetupOwner::project) return add_project_pages();

@@ -21,6 +21,7 @@
 #include "ui/charts/chart_view.h"
 #include "ui/document/missing_fields.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/form_labels.h"
 #include "ui/pages/all_results_tab.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
@@ -61,8 +62,7 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
       runner_(runner),
       selection_(selection),
       preferences_(preferences) {
-    tabs_ = new QTabWidget;
-    tabs_->setDocumentMode(true);
+    tabs_ = new Tabs;
     tabs_->addTab(make_results_tab(), tr("Results"));
     tabs_->addTab(make_budget_tab(), tr("Budget"));
     tabs_->addTab(make_distributions_tab(), tr("Distributions"));
@@ -139,8 +139,8 @@ QWidget* ResultsPane::make_filter() {
     filter_->setPlaceholderText(tr("Filter: symbol, name, group"));
     filter_->setAccessibleName(tr("Filter of the results"));
     filter_->setClearButtonEnabled(true);
-    filter_->setMinimumWidth(200);
-    filter_->setMaximumWidth(260);
+    keep_letters(*filter_, int(filter_->placeholderText().size()));
+    filter_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     all_groups_ = new QCheckBox(tr("All groups"));
     all_groups_->setToolTip(tr("Results of all poses, points or targets, whichever is selected"));
     only_not_met_ = new QCheckBox(tr("Not met only"));

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/theme/formula_picture.h"
 #include "ui/theme/strings.h"
@@ -71,6 +72,13 @@ void EquationsView::show_equations(const QString& title, std::vector<ModelEquati
     for (const ModelEquation& equation : equations_) words << to_qt(equation.text);
     setAccessibleDescription(words.join(QLatin1Char('\n')));
     update();
+}
+
+int EquationsView::height_wanted(int width) const {
+    const double line = QFontMetricsF(font()).height();
+    const double around = 2.0 * narrow_margin + 1.4 * line + 4.0;
+    const SetEquations set = fitted(equations_, font(), {width - 2.0 * margin, low_pane - around});
+    return std::max(minimumSizeHint().height(), int(std::ceil(set.size.height() + around)));
 }
 
 void EquationsView::paintEvent(QPaintEvent*) {

@@ -102,13 +102,11 @@ void ScenePanel::make_toolbar() {
     group_->setAccessibleName(tr("Group"));
     group_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     toolbar_->addWidget(group_);
-    toolbar_
-        ->addAction(icon(QStringLiteral("view-iso")), tr("Iso"), view_,
-                    [this] { view_->set_view(StandardView::iso); })
-        ->setToolTip(tr("View from the front right, from above (1)"));
-    toolbar_->addAction(icon(QStringLiteral("fit")), tr("Fit"), view_, &SceneView::fit)
-        ->setToolTip(tr("Everything in the picture (F)"));
-    after_views_ = toolbar_->addSeparator();
+    iso_ = new QAction(icon(QStringLiteral("view-iso")), tr("Iso"), this);
+    connect(iso_, &QAction::triggered, view_, [this] { view_->set_view(StandardView::iso); });
+    before_fit_ = toolbar_->addAction(icon(QStringLiteral("fit")), tr("Fit"), view_, &SceneView::fit);
+    before_fit_->setToolTip(tr("Everything in the picture (F)"));
+    toolbar_->addSeparator();
     measuring_->add_to(*toolbar_);
     toolbar_->addSeparator();
     make_layers_menu();
@@ -123,7 +121,7 @@ void ScenePanel::make_toolbar() {
     probability_->setToolTip(tr("Coverage probability of the ellipsoids"));
     probability_->setAccessibleName(tr("Coverage probability of the ellipsoids"));
     for (double p : {0.6827, 0.90, 0.95, 0.9545, 0.99, 0.9973})
-        probability_->addItem(tr("p = %1 %").arg(100 * p), p);
+        probability_->addItem(tr("p = %1 %").arg(localized(format_typed(100 * p))), p);
     probability_->setCurrentIndex(usual_probability);
     toolbar_->addWidget(probability_);
     for (QComboBox* combo : {magnification_, probability_})
@@ -136,11 +134,14 @@ void ScenePanel::make_toolbar() {
 
 void ScenePanel::offer_views(QMenu& menu) {
     auto* button = new QToolButton(this);
-    button->setText(tr("Views"));
-    button->setToolTip(tr("Standard and saved views, orthographic or perspective"));
+    button->setDefaultAction(iso_);
+    button->setToolTip(
+        tr("View from the front right, from above (1); beside it standard and saved views, orthographic or "
+           "perspective"));
+    button->setAccessibleName(tr("Views"));
     button->setMenu(&menu);
-    button->setPopupMode(QToolButton::InstantPopup);
-    toolbar_->insertWidget(after_views_, button);
+    button->setPopupMode(QToolButton::MenuButtonPopup);
+    toolbar_->insertWidget(before_fit_, button);
 }
 
 void ScenePanel::make_layers_menu() {
@@ -170,10 +171,9 @@ void ScenePanel::make_layers_menu() {
             view_->set_layers(layers_);
         });
     }
-    button->setText(tr("Layers"));
+    button->setAccessibleName(tr("Layers"));
     button->setIcon(icon(QStringLiteral("layers")));
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setToolTip(tr("What the picture shows"));
+    button->setToolTip(tr("Layers: what the picture shows"));
     button->setMenu(menu);
     button->setPopupMode(QToolButton::InstantPopup);
     toolbar_->addWidget(button);
@@ -286,8 +286,9 @@ void ScenePanel::build_scene() {
         view_->show_scene(nullptr);
         std::vector<ModelEquation> equations = status.prepared->model->formulas();
         if (equations.empty()) equations = status.prepared->descriptor->equations;
-        equations_of_ = analysis_;
-        return equations_->show_equations(to_qt(status.prepared->name), std::move(equations));
+        equations_->show_equations(to_qt(status.prepared->name), std::move(equations));
+        if (std::exchange(equations_of_, analysis_) != analysis_) give_equations_room();
+        return;
     }
     ++building_;
     const quint64 number = ++number_;
@@ -335,6 +336,12 @@ std::function<Result<Scene>()> ScenePanel::scene_to_build(const AnalysisStatus& 
         if (!scene || !result) return scene;
         return remarked(*std::move(scene), said);
     };
+}
+
+/// What they need: the rest is the budget's.
+void ScenePanel::give_equations_room() {
+    const int wanted = std::min(equations_->height_wanted(width()), height() / 2);
+    flat_->setSizes({wanted, height() - wanted});
 }
 
 /// The scene with its tools; else the equations.

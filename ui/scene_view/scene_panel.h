@@ -74,6 +74,7 @@ private:
     void refresh();
     void build_scene();
     std::function<Result<Scene>()> scene_to_build(const AnalysisStatus& status) const;
+    void give_equations_room();
     void show_in_space(bool in_space);
     void refresh_groups();
     /// The result whose points the scene shows; null: it shows none, or a map.
@@ -99,7 +100,8 @@ private:
     std::map<std::string, std::string> groups_;  ///< in which each source is shown
     LayerVisibility layers_;
     QToolBar* toolbar_ = nullptr;
-    QAction* after_views_ = nullptr;  ///< in the tool bar
+    QAction* iso_ = nullptr;
+    QAction* before_fit_ = nullptr;  ///< in the tool bar, behind the views
     QComboBox* group_ = nullptr;
     QComboBox* magnification_ = nullptr;
     QComboBox* probability_ = nullptr;

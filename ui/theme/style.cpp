@@ -7,12 +7,20 @@
 #include <QStyleOption>
 #include <algorithm>
 
+#include "ui/theme/tabs.h"
 #include "ui/theme/theme.h"
 
 namespace covaria::ui {
 
 Style::Style() : QProxyStyle(QStringLiteral("Fusion")) {
     setObjectName(QStringLiteral("covaria"));
+}
+
+int Style::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
+    const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+    if (metric != PM_TabBarTabHSpace) return usual;
+    const auto* bar = qobject_cast<const TabBar*>(widget);
+    return bar ? usual - bar->closer() : usual;
 }
 
 int Style::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,

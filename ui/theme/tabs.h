@@ -1,9 +1,51 @@
-// Tabs that are there for some entries only.
+// Tabs that are seen whole or not at all, and tabs that are there for some entries only.
 #pragma once
 
+#include <QTabBar>
 #include <QTabWidget>
+#include <vector>
+
+class QMenu;
+class QToolButton;
 
 namespace covaria::ui {
+
+/// Tabs stand closer where there is little room; those that still do not fit are in a menu at the end of the
+/// bar. The current one is always seen. Keys go through all of them.
+class TabBar : public QTabBar {
+    Q_OBJECT
+public:
+    explicit TabBar(QWidget* parent = nullptr);
+
+    /// Of those that are shown for this entry.
+    bool is_in_menu(int index) const;
+    /// px that a tab is narrower than the style has it.
+    int closer() const { return closer_; }
+    QToolButton& menu_button() { return *more_; }
+    QSize minimumSizeHint() const override;
+
+protected:
+    QSize tabSizeHint(int index) const override;
+    void initStyleOption(QStyleOptionTab* option, int index) const override;
+    void tabLayoutChange() override;
+
+private:
+    void fit();
+    void fill_menu();
+
+    QToolButton* more_;
+    QMenu* menu_;
+    std::vector<bool> in_menu_;
+    int closer_ = 0;
+    bool fitting_ = false;
+};
+
+/// With a TabBar, as a document's.
+class Tabs : public QTabWidget {
+    Q_OBJECT
+public:
+    explicit Tabs(QWidget* parent = nullptr);
+};
 
 /// The wheel and the arrow keys pass over what is disabled, not over what is hidden.
 inline void show_tab(QTabWidget& tabs, QWidget* page, bool shown) {

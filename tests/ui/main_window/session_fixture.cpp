@@ -5,6 +5,9 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QTimer>
+#include <QToolButton>
+
+#include "ui/theme/tabs.h"
 
 namespace covaria::ui {
 
@@ -62,7 +65,15 @@ void Session::show_tab(const QString& title) {
     QTabWidget& tabs = *window_->properties().tabs();
     for (int i = 0; i < tabs.count(); ++i)
         if (plain_words(tabs.tabText(i)) == title) {
-            QTest::mouseClick(tabs.tabBar(), Qt::LeftButton, {}, tabs.tabBar()->tabRect(i).center());
+            auto* bar = qobject_cast<TabBar*>(tabs.tabBar());
+            if (bar && bar->is_in_menu(i)) {
+                QMenu* menu = bar->menu_button().menu();
+                emit menu->aboutToShow();
+                for (QAction* entry : menu->actions())
+                    if (plain_words(entry->text()) == title) return entry->trigger();
+                FAIL() << title.toStdString() << " is not in the menu";
+            }
+            QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(i).center());
             ASSERT_EQ(tabs.currentIndex(), i);
             return;
         }

@@ -85,6 +85,21 @@ TEST_F(BudgetSheetModelTest, IsTypedFromNothing) {
     EXPECT_NEAR(share, 25.0 * 25.0 / (25.0 * 25.0 + 9.7 * 9.7), 1e-12);
 }
 
+TEST_F(BudgetSheetModelTest, AFurtherComponentIsShownInTheUnitOfItsRow) {
+    type(0, Section::symbol, "l_S");
+    type(0, Section::estimate, "50 mm");
+    type(1, Section::symbol, "d");
+    type(1, Section::estimate, "215 nm");
+    type(1, Section::stated, "5.8 nm");
+    type(2, Section::symbol, "d");
+    type(2, Section::unit, "um");
+    type(2, Section::stated, "U = 0.01 um, k = 2");
+    evaluate();
+    EXPECT_EQ(text(2, Section::unit), QStringLiteral("µm"));
+    EXPECT_EQ(text(2, Section::estimate), QStringLiteral("0.215")) << "of the quantity: 215 nm";
+    EXPECT_EQ(text(2, Section::u), QStringLiteral("0.0050"));
+}
+
 TEST_F(BudgetSheetModelTest, WhatIsWrittenCanBeEdited) {
     type(0, Section::symbol, "x");
     type(0, Section::unit, "um");

@@ -89,6 +89,33 @@ TEST_F(SetupTableModelTest, WhatIsNotUnderstoodIsMarkedAndNotLost) {
     EXPECT_TRUE(model.index(2, 1).data(problem_role).toString().isEmpty());
 }
 
+TEST_F(SetupTableModelTest, UndoTakesBackWhatCannotBeRead) {
+    const QString first = text(0, 1), second = text(1, 1);
+    EXPECT_TRUE(type(0, 1, "3"));
+    QCoreApplication::processEvents();  // nobody types two cells at once
+    EXPECT_TRUE(type(1, 1, "abc"));
+    ASSERT_TRUE(document.can_undo());
+    document.undo();
+    EXPECT_EQ(text(1, 1), second) << "typed last, taken back first";
+    EXPECT_EQ(text(0, 1), "3") << "the step before stands";
+    EXPECT_TRUE(document.unread().all().empty());
+    document.undo();
+    EXPECT_EQ(text(0, 1), first);
+    EXPECT_FALSE(document.can_undo());
+}
+
+TEST_F(SetupTableModelTest, UndoOfAPasteTakesBackWhatWasRefusedOfIt) {
+    const QString first = text(0, 1), second = text(1, 1);
+    EXPECT_EQ(model.paste(model.index(0, 1), QStringLiteral("3\nabc")), 1);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(text(1, 1), "abc");
+    document.undo();
+    EXPECT_EQ(text(0, 1), first);
+    EXPECT_EQ(text(1, 1), second);
+    EXPECT_TRUE(document.unread().all().empty());
+    EXPECT_FALSE(document.can_undo());
+}
+
 TEST_F(SetupTableModelTest, InsertsAndRemovesRows) {
     QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
     QSignalSpy reset(&model, &QAbstractItemModel::modelReset);

@@ -1,8 +1,9 @@
 // Pictures of the real window for people to look at: start page, every example with every entry and every
 // tab, preferences and library. usage: pictured_window FOLDER LANGUAGE light|dark WIDTH HEIGHT [PROJECT ...]
-// (without projects: all examples)
+// (without projects: all examples). What is cut in them is in cut.txt, each text once, with the picture.
 #include <QApplication>
 #include <QDir>
+#include <QSet>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTabWidget>
@@ -10,6 +11,7 @@
 #include <QTest>
 #include <cstdio>
 
+#include "tests/ui/main_window/cut_texts.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/theme_switch.h"
@@ -28,6 +30,7 @@ class Camera {
 public:
     Camera(const QDir& folder, const QString& theme, const QSize& size) : folder_(folder) {
         folder_.mkpath(QStringLiteral("."));
+        (void)list_.open(QIODevice::WriteOnly);
         Dialogs& dialogs = window_.files().dialogs;
         dialogs.save_changes = [](const QString&) { return SaveAnswer::discard; };
         dialogs.confirm = [](const QString&, const QString&) { return true; };
@@ -93,9 +96,16 @@ private:
         window_.scene().view().service().wait_until_idle();
         QTest::qWait(50);
         widget.grab().save(folder_.filePath(name + QStringLiteral(".png")));
+        for (const QString& text : cut_texts(widget)) {
+            if (cut_.contains(text)) continue;
+            cut_.insert(text);
+            QTextStream(&list_) << name << ": " << text << '\n';
+        }
     }
 
     QDir folder_;
+    QFile list_{folder_.filePath(QStringLiteral("cut.txt"))};
+    QSet<QString> cut_;
     QTemporaryDir recovery_;
     MainWindow window_{RecoveryStore(recovery_.path())};
 };
