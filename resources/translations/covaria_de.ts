@@ -661,7 +661,7 @@
     </message>
     <message>
         <source>linearised equations: OLS, then GLS (Eqs 1-4 of the paper)</source>
-        <translation>linearisierte Gleichungen: OLS, dann GLS (Gln. 1-4 der Veröffentlichung)</translation>
+        <translation>linearisiert: OLS, dann GLS (Gln. 1-4 des Artikels)</translation>
     </message>
     <message>
         <source>linearised equations: OLS alone (Eq 3 of the paper)</source>
@@ -677,7 +677,7 @@
     </message>
     <message>
         <source>readings and stations, all targets of a set-up at once</source>
-        <translation>Ablesungen und Standpunkte, alle Zielpunkte einer Aufstellung zugleich</translation>
+        <translation>Ablesungen und Standpunkte, je Aufstellung zugleich</translation>
     </message>
     <message>
         <source>readings alone, each target by itself (the paper)</source>
@@ -1373,7 +1373,7 @@
     </message>
     <message>
         <source>unknown on one axis, that with the largest interference</source>
-        <translation>unbekannt auf einer Achse, der mit dem größten Übersprechen</translation>
+        <translation>unbekannt auf der Achse mit größtem Übersprechen</translation>
     </message>
     <message>
         <source>unknown on all other axes</source>
@@ -2870,18 +2870,6 @@
     <message>
         <source>How the parameters of a row lead from one joint&apos;s frame to the next.</source>
         <translation>Wie die Parameter einer Zeile vom System eines Gelenks zum nächsten führen.</translation>
-    </message>
-    <message>
-        <source>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints</source>
-        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta für parallele Gelenke</translation>
-    </message>
-    <message>
-        <source>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</source>
-        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</translation>
-    </message>
-    <message>
-        <source>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before joint i</source>
-        <translation>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; Zeile i enthält alpha und a vor Gelenk i</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -5349,7 +5337,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Interference at rated loads (% of the sensor&apos;s rated output)</source>
-        <translation>Übersprechen bei Nennlasten (% des Nennkennwerts des Sensors)</translation>
+        <translation>Übersprechen bei Nennlasten (% des Nennkennwerts)</translation>
     </message>
     <message>
         <source>interference (%)</source>
@@ -12675,6 +12663,18 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
         <translation>die Parameter stammen aus einer Analyse, die in jedem Versuch ausgewertet wird: ihre Korrelation lässt sich nicht vernachlässigen</translation>
     </message>
+    <message>
+        <source>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β for parallel joints</source>
+        <translation>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β für parallele Gelenke</translation>
+    </message>
+    <message>
+        <source>Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg</source>
+        <translation>Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg</translation>
+    </message>
+    <message>
+        <source>Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α and a before joint i</source>
+        <translation>Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α und a vor Gelenk i</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14048,7 +14048,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>one for all rows, or one for each: 120; 80; 95</source>
-        <translation>einer für alle Zeilen oder einer für jede: 120; 80; 95</translation>
+        <translation>für alle Zeilen oder je Zeile: 120; 80; 95</translation>
     </message>
     <message>
         <source>What the rows cost, separated by semicolons; needed where the cost is to be small</source>

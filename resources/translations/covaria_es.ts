@@ -2872,18 +2872,6 @@
         <translation>Cómo llevan los parámetros de una fila del sistema de una articulación al siguiente.</translation>
     </message>
     <message>
-        <source>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints</source>
-        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta para articulaciones paralelas</translation>
-    </message>
-    <message>
-        <source>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</source>
-        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</translation>
-    </message>
-    <message>
-        <source>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before joint i</source>
-        <translation>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; la fila i lleva alpha y a antes de la articulación i</translation>
-    </message>
-    <message>
         <source>Joints</source>
         <translation>Articulaciones</translation>
     </message>
@@ -12674,6 +12662,18 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
         <translation>los parámetros proceden de un análisis que se evalúa en cada prueba: su correlación no puede omitirse</translation>
+    </message>
+    <message>
+        <source>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β for parallel joints</source>
+        <translation>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β para ejes paralelos</translation>
+    </message>
+    <message>
+        <source>Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg</source>
+        <translation>Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg</translation>
+    </message>
+    <message>
+        <source>Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α and a before joint i</source>
+        <translation>Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α y a antes del eje i</translation>
     </message>
 </context>
 <context>

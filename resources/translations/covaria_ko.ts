@@ -2872,18 +2872,6 @@
         <translation>행의 매개변수가 한 관절의 좌표계에서 다음 좌표계로 이어지는 방식.</translation>
     </message>
     <message>
-        <source>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints</source>
-        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): 평행 관절에 beta</translation>
-    </message>
-    <message>
-        <source>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</source>
-        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</translation>
-    </message>
-    <message>
-        <source>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before joint i</source>
-        <translation>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; 행 i는 관절 i 앞의 alpha와 a</translation>
-    </message>
-    <message>
         <source>Joints</source>
         <translation>관절</translation>
     </message>
@@ -12674,6 +12662,18 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
         <translation>매개변수는 매 시행에서 평가되는 분석에서 옵니다. 그 상관은 무시할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β for parallel joints</source>
+        <translation>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β는 평행 관절용</translation>
+    </message>
+    <message>
+        <source>Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg</source>
+        <translation>Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg</translation>
+    </message>
+    <message>
+        <source>Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α and a before joint i</source>
+        <translation>Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α와 a는 관절 i 앞</translation>
     </message>
 </context>
 <context>

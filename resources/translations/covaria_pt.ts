@@ -2872,18 +2872,6 @@
         <translation>Como os parâmetros de uma linha levam do referencial de uma junta ao da seguinte.</translation>
     </message>
     <message>
-        <source>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints</source>
-        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta para juntas paralelas</translation>
-    </message>
-    <message>
-        <source>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</source>
-        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</translation>
-    </message>
-    <message>
-        <source>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before joint i</source>
-        <translation>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; a linha i contém alpha e a antes da junta i</translation>
-    </message>
-    <message>
         <source>Joints</source>
         <translation>Juntas</translation>
     </message>
@@ -12674,6 +12662,18 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
         <translation>os parâmetros vêm de uma análise que é avaliada em cada ensaio: sua correlação não pode ser ignorada</translation>
+    </message>
+    <message>
+        <source>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β for parallel joints</source>
+        <translation>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β para juntas paralelas</translation>
+    </message>
+    <message>
+        <source>Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg</source>
+        <translation>Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg</translation>
+    </message>
+    <message>
+        <source>Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α and a before joint i</source>
+        <translation>Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α e a antes da junta i</translation>
     </message>
 </context>
 <context>

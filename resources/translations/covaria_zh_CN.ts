@@ -2872,18 +2872,6 @@
         <translation>一行参数如何从一个关节的坐标系导出下一个关节的坐标系。</translation>
     </message>
     <message>
-        <source>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints</source>
-        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta)：beta 用于平行关节</translation>
-    </message>
-    <message>
-        <source>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</source>
-        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha)：Denavit-Hartenberg</translation>
-    </message>
-    <message>
-        <source>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before joint i</source>
-        <translation>Rx(alpha) Tx(a) Rz(theta) Tz(d)：Craig；第 i 行为关节 i 之前的 alpha 和 a</translation>
-    </message>
-    <message>
         <source>Joints</source>
         <translation>关节</translation>
     </message>
@@ -12674,6 +12662,18 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
         <translation>参数来自在每次试验中求值的分析：其相关性不能忽略</translation>
+    </message>
+    <message>
+        <source>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β for parallel joints</source>
+        <translation>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β)，β 用于平行关节</translation>
+    </message>
+    <message>
+        <source>Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg</source>
+        <translation>Rz(θ) Tz(d) Tx(a) Rx(α)，Denavit-Hartenberg</translation>
+    </message>
+    <message>
+        <source>Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α and a before joint i</source>
+        <translation>Rx(α) Tx(a) Rz(θ) Tz(d)，Craig：α 和 a 在关节 i 之前</translation>
     </message>
 </context>
 <context>

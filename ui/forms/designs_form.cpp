@@ -252,6 +252,7 @@ QLineEdit* DesignsForm::build_prices() {
     prices_->setObjectName(QStringLiteral("design_prices"));
     prices_->setAccessibleName(tr("Prices of the rows"));
     prices_->setPlaceholderText(tr("one for all rows, or one for each: 120; 80; 95"));
+    keep_whole(*prices_);
     prices_->setToolTip(
         tr("What the rows cost, separated by semicolons; needed where the cost is to be small"));
     connect(prices_, &QLineEdit::editingFinished, this, [this] {

@@ -58,6 +58,13 @@ void keep_letters(QLineEdit& edit, int letters) {
     });
 }
 
+void keep_placeholder(QLineEdit& edit) {
+    follow_font(edit, [&edit] {
+        const int beside = 4 * edit.fontMetrics().horizontalAdvance(QLatin1Char('0'));  // a button that clears
+        edit.setMinimumWidth(edit.fontMetrics().horizontalAdvance(edit.placeholderText()) + beside);
+    });
+}
+
 void align_labels(QFormLayout& form, int width) {
     for (int row = 0; row < form.rowCount(); ++row)
         if (const QLayoutItem* item = form.itemAt(row, QFormLayout::LabelRole); item && item->widget())

@@ -20,6 +20,8 @@ void may_be_narrow(QComboBox& box);
 
 /// Room for so many letters at least: a form that has less puts the field under its label.
 void keep_letters(QLineEdit& edit, int letters = 12);
+/// Wide enough for what it says while it is empty.
+void keep_placeholder(QLineEdit& edit);
 
 /// Gives all labels of the form the same least width, so that forms under each other line up.
 void align_labels(QFormLayout& form, int width);

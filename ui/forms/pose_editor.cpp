@@ -11,7 +11,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int letters = 7;  // of two fields beside each other
+constexpr int letters = 10;  // "-9887.628 mm", of two fields beside each other
 
 }  // namespace
 

@@ -72,7 +72,8 @@ void keep_whole(QLineEdit& line) {
         QStyleOptionFrame option;
         option.initFrom(&line);
         option.lineWidth = line.style()->pixelMetric(QStyle::PM_DefaultFrameWidth, &option, &line);
-        const QSize text(line.fontMetrics().horizontalAdvance(line.text()) + 8, line.fontMetrics().height());
+        const QString shown = line.text().isEmpty() ? line.placeholderText() : line.text();
+        const QSize text(line.fontMetrics().horizontalAdvance(shown) + 8, line.fontMetrics().height());
         return line.style()->sizeFromContents(QStyle::CT_LineEdit, &option, text, &line).width();
     });
     QObject::connect(&line, &QLineEdit::editingFinished, whole, &WholeText::fit);

@@ -21,7 +21,7 @@ AllResultsTab::AllResultsTab(Document& document, AnalysisRunner& runner, QWidget
     filter_->setPlaceholderText(tr("Filter: analysis, symbol, name, group"));
     filter_->setAccessibleName(tr("Filter of all results"));
     filter_->setClearButtonEnabled(true);
-    keep_letters(*filter_, int(filter_->placeholderText().size()));
+    keep_placeholder(*filter_);
     filter_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     only_not_met_ = new QCheckBox(tr("Not met only"));
     only_not_met_->setToolTip(tr("Only results whose target uncertainty or tolerance is not met"));

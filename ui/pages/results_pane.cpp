@@ -139,7 +139,7 @@ QWidget* ResultsPane::make_filter() {
     filter_->setPlaceholderText(tr("Filter: symbol, name, group"));
     filter_->setAccessibleName(tr("Filter of the results"));
     filter_->setClearButtonEnabled(true);
-    keep_letters(*filter_, int(filter_->placeholderText().size()));
+    keep_placeholder(*filter_);
     filter_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     all_groups_ = new QCheckBox(tr("All groups"));
     all_groups_->setToolTip(tr("Results of all poses, points or targets, whichever is selected"));

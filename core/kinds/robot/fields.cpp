@@ -134,11 +134,9 @@ void add_geometry(Fields<StatedRobot>& fields) {
         .choice(&StatedRobot::convention, "convention", "Convention",
                 "How the parameters of a row lead from one joint's frame to the next.",
                 {{Convention::modified, "modified",
-                  "Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints"},
-                 {Convention::standard, "standard", "Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg"},
-                 {Convention::craig, "craig",
-                  "Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before "
-                  "joint i"}},
+                  "Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β for parallel joints"},
+                 {Convention::standard, "standard", "Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg"},
+                 {Convention::craig, "craig", "Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α and a before joint i"}},
                 Convention::modified)
         .table(&StatedRobot::joints, "joints", "Joints",
                "One row for each joint from the base to the tool, in the chosen convention.", joint_columns(),
