@@ -45,7 +45,8 @@ void add_checks(const MadeProject& made, Problems& problems) {
 
 LoadedProject parse_project(const std::string& text, const fs::path& directory, const std::string& name) {
     ReadProject read = read_project(text, directory, name);
-    LoadedProject loaded{std::move(read.project), std::move(read.problems), nullptr};
+    const bool is_whole = read.is_project && !read.problems.has_errors();
+    LoadedProject loaded{std::move(read.project), std::move(read.problems), nullptr, is_whole};
     if (read.is_project) {
         loaded.made = MadeProject::make(loaded.project);
         add_checks(*loaded.made, loaded.problems);

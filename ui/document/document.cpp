@@ -33,6 +33,11 @@ bool is_report(const QString& file) {
     return file.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive);
 }
 
+/// Work that is not done has errors, and is opened.
+Problems refusal(const LoadedProject& loaded) {
+    return loaded.is_whole ? Problems() : loaded.problems;
+}
+
 LoadedProject load_file(const QString& file) {
     return is_report(file) ? load_carried(to_path(file)) : load_project(to_path(file));
 }
@@ -189,11 +194,11 @@ QString Document::heading() const {
 Problems Document::open(const QString& file) {
     const LoadedProject loaded = load_file(file);
     adopt_opened(file, loaded);
-    return loaded.problems;
+    return refusal(loaded);
 }
 
 void Document::adopt_opened(const QString& file, const LoadedProject& loaded) {
-    if (loaded.problems.has_errors()) return;
+    if (!loaded.is_whole) return;
     if (!is_report(file))
         return adopt(loaded.made->snapshot(), QFileInfo(file).absoluteFilePath(), loaded.made);
     replace_by(loaded);
@@ -216,7 +221,7 @@ void Document::open_in_background(const QString& file) {
 
 void Document::finish_open(const QString& file, const LoadedProject& loaded) {
     adopt_opened(file, loaded);
-    emit open_finished(file, loaded.problems);
+    emit open_finished(file, refusal(loaded));
 }
 
 Result<void> Document::save() {

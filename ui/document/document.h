@@ -63,8 +63,9 @@ public:
     void replace_by(const LoadedProject& loaded);
     /// A project read from a recovery file: like `open`, but unsaved.
     void restore(const LoadedProject& loaded, const QString& original_file);
-    /// Reads a file; of a report (PDF) the project that it carries, which is unsaved then. With errors among
-    /// the problems the document stays as it was.
+    /// Reads a file; of a report (PDF) the project that it carries, which is unsaved then. What is returned
+    /// says why it could not be read; the document stays as it was then. A project that only lacks something
+    /// is opened, and lacks it.
     Problems open(const QString& file);
     /// The same with the reading done in a worker thread; ends with `open_finished`. The latest call wins.
     void open_in_background(const QString& file);

@@ -206,7 +206,7 @@ bool FileActions::offer_recovery() {
     if (chosen < 0) return false;
     const RecoveryEntry& entry = entries[static_cast<std::size_t>(chosen)];
     LoadedProject loaded = RecoveryStore::load(entry);
-    if (loaded.problems.has_errors()) {
+    if (!loaded.is_whole) {
         dialogs.show_message(tr("The work could not be recovered"), errors_in_words(loaded.problems));
         return false;
     }

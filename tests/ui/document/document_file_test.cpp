@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <csignal>
 
+#include "core/kinds/registries.h"
 #include "core/pdf/pdf_archive.h"
 #include "core/project/linked_files.h"
 #include "core/project/project_file.h"
@@ -17,6 +18,7 @@
 #include "ui/document/autosave.h"
 #include "ui/document/copy_linked_files.h"
 #include "ui/document/document.h"
+#include "ui/document/project_edits.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui::document_file_test {
@@ -68,6 +70,42 @@ TEST_F(DocumentFileTest, ABrokenFileLeavesTheDocumentAlone) {
     EXPECT_TRUE(document.open(path("missing.covaria")).has_errors());
     EXPECT_EQ(document.project().title, "kept");
     EXPECT_TRUE(document.file().isEmpty());
+}
+
+/// Whatever can be saved can be opened, as it was.
+TEST_F(DocumentFileTest, WorkThatIsNotDoneIsOpenedAsItWasSaved) {
+    const auto expect_back = [&](Project project, const std::string& what) {
+        project.directory.clear();
+        document.replace(std::move(project));
+        ASSERT_TRUE(document.save_as(path("unfinished.covaria"))) << what;
+        Document other;
+        const Problems refused = other.open(path("unfinished.covaria"));
+        EXPECT_FALSE(refused.has_errors()) << what << ": " << first_error(refused, "");
+        EXPECT_EQ(project_text(other.project()), project_text(document.project())) << what;
+    };
+    for (const ModelDescriptor& model : model_registry()) {
+        document.replace({});
+        ASSERT_FALSE(add_analysis(document, model.id).empty());
+        expect_back(document.project(), "nothing of " + model.id);
+    }
+    for (const char* examples : {"/projects", "/projects/gum"})
+        for (const QFileInfo& file : QDir(QStringLiteral(COVARIA_SOURCE_DIR) + QLatin1String(examples))
+                                         .entryInfoList({QStringLiteral("*.covaria")}, QDir::Files)) {
+            Document example;
+            ASSERT_FALSE(example.open(file.filePath()).has_errors());
+            Project whole = example.project();
+            unlink_tables(whole);
+            for (const AssetEntry& asset : whole.assets) {
+                document.replace(whole);
+                remove(document, {SetupOwner::asset, asset.id});
+                expect_back(document.project(), to_std(file.fileName()) + " without " + asset.id);
+            }
+            for (const AnalysisEntry& analysis : whole.analyses) {
+                document.replace(whole);
+                remove(document, {SetupOwner::analysis, analysis.id});
+                expect_back(document.project(), to_std(file.fileName()) + " without " + analysis.id);
+            }
+        }
 }
 
 TEST_F(DocumentFileTest, OpensInTheBackgroundAndTheLatestWins) {
