@@ -12999,44 +12999,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Links</translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
-| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
-| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
-| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
-| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
-| F1 | help on the field, cell or entry with the focus |
-</source>
-        <translation># Tasten
-
-| Taste | Wirkung |
-|---|---|
-| Strg+N, Strg+O, Strg+S | neu, öffnen, speichern |
-| Strg+Z, Strg+Y | rückgängig, wiederholen |
-| F5, Strg+F5, Esc | diese Analyse rechnen, alle rechnen, anhalten |
-| F2, Strg+D, Entf | gewählten Eintrag umbenennen, verdoppeln, löschen |
-| Pfeiltasten, + und − | Szene drehen und vergrößern |
-| 1 bis 7, F | isometrisch, oben, vorn, rechts, unten, hinten, links, einpassen (Strg+1 bis Strg+7 überall) |
-| H, I, Umschalt+H | das in der Szene Gewählte ausblenden, nur dieses zeigen, alles zeigen |
-| Ziehen in der Szene | verschiebt ein Ding, dreht es an der Spitze einer Achse; mit Strg in runden Schritten |
-| D, A | Abstand, Winkel in der Szene messen; Esc legt das Werkzeug weg |
-| +, −, Strg+Rad im Bericht | größere, kleinere Seiten; Alt+Auf und Alt+Ab: vorige, nächste Seite |
-| Strg+C, Strg+V | Blöcke von Zellen kopieren und einfügen |
-| Strg+K | alles finden: Analysen, Größen, Ergebnisse, Felder, Befehle, Hilfe |
-| F1 | Hilfe zu Feld, Zelle oder Eintrag mit dem Fokus |
-</translation>
-    </message>
-    <message>
         <source>Add an analysis</source>
         <translation>Eine Analyse hinzufügen</translation>
     </message>
@@ -13115,6 +13077,50 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
         <translation>Bericht als PDF in der Werkzeugleiste (Strg+P) schreibt den Bericht mit dem Projekt darin, so dass Covaria ihn wieder öffnen kann. Der Kalibrierschein steht im Menü Datei unter Exportieren.</translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |
+| F6, Shift+F6 | next, previous pane |
+| Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the table at once |
+| Ctrl+R in a budget | correlation coefficient of the two rows that are selected |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
+| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation># Tasten
+
+| Taste | Wirkung |
+|---|---|
+| Strg+N, Strg+O, Strg+S | neu, öffnen, speichern |
+| Strg+Z; Strg+Umschalt+Z oder Strg+Y | rückgängig; wiederholen |
+| F6, Umschalt+F6 | nächster, voriger Bereich |
+| Tab, Umschalt+Tab in einer Tabelle | nächste, vorige Zelle, und hinter der letzten weiter; mit Strg sofort aus der Tabelle |
+| Strg+R in einem Budget | Korrelationskoeffizient der beiden gewählten Zeilen |
+| F5, Strg+F5, Esc | diese Analyse rechnen, alle rechnen, anhalten |
+| F2, Strg+D, Entf | gewählten Eintrag umbenennen, verdoppeln, löschen |
+| Pfeiltasten, + und − | Szene drehen und vergrößern |
+| 1 bis 7, F | isometrisch, oben, vorn, rechts, unten, hinten, links, einpassen (Strg+1 bis Strg+7 überall) |
+| H, I, Umschalt+H | das in der Szene Gewählte ausblenden, nur dieses zeigen, alles zeigen |
+| Ziehen in der Szene | verschiebt ein Ding, dreht es an der Spitze einer Achse; mit Strg in runden Schritten |
+| D, A | Abstand, Winkel in der Szene messen; Esc legt das Werkzeug weg |
+| +, −, Strg+Rad im Bericht | größere, kleinere Seiten; Alt+Auf und Alt+Ab: vorige, nächste Seite |
+| Strg+C, Strg+V | Blöcke von Zellen kopieren und einfügen |
+| Strg+K | alles finden: Analysen, Größen, Ergebnisse, Felder, Befehle, Hilfe |
+| F1 | Hilfe zu Feld, Zelle oder Eintrag mit dem Fokus |
+</translation>
     </message>
 </context>
 <context>
@@ -13227,6 +13233,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
         <translation>&lt;i&gt;r&lt;/i&gt; zweier Zeilen =</translation>
+    </message>
+    <message>
+        <source>Correlation of Two Rows</source>
+        <translation>Korrelation zweier Zeilen</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
     </message>
 </context>
 <context>
@@ -15288,6 +15302,17 @@ Gewählt: %2</translation>
     <message>
         <source>Page %1</source>
         <translation>Seite %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PaneKeys</name>
+    <message>
+        <source>Ne&amp;xt Pane</source>
+        <translation>N&amp;ächster Bereich</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Pane</source>
+        <translation>&amp;Voriger Bereich</translation>
     </message>
 </context>
 <context>

@@ -661,7 +661,7 @@
     </message>
     <message>
         <source>linearised equations: OLS, then GLS (Eqs 1-4 of the paper)</source>
-        <translation>ecuaciones linealizadas: OLS, luego GLS (ecs. 1-4 del artículo)</translation>
+        <translation>linealizadas: OLS, luego GLS (ecs. 1-4 del artículo)</translation>
     </message>
     <message>
         <source>linearised equations: OLS alone (Eq 3 of the paper)</source>
@@ -677,7 +677,7 @@
     </message>
     <message>
         <source>readings and stations, all targets of a set-up at once</source>
-        <translation>lecturas y estaciones, todas las dianas de un estacionamiento a la vez</translation>
+        <translation>lecturas y estaciones, juntas por estacionamiento</translation>
     </message>
     <message>
         <source>readings alone, each target by itself (the paper)</source>
@@ -5337,7 +5337,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>Interference at rated loads (% of the sensor&apos;s rated output)</source>
-        <translation>Interferencia con cargas nominales (% de la salida nominal del sensor)</translation>
+        <translation>Interferencia con cargas nominales (% de la salida nominal)</translation>
     </message>
     <message>
         <source>interference (%)</source>
@@ -12999,44 +12999,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Izquierda</translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
-| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
-| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
-| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
-| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
-| F1 | help on the field, cell or entry with the focus |
-</source>
-        <translation># Teclas
-
-| Tecla | Acción |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | nuevo, abrir, guardar |
-| Ctrl+Z, Ctrl+Y | deshacer, rehacer |
-| F5, Ctrl+F5, Esc | calcular este análisis, calcular todos, detener |
-| F2, Ctrl+D, Supr | renombrar, duplicar, borrar la entrada elegida |
-| Flechas, + y − | girar y ampliar la escena |
-| 1 a 7, F | vista isométrica, superior, frontal, derecha, inferior, posterior, izquierda, ajustar (Ctrl+1 a Ctrl+7 en todas partes) |
-| H, I, Mayús+H | ocultar lo seleccionado en la escena, mostrar solo eso, mostrar todo |
-| Arrastrar en la escena | mueve un objeto, lo gira por la punta de un eje; con Ctrl en pasos redondos |
-| D, A | medir una distancia, un ángulo en la escena; Esc deja la herramienta |
-| +, −, Ctrl+rueda en el informe | páginas más grandes, más pequeñas; Alt+Arriba y Alt+Abajo: página anterior, siguiente |
-| Ctrl+C, Ctrl+V | copiar y pegar bloques de celdas |
-| Ctrl+K | buscar cualquier cosa: análisis, magnitudes, resultados, campos, órdenes, ayuda |
-| F1 | ayuda sobre el campo, la celda o la entrada con el foco |
-</translation>
-    </message>
-    <message>
         <source>Add an analysis</source>
         <translation>Añadir un análisis</translation>
     </message>
@@ -13115,6 +13077,50 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
         <translation>Informe en PDF en la barra de herramientas (Ctrl+P) escribe el informe con el proyecto dentro, de modo que Covaria puede abrirlo de nuevo. El certificado está en el menú Archivo, en Exportar.</translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |
+| F6, Shift+F6 | next, previous pane |
+| Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the table at once |
+| Ctrl+R in a budget | correlation coefficient of the two rows that are selected |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
+| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation># Teclas
+
+| Tecla | Acción |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | nuevo, abrir, guardar |
+| Ctrl+Z; Ctrl+Mayús+Z o Ctrl+Y | deshacer; rehacer |
+| F6, Mayús+F6 | panel siguiente, anterior |
+| Tab, Mayús+Tab en una tabla | celda siguiente, anterior, y más allá de la última; con Ctrl, fuera de la tabla enseguida |
+| Ctrl+R en un presupuesto | coeficiente de correlación de las dos filas seleccionadas |
+| F5, Ctrl+F5, Esc | calcular este análisis, calcular todos, detener |
+| F2, Ctrl+D, Supr | renombrar, duplicar, borrar la entrada elegida |
+| Flechas, + y − | girar y ampliar la escena |
+| 1 a 7, F | vista isométrica, superior, frontal, derecha, inferior, posterior, izquierda, ajustar (Ctrl+1 a Ctrl+7 en todas partes) |
+| H, I, Mayús+H | ocultar lo seleccionado en la escena, mostrar solo eso, mostrar todo |
+| Arrastrar en la escena | mueve un objeto, lo gira por la punta de un eje; con Ctrl en pasos redondos |
+| D, A | medir una distancia, un ángulo en la escena; Esc deja la herramienta |
+| +, −, Ctrl+rueda en el informe | páginas más grandes, más pequeñas; Alt+Arriba y Alt+Abajo: página anterior, siguiente |
+| Ctrl+C, Ctrl+V | copiar y pegar bloques de celdas |
+| Ctrl+K | buscar cualquier cosa: análisis, magnitudes, resultados, campos, órdenes, ayuda |
+| F1 | ayuda sobre el campo, la celda o la entrada con el foco |
+</translation>
     </message>
 </context>
 <context>
@@ -13227,6 +13233,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
         <translation>&lt;i&gt;r&lt;/i&gt; de dos filas =</translation>
+    </message>
+    <message>
+        <source>Correlation of Two Rows</source>
+        <translation>Correlación de dos filas</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
     </message>
 </context>
 <context>
@@ -15288,6 +15302,17 @@ Elegido: %2</translation>
     <message>
         <source>Page %1</source>
         <translation>Página %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PaneKeys</name>
+    <message>
+        <source>Ne&amp;xt Pane</source>
+        <translation>Panel siguien&amp;te</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Pane</source>
+        <translation>Panel anteri&amp;or</translation>
     </message>
 </context>
 <context>

@@ -12999,44 +12999,6 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <translation>왼쪽</translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
-| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
-| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
-| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
-| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
-| F1 | help on the field, cell or entry with the focus |
-</source>
-        <translation># 단축키
-
-| 키 | 동작 |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | 새로 만들기, 열기, 저장 |
-| Ctrl+Z, Ctrl+Y | 실행 취소, 다시 실행 |
-| F5, Ctrl+F5, Esc | 이 분석 실행, 모두 실행, 중지 |
-| F2, Ctrl+D, Delete | 선택한 항목 이름 바꾸기, 복제, 삭제 |
-| 화살표 키, + 및 − | 장면 회전과 확대/축소 |
-| 1부터 7, F | 등각, 위, 앞, 오른쪽, 아래, 뒤, 왼쪽 보기, 맞춤 (어디서나 Ctrl+1부터 Ctrl+7) |
-| H, I, Shift+H | 장면에서 선택한 것 숨기기, 그것만 표시, 모두 표시 |
-| 장면에서 끌기 | 대상을 옮기고, 축의 끝을 끌면 회전합니다. Ctrl을 누르면 일정한 간격으로 움직입니다 |
-| D, A | 장면에서 거리, 각도 측정. Esc를 누르면 도구를 끝냅니다 |
-| 보고서에서 +, −, Ctrl+휠 | 쪽을 크게, 작게; Alt+위, Alt+아래: 이전, 다음 쪽 |
-| Ctrl+C, Ctrl+V | 셀 블록 복사와 붙여넣기 |
-| Ctrl+K | 모두 찾기: 분석, 양, 결과, 필드, 명령, 도움말 |
-| F1 | 포커스가 있는 필드, 셀, 항목의 도움말 |
-</translation>
-    </message>
-    <message>
         <source>Add an analysis</source>
         <translation>분석 추가</translation>
     </message>
@@ -13115,6 +13077,50 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
         <translation>도구 모음의 PDF 보고서(Ctrl+P)는 프로젝트를 담은 보고서를 써서 Covaria가 다시 열 수 있게 합니다. 성적서는 파일 메뉴의 내보내기에 있습니다.</translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |
+| F6, Shift+F6 | next, previous pane |
+| Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the table at once |
+| Ctrl+R in a budget | correlation coefficient of the two rows that are selected |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
+| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation># 단축키
+
+| 키 | 동작 |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | 새로 만들기, 열기, 저장 |
+| Ctrl+Z; Ctrl+Shift+Z 또는 Ctrl+Y | 실행 취소; 다시 실행 |
+| F6, Shift+F6 | 다음 창, 이전 창 |
+| 표에서 Tab, Shift+Tab | 다음, 이전 셀, 마지막 셀 다음으로 계속; Ctrl과 함께 바로 표 밖으로 |
+| 예산에서 Ctrl+R | 선택한 두 행의 상관 계수 |
+| F5, Ctrl+F5, Esc | 이 분석 실행, 모두 실행, 중지 |
+| F2, Ctrl+D, Delete | 선택한 항목 이름 바꾸기, 복제, 삭제 |
+| 화살표 키, + 및 − | 장면 회전과 확대/축소 |
+| 1부터 7, F | 등각, 위, 앞, 오른쪽, 아래, 뒤, 왼쪽 보기, 맞춤 (어디서나 Ctrl+1부터 Ctrl+7) |
+| H, I, Shift+H | 장면에서 선택한 것 숨기기, 그것만 표시, 모두 표시 |
+| 장면에서 끌기 | 대상을 옮기고, 축의 끝을 끌면 회전합니다. Ctrl을 누르면 일정한 간격으로 움직입니다 |
+| D, A | 장면에서 거리, 각도 측정. Esc를 누르면 도구를 끝냅니다 |
+| 보고서에서 +, −, Ctrl+휠 | 쪽을 크게, 작게; Alt+위, Alt+아래: 이전, 다음 쪽 |
+| Ctrl+C, Ctrl+V | 셀 블록 복사와 붙여넣기 |
+| Ctrl+K | 모두 찾기: 분석, 양, 결과, 필드, 명령, 도움말 |
+| F1 | 포커스가 있는 필드, 셀, 항목의 도움말 |
+</translation>
     </message>
 </context>
 <context>
@@ -13227,6 +13233,14 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
         <translation>두 행의 &lt;i&gt;r&lt;/i&gt; =</translation>
+    </message>
+    <message>
+        <source>Correlation of Two Rows</source>
+        <translation>두 행의 상관</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
     </message>
 </context>
 <context>
@@ -15285,6 +15299,17 @@ Chosen: %2</source>
     <message>
         <source>Page %1</source>
         <translation>%1쪽</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PaneKeys</name>
+    <message>
+        <source>Ne&amp;xt Pane</source>
+        <translation>다음 창(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Pane</source>
+        <translation>이전 창(&amp;V)</translation>
     </message>
 </context>
 <context>

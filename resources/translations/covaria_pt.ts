@@ -661,7 +661,7 @@
     </message>
     <message>
         <source>linearised equations: OLS, then GLS (Eqs 1-4 of the paper)</source>
-        <translation>equações linearizadas: OLS, depois GLS (Eqs. 1-4 do artigo)</translation>
+        <translation>linearizadas: OLS, depois GLS (Eqs. 1-4 do artigo)</translation>
     </message>
     <message>
         <source>linearised equations: OLS alone (Eq 3 of the paper)</source>
@@ -677,7 +677,7 @@
     </message>
     <message>
         <source>readings and stations, all targets of a set-up at once</source>
-        <translation>leituras e estações, todos os alvos de uma configuração de uma vez</translation>
+        <translation>leituras e estações, juntas por configuração</translation>
     </message>
     <message>
         <source>readings alone, each target by itself (the paper)</source>
@@ -5337,7 +5337,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Interference at rated loads (% of the sensor&apos;s rated output)</source>
-        <translation>Interferência com cargas nominais (% da saída nominal do sensor)</translation>
+        <translation>Interferência com cargas nominais (% da saída nominal)</translation>
     </message>
     <message>
         <source>interference (%)</source>
@@ -12999,44 +12999,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Esquerda</translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
-| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
-| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
-| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
-| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
-| F1 | help on the field, cell or entry with the focus |
-</source>
-        <translation># Teclas
-
-| Tecla | Ação |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | novo, abrir, salvar |
-| Ctrl+Z, Ctrl+Y | desfazer, refazer |
-| F5, Ctrl+F5, Esc | calcular esta análise, calcular todas, parar |
-| F2, Ctrl+D, Delete | renomear, duplicar, excluir a entrada selecionada |
-| Setas, + e − | girar e ampliar a cena |
-| 1 a 7, F | vista isométrica, superior, frontal, direita, inferior, posterior, esquerda, ajustar (Ctrl+1 a Ctrl+7 em toda parte) |
-| H, I, Shift+H | ocultar o selecionado na cena, mostrar só isso, mostrar tudo |
-| Arrastar na cena | move um objeto, gira-o pela ponta de um eixo; com Ctrl em passos redondos |
-| D, A | medir uma distância, um ângulo na cena; Esc deixa a ferramenta |
-| +, −, Ctrl+roda no relatório | páginas maiores, menores; Alt+Acima e Alt+Abaixo: página anterior, próxima |
-| Ctrl+C, Ctrl+V | copiar e colar blocos de células |
-| Ctrl+K | encontrar qualquer coisa: análises, grandezas, resultados, campos, comandos, ajuda |
-| F1 | ajuda sobre o campo, a célula ou a entrada com o foco |
-</translation>
-    </message>
-    <message>
         <source>Add an analysis</source>
         <translation>Adicionar uma análise</translation>
     </message>
@@ -13115,6 +13077,50 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
         <translation>Relatório em PDF na barra de ferramentas (Ctrl+P) grava o relatório com o projeto dentro, para que o Covaria possa abri-lo de novo. O certificado está no menu Arquivo, em Exportar.</translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |
+| F6, Shift+F6 | next, previous pane |
+| Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the table at once |
+| Ctrl+R in a budget | correlation coefficient of the two rows that are selected |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
+| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation># Teclas
+
+| Tecla | Ação |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | novo, abrir, salvar |
+| Ctrl+Z; Ctrl+Shift+Z ou Ctrl+Y | desfazer; refazer |
+| F6, Shift+F6 | próximo painel, painel anterior |
+| Tab, Shift+Tab numa tabela | célula seguinte, anterior, e para além da última; com Ctrl, logo para fora da tabela |
+| Ctrl+R num orçamento | coeficiente de correlação das duas linhas selecionadas |
+| F5, Ctrl+F5, Esc | calcular esta análise, calcular todas, parar |
+| F2, Ctrl+D, Delete | renomear, duplicar, excluir a entrada selecionada |
+| Setas, + e − | girar e ampliar a cena |
+| 1 a 7, F | vista isométrica, superior, frontal, direita, inferior, posterior, esquerda, ajustar (Ctrl+1 a Ctrl+7 em toda parte) |
+| H, I, Shift+H | ocultar o selecionado na cena, mostrar só isso, mostrar tudo |
+| Arrastar na cena | move um objeto, gira-o pela ponta de um eixo; com Ctrl em passos redondos |
+| D, A | medir uma distância, um ângulo na cena; Esc deixa a ferramenta |
+| +, −, Ctrl+roda no relatório | páginas maiores, menores; Alt+Acima e Alt+Abaixo: página anterior, próxima |
+| Ctrl+C, Ctrl+V | copiar e colar blocos de células |
+| Ctrl+K | encontrar qualquer coisa: análises, grandezas, resultados, campos, comandos, ajuda |
+| F1 | ajuda sobre o campo, a célula ou a entrada com o foco |
+</translation>
     </message>
 </context>
 <context>
@@ -13227,6 +13233,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
         <translation>&lt;i&gt;r&lt;/i&gt; de duas linhas =</translation>
+    </message>
+    <message>
+        <source>Correlation of Two Rows</source>
+        <translation>Correlação de duas linhas</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
     </message>
 </context>
 <context>
@@ -15288,6 +15302,17 @@ Escolhido: %2</translation>
     <message>
         <source>Page %1</source>
         <translation>Página %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PaneKeys</name>
+    <message>
+        <source>Ne&amp;xt Pane</source>
+        <translation>Pró&amp;ximo painel</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Pane</source>
+        <translation>Painel anteri&amp;or</translation>
     </message>
 </context>
 <context>

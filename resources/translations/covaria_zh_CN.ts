@@ -12999,44 +12999,6 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <translation>左视</translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
-| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
-| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
-| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
-| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
-| F1 | help on the field, cell or entry with the focus |
-</source>
-        <translation># 快捷键
-
-| 键 | 作用 |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | 新建、打开、保存 |
-| Ctrl+Z, Ctrl+Y | 撤销、重做 |
-| F5, Ctrl+F5, Esc | 运行此分析、运行全部、停止 |
-| F2, Ctrl+D, Delete | 重命名、复制、删除所选条目 |
-| 方向键、+ 和 − | 旋转和缩放场景 |
-| 1 至 7, F | 等轴测、俯视、前视、右视、仰视、后视、左视、适合窗口（任何位置：Ctrl+1 至 Ctrl+7） |
-| H, I, Shift+H | 在场景中隐藏所选项、仅显示所选项、显示全部 |
-| 在场景中拖动 | 移动对象，拖动轴端可旋转对象；按住 Ctrl 按整步进行 |
-| D, A | 在场景中测量距离、角度；按 Esc 退出工具 |
-| 报告中的 +、−、Ctrl+滚轮 | 放大、缩小页面；Alt+上、Alt+下：上一页、下一页 |
-| Ctrl+C, Ctrl+V | 复制和粘贴单元格块 |
-| Ctrl+K | 查找一切：分析、量、结果、字段、命令、帮助 |
-| F1 | 当前焦点处的字段、单元格或条目的帮助 |
-</translation>
-    </message>
-    <message>
         <source>Add an analysis</source>
         <translation>添加分析</translation>
     </message>
@@ -13115,6 +13077,50 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
         <translation>工具栏中的“报告为 PDF”(Ctrl+P) 写出内含项目的报告，Covaria 可再次打开它。证书在“文件”菜单的“导出”下。</translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |
+| F6, Shift+F6 | next, previous pane |
+| Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the table at once |
+| Ctrl+R in a budget | correlation coefficient of the two rows that are selected |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
+| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation># 快捷键
+
+| 键 | 作用 |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | 新建、打开、保存 |
+| Ctrl+Z；Ctrl+Shift+Z 或 Ctrl+Y | 撤销；重做 |
+| F6、Shift+F6 | 下一窗格、上一窗格 |
+| 表格中的 Tab、Shift+Tab | 下一单元格、上一单元格，到最后一格后继续向外；加 Ctrl 立即离开表格 |
+| 预算中的 Ctrl+R | 所选两行的相关系数 |
+| F5, Ctrl+F5, Esc | 运行此分析、运行全部、停止 |
+| F2, Ctrl+D, Delete | 重命名、复制、删除所选条目 |
+| 方向键、+ 和 − | 旋转和缩放场景 |
+| 1 至 7, F | 等轴测、俯视、前视、右视、仰视、后视、左视、适合窗口（任何位置：Ctrl+1 至 Ctrl+7） |
+| H, I, Shift+H | 在场景中隐藏所选项、仅显示所选项、显示全部 |
+| 在场景中拖动 | 移动对象，拖动轴端可旋转对象；按住 Ctrl 按整步进行 |
+| D, A | 在场景中测量距离、角度；按 Esc 退出工具 |
+| 报告中的 +、−、Ctrl+滚轮 | 放大、缩小页面；Alt+上、Alt+下：上一页、下一页 |
+| Ctrl+C, Ctrl+V | 复制和粘贴单元格块 |
+| Ctrl+K | 查找一切：分析、量、结果、字段、命令、帮助 |
+| F1 | 当前焦点处的字段、单元格或条目的帮助 |
+</translation>
     </message>
 </context>
 <context>
@@ -13227,6 +13233,14 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
         <translation>两行的 &lt;i&gt;r&lt;/i&gt; =</translation>
+    </message>
+    <message>
+        <source>Correlation of Two Rows</source>
+        <translation>两行的相关性</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
     </message>
 </context>
 <context>
@@ -15285,6 +15299,17 @@ Chosen: %2</source>
     <message>
         <source>Page %1</source>
         <translation>第 %1 页</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PaneKeys</name>
+    <message>
+        <source>Ne&amp;xt Pane</source>
+        <translation>下一窗格(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Pane</source>
+        <translation>上一窗格(&amp;V)</translation>
     </message>
 </context>
 <context>

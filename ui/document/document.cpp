@@ -2,6 +2,7 @@
 #include "ui/document/document.h"
 
 #include <QFileInfo>
+#include <limits>
 #include <utility>
 
 #include "core/carried/carried_project.h"
@@ -83,9 +84,19 @@ bool Document::apply(const QString& text, const ProjectEdit& edit, const QString
     return true;
 }
 
+void Document::begin_merging() {
+    ++merge_series_;
+    is_merging_ = true;
+}
+
+void Document::end_merging() {
+    ++merge_series_;
+    is_merging_ = false;
+}
+
 void Document::push(const QString& text, ProjectSnapshot after, const QString& merge_key) {
-    undo_stack_.push(
-        new ProjectCommand(*this, text, std::move(after), {merge_key, merge_series_, merge_window_}));
+    const int window = is_merging_ ? std::numeric_limits<int>::max() : merge_window_;
+    undo_stack_.push(new ProjectCommand(*this, text, std::move(after), {merge_key, merge_series_, window}));
     // What is refused of a pasted block comes with the step, until the caller has returned.
     unread_.begin_step(with_step(undo_stack_.index()));
     QMetaObject::invokeMethod(

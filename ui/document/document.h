@@ -37,8 +37,10 @@ public:
     /// Returns whether the project changed. From a slot of `project_changed` (a field that loses its focus
     /// with the entry it is of): a step of its own, once the present one is done.
     bool apply(const QString& text, const ProjectEdit& edit, const QString& merge_key = {});
-    /// The next edit starts a new undo step whatever its key (end of a drag).
-    void end_merging() { ++merge_series_; }
+    /// The next edit starts a new undo step whatever its key; those of one key from then on are one step,
+    /// however long they pause (a drag), until `end_merging`.
+    void begin_merging();
+    void end_merging();
     /// Longest pause between two edits that merge, in milliseconds.
     void set_merge_window(int milliseconds) { merge_window_ = milliseconds; }
 
@@ -131,6 +133,7 @@ private:
     bool unsaved_ = false;  ///< recovered, or the file differs
     int merge_window_ = 2000;
     int merge_series_ = 0;
+    bool is_merging_ = false;
     LatestJob open_job_{Execution::threads};  ///< last member: its thread ends first
 };
 

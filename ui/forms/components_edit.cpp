@@ -78,6 +78,7 @@ void ComponentsEdit::build() {
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Type"), type_);
     form->addRow(tr("Degrees of freedom"), degrees_);
+    origin_->setObjectName(QStringLiteral("origin"));
     keep_whole(*origin_);
     form->addRow(tr("Origin"), origin_);
     form->addRow(distribution_);

@@ -53,6 +53,7 @@ LinesEditor::LinesEditor(const FieldSpec& field, const FieldContext& context, QW
       edit_(new QPlainTextEdit(this)),
       message_(new QLabel(this)),
       complete_(new QPushButton(tr("Add rows for new names"), this)),
+      has_default_(std::holds_alternative<std::string>(field.default_value)),
       help_(help_text(field)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -76,7 +77,8 @@ LinesEditor::LinesEditor(const FieldSpec& field, const FieldContext& context, QW
         adapt_height();
         const QString text = edit_->toPlainText();
         typed_ = true;
-        emit edited(text.isEmpty() ? SetupValue() : SetupValue(to_std(text)));
+        // Where nothing were said the default would come back.
+        emit edited(text.isEmpty() && !has_default_ ? SetupValue() : SetupValue(to_std(text)));
     });
     connect(complete_, &QPushButton::clicked, this, &LinesEditor::complete);
     connect(&document_, &Document::project_changed, this, &LinesEditor::refresh_completion);

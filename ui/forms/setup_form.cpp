@@ -137,6 +137,11 @@ void SetupForm::refresh_problems() {
     }
 }
 
+void SetupForm::focus_first() {
+    for (const Row& row : rows_)
+        if (layout_->isRowVisible(row.editor)) return row.editor->focus_part({});
+}
+
 bool SetupForm::focus_field(const std::string& path) {
     const std::string prefix = setup_path(document_.project(), address_);
     const std::string relative = path.starts_with(prefix + '/') ? path.substr(prefix.size()) : path;

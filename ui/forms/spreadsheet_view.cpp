@@ -118,7 +118,23 @@ void SpreadsheetView::update_actions() {
         action->setEnabled(!model_.is_linked());
 }
 
+/// Tab goes from cell to cell, and on behind the last one.
+bool SpreadsheetView::focusNextPrevChild(bool next) {
+    const QModelIndex now = currentIndex();
+    const QModelIndex then = moveCursor(next ? MoveNext : MovePrevious, Qt::NoModifier);
+    const auto before = [](const QModelIndex& a, const QModelIndex& b) {
+        return std::pair(a.row(), a.column()) < std::pair(b.row(), b.column());
+    };
+    const bool goes_on = now.isValid() && then.isValid() && (next ? before(now, then) : before(then, now));
+    return goes_on ? QTableView::focusNextPrevChild(next) : QAbstractScrollArea::focusNextPrevChild(next);
+}
+
 void SpreadsheetView::keyPressEvent(QKeyEvent* event) {
+    const bool tab = event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab;
+    if (tab && event->modifiers().testFlag(Qt::ControlModifier)) {
+        QAbstractScrollArea::focusNextPrevChild(event->key() == Qt::Key_Tab);
+        return;
+    }
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (!enter || event->modifiers() != Qt::NoModifier || state() == EditingState) {
         QTableView::keyPressEvent(event);

@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMessageBox>
+#include <QShortcut>
 
 #include "core/base/version.h"
 #include "core/kinds/registries.h"
@@ -26,7 +27,11 @@ QString keys_text() {
         "# Keys\n\n"
         "| Key | Does |\n|---|---|\n"
         "| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |\n"
-        "| Ctrl+Z, Ctrl+Y | undo, redo |\n"
+        "| Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |\n"
+        "| F6, Shift+F6 | next, previous pane |\n"
+        "| Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the "
+        "table at once |\n"
+        "| Ctrl+R in a budget | correlation coefficient of the two rows that are selected |\n"
         "| F5, Ctrl+F5, Esc | run this analysis, run all, stop |\n"
         "| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |\n"
         "| Arrow keys, + and − | turn and zoom the scene |\n"
@@ -75,6 +80,11 @@ HelpPane& HelpActions::pane() {
     dock_->setTitleBarWidget(new DockTitle(*dock_, nullptr));
     pane_ = new HelpPane(dock_);
     dock_->setWidget(pane_);
+    auto* leave = new QShortcut(Qt::Key_Escape, dock_, [this] {
+        hide();
+        if (before_) before_->setFocus();
+    });
+    leave->setContext(Qt::WidgetWithChildrenShortcut);
     window_.addDockWidget(Qt::RightDockWidgetArea, dock_);
     window_.resizeDocks({dock_}, {(2 * window_.height()) / 5}, Qt::Vertical);
     connect(pane_, &HelpPane::title_changed, dock_, &QWidget::setWindowTitle);
@@ -86,8 +96,25 @@ void HelpActions::show_dock() {
     dock_->raise();
 }
 
+QWidget* HelpActions::shown_pane() const {
+    return pane_ && dock_->isVisible() ? pane_ : nullptr;
+}
+
+void HelpActions::hide() {
+    if (dock_) dock_->hide();
+}
+
+/// For one who asked for the page itself: the keyboard reads it, and Esc goes back.
+void HelpActions::read() {
+    if (!shown_pane()) return;
+    before_ = QApplication::focusWidget();
+    pane_->setFocus();
+}
+
 void HelpActions::show_place(const QString& anchor) {
-    if (pane().show_place(anchor)) show_dock();
+    if (!pane().has_place(anchor)) return;
+    show_dock();  // first: places are found in a text that is laid out
+    pane().show_place(anchor);
 }
 
 void HelpActions::show_help_on_focus() {
@@ -101,6 +128,7 @@ void HelpActions::show_help_on_focus() {
 void HelpActions::show_keys() {
     pane().show_words(tr("Keys"), keys_text());
     show_dock();
+    read();
 }
 
 void HelpActions::add_to(QMenu& menu) {
@@ -108,14 +136,21 @@ void HelpActions::add_to(QMenu& menu) {
                    this, &HelpActions::show_help_on_focus);
     QMenu* models = menu.addMenu(tr("M&odels"));
     for (const ModelDescriptor& model : model_registry())
-        models->addAction(core_text(model.title), this,
-                          [this, id = model.id] { show_place(to_qt("model-" + id)); });
+        models->addAction(core_text(model.title), this, [this, id = model.id] {
+            show_place(to_qt("model-" + id));
+            read();
+        });
     QMenu* assets = menu.addMenu(tr("A&rtefacts, Instruments and Robots"));
     for (const AssetDescriptor& asset : asset_registry())
-        assets->addAction(core_text(asset.title), this,
-                          [this, kind = asset.kind] { show_place(to_qt("asset-" + kind)); });
+        assets->addAction(core_text(asset.title), this, [this, kind = asset.kind] {
+            show_place(to_qt("asset-" + kind));
+            read();
+        });
     const auto add_page = [&](const QString& title, const char* page) {
-        menu.addAction(title, this, [this, page] { show_place(QString::fromLatin1(page)); });
+        menu.addAction(title, this, [this, page] {
+            show_place(QString::fromLatin1(page));
+            read();
+        });
     };
     add_page(tr("An Everyday &Budget"), "first-steps");
     add_page(tr("&Results and Requirements"), "results");

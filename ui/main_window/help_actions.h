@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
@@ -26,16 +27,21 @@ public:
     void show_place(const QString& anchor);
     /// Made when it is first asked for.
     HelpPane& pane();
+    /// Null while it is hidden.
+    QWidget* shown_pane() const;
+    void hide();
 
 private:
     void show_keys();
     void show_dock();
+    void read();
 
     QMainWindow& window_;
     Selection& selection_;
     Document& document_;
     QDockWidget* dock_ = nullptr;
     HelpPane* pane_ = nullptr;
+    QPointer<QWidget> before_;  ///< had the keyboard before the pane
 };
 
 /// Versions of Covaria and of what it is built on.

@@ -20,6 +20,7 @@
 #include "ui/main_window/first_steps_guide.h"
 #include "ui/main_window/help_actions.h"
 #include "ui/main_window/import_actions.h"
+#include "ui/main_window/pane_keys.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/run_actions.h"
 #include "ui/main_window/search_actions.h"
@@ -155,6 +156,7 @@ void MainWindow::arrange() {
     tabifyDockWidget(docks_[2], docks_[3]);
     tabifyDockWidget(docks_[3], docks_[4]);
     docks_[2]->raise();
+    if (help_) help_->hide();
     given_to_names_ = room_for_names();
     resizeDocks({docks_[0], docks_[1]}, {given_to_names_, 395}, Qt::Horizontal);
     resizeDocks({docks_[2]}, {(45 * height()) / 100}, Qt::Vertical);
@@ -279,6 +281,8 @@ void MainWindow::make_view_menu() {
         project_actions_ << dock->toggleViewAction();
     }
     menu->addSeparator();
+    (new PaneKeys(*this, [this] { return panes(); }))->add_to(*menu);
+    menu->addSeparator();
     project_actions_ << menu->addAction(tr("&Reset Layout"), this, &MainWindow::arrange);
     menu->addSeparator();
     menu->addAction(icon(QStringLiteral("start")), tr("Start Page"), this,
@@ -286,6 +290,13 @@ void MainWindow::make_view_menu() {
     QAction* scene = menu->addAction(icon(QStringLiteral("scene")), tr("3D Scene"), this,
                                      [this] { pages_->setCurrentWidget(scene_); });
     project_actions_ << scene << menu->addMenu(&views_->menu());
+}
+
+/// As they stand, from the left.
+QList<QWidget*> MainWindow::panes() {
+    QList<QWidget*> all{project_, pages_->currentWidget(), results_, problems_, log_, properties_};
+    if (QWidget* help = help_ ? help_->shown_pane() : nullptr) all << help;
+    return all;
 }
 
 void MainWindow::make_help_menu() {
@@ -303,6 +314,10 @@ void MainWindow::connect_panes() {
     connect(start_, &StartPage::open_wanted, &files_, &FileActions::open);
     connect(start_, &StartPage::library_wanted, this, &MainWindow::show_library);
     connect(start_, &StartPage::first_steps_wanted, this, &MainWindow::show_first_steps);
+    // When the menu or the list that it was chosen from has given the keyboard back.
+    connect(
+        project_, &ProjectPane::entry_added, properties_, [this] { properties_->go_to_first_field(); },
+        Qt::QueuedConnection);
     connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
     project_->is_in_scene = [this](const QString& asset) { return scene_->view().shows_asset(asset); };
     connect(project_, &ProjectPane::scene_wanted, &scene_->view(), &SceneView::show_asset);
@@ -398,6 +413,7 @@ void MainWindow::connect_scene() {
     };
     connect(&document_, &Document::project_changed, &scene_->measuring(), &MeasureTool::update);
     connect(&preferences_, &PreferenceStore::changed, &scene_->measuring(), &MeasureTool::update);
+    connect(&scene_->view(), &SceneView::drag_started, &document_, &Document::begin_merging);
     connect(&scene_->view(), &SceneView::drag_finished, &document_, &Document::end_merging);
 }
 

@@ -85,6 +85,7 @@ private:
     void make_menus();
     void make_actions();
     QAction* make_undo_action();
+    QList<QWidget*> panes();
     void make_toolbar();
     void make_file_menu();
     void make_edit_menu();

@@ -11,6 +11,7 @@
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/main_window/help_actions.h"
+#include "ui/main_window/pane_keys.h"
 #include "ui/pages/properties_pane.h"
 #include "ui/pages/results_pane.h"
 #include "ui/pages/search_palette.h"
@@ -85,7 +86,10 @@ void SearchActions::add_commands(const QMenu& menu, std::vector<Findable>& all) 
 /// The entry and the fields of its set-up.
 void SearchActions::add_entry(const SetupAddress& entry, const std::string& name, const QString& kind,
                               std::vector<Findable>& all) const {
-    all.push_back({to_qt(name), kind, [this, entry] { selection_.select_entry(entry); }});
+    all.push_back({to_qt(name), kind, [this, entry] {
+                       selection_.select_entry(entry);
+                       properties_.go_to_first_field();
+                   }});
     const SetupSchema* schema = find_schema(document_.project(), entry);
     const Setup* setup = find_setup(document_.project(), entry);
     if (!schema || !setup) return;
@@ -125,8 +129,10 @@ void SearchActions::add_quantities(const std::string& analysis, const QString& n
 void SearchActions::add_tabs(std::vector<Findable>& all) const {
     for (QTabWidget* tabs : {&results_.tabs(), properties_.tabs()})
         for (int i = 0; i < tabs->count(); ++i)
-            all.push_back(
-                {without_mnemonic(tabs->tabText(i)), tr("tab"), [tabs, i] { tabs->setCurrentIndex(i); }});
+            all.push_back({without_mnemonic(tabs->tabText(i)), tr("tab"), [tabs, i] {
+                               tabs->setCurrentIndex(i);
+                               if (QWidget* place = place_for_keys(*tabs->currentWidget())) place->setFocus();
+                           }});
 }
 
 void SearchActions::add_help(std::vector<Findable>& all) const {

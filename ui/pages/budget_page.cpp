@@ -1,5 +1,7 @@
 #include "ui/pages/budget_page.h"
 
+#include <QAction>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -7,7 +9,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "core/report/result_statement.h"
 #include "core/text/symbol.h"
@@ -58,6 +59,7 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
     below->addWidget(pair_, 0, Qt::AlignTop);
     below->addWidget(correlation_, 0, Qt::AlignTop);
     column_->addLayout(below);
+    correlation_->installEventFilter(this);
     connect(correlation_, &QLineEdit::editingFinished, this, &BudgetPage::take_correlation);
     connect(&correlations_, &QAbstractItemModel::modelReset, this, &BudgetPage::show_correlation);
     connect(&selection_, &Selection::analysis_changed, this, &BudgetPage::show_analysis);
@@ -75,6 +77,7 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
 
 void BudgetPage::start_over() {
     analysis_.clear();
+    correlate_ = nullptr;
     delete std::exchange(view_, nullptr);
     model_.reset();
     show_analysis();
@@ -83,6 +86,7 @@ void BudgetPage::start_over() {
 void BudgetPage::show_analysis() {
     if (model_ && selection_.analysis() == analysis_) return;
     analysis_ = selection_.analysis();
+    correlate_ = nullptr;
     delete std::exchange(view_, nullptr);
     model_.reset();
     const SetupAddress address{SetupOwner::analysis, to_std(analysis_)};
@@ -97,6 +101,14 @@ void BudgetPage::show_analysis() {
     connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &BudgetPage::show_correlation);
     connect(view_, &BudgetSheetView::quantity_asked, this, &BudgetPage::ask_for_quantity);
+    correlate_ = new QAction(tr("Correlation of Two Rows"), view_);
+    correlate_->setToolTip(correlation_->toolTip());
+    correlate_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+    correlate_->setShortcutContext(Qt::WidgetShortcut);
+    view_->addAction(correlate_);
+    connect(correlate_, &QAction::triggered, correlation_, qOverload<>(&QWidget::setFocus));
+    setFocusProxy(view_);
+    setTabOrder(view_, correlation_);
     take_result();
 }
 
@@ -122,10 +134,22 @@ void BudgetPage::take_result() {
                     QStringLiteral("</small>"));
 }
 
-QModelIndex BudgetPage::selected_pair() {
-    if (!view_ || !correlations_.analysis()) return {};
+std::set<int> BudgetPage::selected_rows() const {
     std::set<int> rows;
     for (const QModelIndex& cell : view_->selectionModel()->selectedIndexes()) rows.insert(cell.row());
+    return rows;
+}
+
+/// What is typed takes the place of what stands there, also after a click.
+bool BudgetPage::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == correlation_ && event->type() == QEvent::FocusIn)
+        QMetaObject::invokeMethod(correlation_, &QLineEdit::selectAll, Qt::QueuedConnection);
+    return QWidget::eventFilter(watched, event);
+}
+
+QModelIndex BudgetPage::selected_pair() {
+    if (!view_ || !correlations_.analysis()) return {};
+    const std::set<int> rows = selected_rows();
     if (rows.size() != 2) return {};
     std::array<int, 2> at{};
     auto place = at.begin();
@@ -151,7 +175,12 @@ void BudgetPage::show_correlation() {
     const QModelIndex cell = selected_pair();
     for (QWidget* widget : {static_cast<QWidget*>(pair_), static_cast<QWidget*>(correlation_)})
         widget->setEnabled(cell.isValid());
-    pair_->setText(tr("<i>r</i> of two rows ="));
+    if (correlate_) correlate_->setEnabled(cell.isValid());
+    const auto symbol = [this](int row) { return to_qt(to_html(symbol_text(model_->symbol_of(row)))); };
+    pair_->setText(cell.isValid()
+                       ? tr("<i>r</i>(%1, %2) =")
+                             .arg(symbol(*selected_rows().begin()), symbol(*selected_rows().rbegin()))
+                       : tr("<i>r</i> of two rows ="));
     correlation_->setText(cell.isValid() ? cell.data(Qt::EditRole).toString() : QString());
 }
 

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <memory>
+#include <set>
 
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
@@ -11,6 +12,7 @@
 #include "ui/models/input_correlation_model.h"
 #include "ui/run/analysis_runner.h"
 
+class QAction;
 class QLabel;
 class QLineEdit;
 class QVBoxLayout;
@@ -38,6 +40,9 @@ signals:
     /// The page of an input quantity is wanted: a JSON pointer into the project.
     void quantity_asked(const QString& path);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void ask_for_quantity(int row);
     void show_analysis();
@@ -45,6 +50,7 @@ private:
     QString lines_of(const UncertaintyResult& result) const;
     /// Of the correlations, the cell of the two rows selected; invalid: none.
     QModelIndex selected_pair();
+    std::set<int> selected_rows() const;
     void show_correlation();
     void take_correlation();
 
@@ -59,6 +65,7 @@ private:
     InputCorrelationModel correlations_;
     QLabel* pair_ = nullptr;
     QLineEdit* correlation_ = nullptr;
+    QAction* correlate_ = nullptr;  ///< of the view
 };
 
 }  // namespace covaria::ui

@@ -51,6 +51,7 @@ HelpPane::HelpPane(QWidget* parent) : QWidget(parent), browser_(new QTextBrowser
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(browser_);
+    setFocusProxy(browser_);
     connect(browser_, &QTextBrowser::anchorClicked, this, &HelpPane::follow);
 }
 
@@ -60,18 +61,28 @@ const std::vector<HelpPage>& HelpPane::pages() {
     return pages_;
 }
 
-bool HelpPane::show_place(const QString& anchor) {
+const HelpPage* HelpPane::page_of(const QString& anchor) {
     const std::string wanted = to_std(anchor);
     const HelpPage* found = nullptr;
     for (const HelpPage& page : pages())
         if ((wanted == page.id || wanted.starts_with(page.id + "-")) &&
             (!found || page.id.size() > found->id.size()))
             found = &page;
+    return found;
+}
+
+bool HelpPane::has_place(const QString& anchor) {
+    return page_of(anchor) != nullptr;
+}
+
+bool HelpPane::show_place(const QString& anchor) {
+    const HelpPage* found = page_of(anchor);
     if (!found) return false;
     if (page_ != found->id) show_blocks(to_qt(found->title), found->blocks);
     page_ = found->id;
     place_ = anchor;
     go_to_place();
+    QMetaObject::invokeMethod(this, &HelpPane::go_to_place, Qt::QueuedConnection);  // at its new width
     return true;
 }
 

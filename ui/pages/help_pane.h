@@ -19,6 +19,7 @@ public:
 
     /// A page by its id, or a place on one ("model-equation-field-quantities"); false: there is no such page.
     bool show_place(const QString& anchor);
+    bool has_place(const QString& anchor);
     /// Words that are no page of their own.
     void show_words(const QString& title, const QString& markdown);
 
@@ -32,6 +33,7 @@ signals:
     void title_changed(const QString& title);
 
 private:
+    const HelpPage* page_of(const QString& anchor);
     void show_blocks(const QString& title, const std::vector<ReportBlock>& blocks);
     void go_to_place();
     void follow(const QUrl& link);

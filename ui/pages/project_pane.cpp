@@ -88,6 +88,7 @@ QMenu* ProjectPane::make_add_menu(QWidget* parent) {
 
 void ProjectPane::add_asset(const std::string& kind) {
     selection_.select_entry({SetupOwner::asset, covaria::ui::add_asset(document_, kind)});
+    emit entry_added();
 }
 
 void ProjectPane::add_analysis(const std::string& model) {
@@ -95,6 +96,7 @@ void ProjectPane::add_analysis(const std::string& model) {
         if (const AnalysisTemplate* prepared = template_of(model)) return add_from_template(*prepared);
     selection_.select_entry(
         {SetupOwner::analysis, covaria::ui::add_analysis(document_, model, preferences_.new_analysis())});
+    emit entry_added();
 }
 
 void ProjectPane::add_from_template(const AnalysisTemplate& wanted) {
@@ -102,6 +104,7 @@ void ProjectPane::add_from_template(const AnalysisTemplate& wanted) {
     const std::string id = covaria::ui::add_from_template(document_, wanted, why);
     if (id.empty()) return emit message(tr("The analysis was not added: %1").arg(why));
     selection_.select_entry({SetupOwner::analysis, id});
+    emit entry_added();
 }
 
 void ProjectPane::add_copy(const AssetEntry& asset) {

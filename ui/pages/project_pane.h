@@ -53,6 +53,8 @@ public:
 signals:
     void library_wanted();
     void scene_wanted(const QString& asset, bool shown);
+    /// A new entry, to be filled in.
+    void entry_added();
     /// Something to be told in passing.
     void message(const QString& text);
 

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QLabel>
 #include <QPointer>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "ui/document/setup_address.h"
@@ -153,7 +154,26 @@ void PropertiesPane::show_designs() {
     if (designs_) tabs_->setCurrentIndex(4);
 }
 
+void PropertiesPane::go_to_first_field() {
+    if (!setup_) return;
+    tabs_->setCurrentIndex(0);
+    setup_->focus_first();
+}
+
 void PropertiesPane::focus_field(const QString& path) {
+    go_to_field(path);
+    // Qt scrolls to what Tab reaches only; a page that was hidden has no places yet.
+    QMetaObject::invokeMethod(this, &PropertiesPane::scroll_to_focus, Qt::QueuedConnection);
+}
+
+void PropertiesPane::scroll_to_focus() {
+    QWidget* focused = QApplication::focusWidget();
+    if (!focused || !isAncestorOf(focused)) return;
+    for (QWidget* around = focused->parentWidget(); around != this; around = around->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(around)) area->ensureWidgetVisible(focused);
+}
+
+void PropertiesPane::go_to_field(const QString& path) {
     const std::string field = to_std(path);
     if (certificate_ && path.startsWith(QStringLiteral("/certificate"))) {
         tabs_->setCurrentIndex(1);

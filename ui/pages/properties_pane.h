@@ -40,8 +40,12 @@ public:
     void focus_field(const QString& path);
     SetupForm* setup_form() const { return setup_; }
     QTabWidget* tabs() const { return tabs_; }
+    /// Of the set-up, where one begins to fill it in.
+    void go_to_first_field();
 
 private:
+    void go_to_field(const QString& path);
+    void scroll_to_focus();
     void rebuild();
     void add_project_pages();
     void add_asset_pages(const SetupAddress& entry);

@@ -24,6 +24,7 @@
 namespace covaria::ui {
 namespace {
 
+constexpr int room_of_caption = 36;
 constexpr int usual_probability = 2;  // of the list: 95 %
 
 /// "0.021 0.034 0.012 mm"
@@ -66,6 +67,7 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     over->setContentsMargins(0, 0, 0, 0);
     over->addStretch(1);
     over->addWidget(picked_);
+    over->addSpacing(room_of_caption);  // with the magnification and the scale, which belong to every picture
     measuring_ = new MeasureTool(*view_, this);
     connect(measuring_, &MeasureTool::changed, this, &ScenePanel::show_words);
     make_toolbar();
@@ -349,6 +351,7 @@ void ScenePanel::show_in_space(bool in_space) {
     toolbar_->setVisible(in_space);
     view_->setVisible(in_space);
     flat_->setVisible(!in_space);
+    setFocusProxy(in_space || !below_ ? view_ : below_);
     if (!in_space) picked_->hide();
 }
 

@@ -123,7 +123,7 @@ void SceneView::send_scene() {
                  : whole_;
     if (scene_)
         service_.post(
-            [shown = scene_, framed = framed_, reserved = pixels_of_cube(),
+            [shown = scene_, framed = framed_ && !moved_, reserved = pixels_of_cube(),
              first = std::exchange(starts_over_, false)](SceneRenderer& renderer) {
                 const bool other = renderer.scene().title != shown->title;
                 renderer.set_scene(*shown);
@@ -238,12 +238,13 @@ void SceneView::post_framing(RenderService::Step step) {
 void SceneView::send_size() {
     const double ratio = devicePixelRatioF();
     const QSize pixels = (QSizeF(size()) * ratio).toSize();
-    post_moving([pixels, ratio, reserved = pixels_of_cube(), framed = framed_](SceneRenderer& renderer) {
-        renderer.set_size(pixels.width(), pixels.height());
-        renderer.set_pixel_ratio(ratio);
-        renderer.set_reserved(reserved);
-        if (framed && renderer.scene().size > 0) renderer.fit();
-    });
+    post_moving(
+        [pixels, ratio, reserved = pixels_of_cube(), framed = framed_ && !moved_](SceneRenderer& renderer) {
+            renderer.set_size(pixels.width(), pixels.height());
+            renderer.set_pixel_ratio(ratio);
+            renderer.set_reserved(reserved);
+            if (framed && renderer.scene().size > 0) renderer.fit();
+        });
 }
 
 void SceneView::resizeEvent(QResizeEvent*) {
@@ -263,15 +264,16 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
     if (!pressed_at_) return follow_pointer(event->position());
     if (!dragged_ && (event->position() - *pressed_at_).manhattanLength() < 4) return;
-    if (moved_ && !dragged_) select(QString::fromStdString(moved_->item.id));
+    if (moved_ && !dragged_) {
+        emit drag_started();
+        select(QString::fromStdString(moved_->item.id));
+    }
     dragged_ = true;
     if (moved_) {
         // A mouse reports more often than results can follow.
         if (since_move_.isValid() && since_move_.elapsed() < least_pause_between_moves) return;
         since_move_.start();
-        const bool snaps = event->modifiers().testFlag(Qt::ControlModifier);
-        return moved_->turns() ? turn_item_to(event->position(), snaps)
-                               : move_item_to(event->position(), snaps);
+        return bring_item_to(event->position(), event->modifiers());
     }
     drag_by(event->position() - last_at_);
     last_at_ = event->position();
@@ -328,6 +330,15 @@ std::optional<Handle> SceneView::handle_under(QPointF position) const {
         selected_.toStdString(), reach_of_pointer * devicePixelRatioF());
 }
 
+void SceneView::bring_item_to(QPointF position, Qt::KeyboardModifiers keys) {
+    brought_to_ = position;
+    const bool snaps = keys.testFlag(Qt::ControlModifier);
+    if (moved_->turns())
+        turn_item_to(position, snaps);
+    else
+        move_item_to(position, snaps);
+}
+
 void SceneView::move_item_to(QPointF position, bool snaps) {
     const QPointF at = position * devicePixelRatioF() + grip_;
     const PictureSize size = picture_size();
@@ -376,15 +387,13 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
         service_.pick(at.x(), at.y());
     }
     if (moved_ && dragged_) {
-        const bool snaps = event->modifiers().testFlag(Qt::ControlModifier);
-        if (moved_->turns())
-            turn_item_to(event->position(), snaps);
-        else
-            move_item_to(event->position(), snaps);
+        // Where it has been already it is: the picture may have changed under a hand that rests.
+        if (brought_to_ != event->position()) bring_item_to(event->position(), event->modifiers());
         emit drag_finished();
         emit item_picked(selected_);  // its values stand in the form, to be typed
     }
     since_move_.invalidate();
+    brought_to_.reset();
     moved_.reset();
     pressed_at_.reset();
     button_ = Qt::NoButton;

@@ -79,6 +79,7 @@ signals:
     void item_dragged(const covaria::SceneItem& item, const Eigen::Vector3d& p_W, double step);
     /// Likewise to an orientation in W, known to about `step` rad.
     void item_turned(const covaria::SceneItem& item, const Eigen::Matrix3d& R_WF, double step);
+    void drag_started();
     void drag_finished();
 
 protected:
@@ -111,6 +112,7 @@ private:
     void drag_by(QPointF delta);
     /// What a drag from there would move or turn.
     std::optional<Handle> handle_under(QPointF position) const;
+    void bring_item_to(QPointF position, Qt::KeyboardModifiers keys);
     void move_item_to(QPointF position, bool snaps);
     void turn_item_to(QPointF position, bool snaps);
     Pixel pixel_at(QPointF position) const;
@@ -141,7 +143,8 @@ private:
     bool dragged_ = false;
     std::optional<Handle> moved_;  ///< being dragged: as it was
     QElapsedTimer since_move_;
-    QPointF grip_;        ///< from the pointer to its middle, device pixels
+    std::optional<QPointF> brought_to_;  ///< by the drag that goes on
+    QPointF grip_;                       ///< from the pointer to its middle, device pixels
     bool framed_ = true;  ///< everything is in the picture, and stays so when the pane changes its size
     RenderService service_;
 };

@@ -101,6 +101,38 @@ TEST_F(DragSession, ATargetFollowsThePointerAndItsEllipsoidToo) {
     EXPECT_EQ(target(1), before);
 }
 
+/// The hand rests: results come, and the point stays under it, also when it is let go.
+TEST_F(DragSession, APointStaysWhereTheHandRests) {
+    open(project_copy());
+    select(SetupOwner::analysis, "printed");
+    ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
+    scene_picture();
+    const auto moved = [this] {
+        return std::get<SetupTable>(project().find_analysis("printed")->setup.values.at("base_points"))
+            .rows[1];
+    };
+    const auto before = moved();
+    const QPoint from = pick("point:b2");
+    scene_picture();
+    const int steps = window_->document().undo_stack().count();
+    QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+    const QPoint to = from + QPoint(35, 0);
+    for (const QPoint at : {from + QPoint(20, 0), to}) {
+        QTest::qWait(60);
+        QMouseEvent move(QEvent::MouseMove, at, view().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&view(), &move);
+    }
+    const auto rests = moved();
+    EXPECT_NE(rests, before);
+    ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
+    scene_picture();
+    EXPECT_LT((pick("point:b2") - to).manhattanLength(), 4) << "the picture stands still";
+    QTest::qWait(2500);  // longer than edits merge by themselves
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, to);
+    EXPECT_EQ(moved(), rests);
+    EXPECT_EQ(window_->document().undo_stack().count(), steps + 1);
+}
+
 TEST_F(DragSession, AnInstrumentIsMovedInItsOwnSetUp) {
     open_network();
     const auto before = station("camera-2");

@@ -212,7 +212,8 @@ protected:
             case 5:
                 return rename_in_tree(QStringLiteral("Renamed %1").arg(i));
             case 6:
-                return trigger(add_words_);
+                trigger(add_words_);
+                return QCoreApplication::processEvents();  // the new form takes the keyboard
             case 7:
                 return trigger(QStringLiteral("Duplicate"));
             case 8:

@@ -60,6 +60,21 @@ TEST_F(EquationSession, AMistakeIsMarkedAndRepaired) {
     keep_picture(QStringLiteral("equation.png"));
 }
 
+TEST_F(EquationSession, EquationsCanBeEmptiedAndWrittenAnew) {
+    open_gauge_block();
+    QPlainTextEdit* edit = equations().text_edit();
+    edit->setFocus();
+    QTest::keyClick(edit, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(edit, Qt::Key_Delete);
+    QTest::qWait(300);  // nothing comes back of itself
+    EXPECT_EQ(edit->toPlainText(), QString());
+    const QStringList said = problems();
+    EXPECT_TRUE(said.join(QLatin1Char('\n')).contains(QStringLiteral("must not be empty")))
+        << to_std(said.join('|'));
+    QTest::keyClicks(edit, QStringLiteral("M = c"));
+    EXPECT_EQ(edit->toPlainText(), QStringLiteral("M = c"));
+}
+
 TEST_F(EquationSession, ARequirementIsJudged) {
     open_gauge_block();
     show_tab(QStringLiteral("Requirements"));

@@ -74,6 +74,26 @@ TEST_F(HelpSession, EveryEditorOfTheExamplesAnswersWithItsOwnField) {
     EXPECT_GT(asked_, 500);
 }
 
+/// Also when the pane opens with it, and its text is laid out at its width only then.
+TEST_F(HelpSession, ThePlaceIsInView) {
+    open(project_copy());
+    select(SetupOwner::analysis, "printed");
+    wait_until_idle();
+    auto* table = sheet("base_points");
+    table->setFocus();
+    table->setCurrentIndex(table->model()->index(1, 1));
+    press_f1();
+    settle();
+    auto* browser = pane().findChild<QTextBrowser*>();
+    const auto is_in_view = [&] {
+        const QTextCursor at = browser->extraSelections().value(0).cursor;
+        const QRect place = browser->cursorRect(at);
+        return !at.isNull() && browser->viewport()->rect().contains(place.center());
+    };
+    EXPECT_TRUE(wait_for(is_in_view, 2000));
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/help-of-a-cell.png"));
+}
+
 TEST_F(HelpSession, AnEntryOfTheTreeAnswersWithItsKind) {
     open(project_copy());
     click_in_tree(to_qt(window_->document().project().assets.front().name));

@@ -1,0 +1,134 @@
+// The window with the keyboard alone: from pane to pane, into tables and out of them, to what was added.
+#include <QPlainTextEdit>
+
+#include "tests/ui/main_window/session_fixture.h"
+#include "ui/forms/budget_sheet_view.h"
+#include "ui/forms/lines_editor.h"
+#include "ui/main_window/help_actions.h"
+#include "ui/pages/budget_page.h"
+#include "ui/pages/help_pane.h"
+
+namespace covaria::ui::keyboard_session_test {
+namespace {
+
+class KeyboardSession : public Session {
+protected:
+    bool is_in(const QWidget& pane) const {
+        const QWidget* focused = QApplication::focusWidget();
+        return focused && (focused == &pane || pane.isAncestorOf(focused));
+    }
+    QString pane_with_focus() const {
+        if (is_in(window_->project_pane())) return QStringLiteral("project");
+        if (is_in(window_->scene())) return QStringLiteral("scene");
+        if (is_in(window_->results())) return QStringLiteral("results");
+        if (is_in(window_->properties())) return QStringLiteral("properties");
+        return QStringLiteral("none");
+    }
+    static void press_keys(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QWidget* focused = QApplication::focusWidget();
+        ASSERT_NE(focused, nullptr);
+        QTest::keyClick(focused, key, modifiers);
+        QCoreApplication::processEvents();
+    }
+    void add_equation() {
+        trigger(QStringLiteral("New Project"));
+        trigger(QStringLiteral("Analysis: Measurement equation"));
+    }
+};
+
+TEST_F(KeyboardSession, F6GoesThroughAllPanesAndBack) {
+    open(project_copy());
+    wait_until_idle();
+    window_->project_pane().setFocus();
+    QStringList visited;
+    for (int i = 0; i < 4; ++i) {
+        press_keys(Qt::Key_F6);
+        visited << pane_with_focus();
+    }
+    EXPECT_EQ(visited.join(' ').toStdString(), "scene results properties project");
+    visited.clear();
+    for (int i = 0; i < 4; ++i) {
+        press_keys(Qt::Key_F6, Qt::ShiftModifier);
+        visited << pane_with_focus();
+    }
+    EXPECT_EQ(visited.join(' ').toStdString(), "properties results scene project");
+}
+
+TEST_F(KeyboardSession, WhatIsAddedTakesTheKeyboard) {
+    add_equation();
+    auto* equations = window_->properties().findChild<QPlainTextEdit*>(QStringLiteral("equations"));
+    ASSERT_NE(equations, nullptr);
+    EXPECT_TRUE(wait_for([&] { return equations->hasFocus(); }, 2000));
+}
+
+TEST_F(KeyboardSession, TabLeavesATableBehindItsLastCellAndCtrlTabAtOnce) {
+    open(project_copy());
+    select(SetupOwner::analysis, "printed");
+    auto* table = sheet("base_points");
+    const QAbstractItemModel& cells = *table->model();
+    table->setFocus();
+    table->setCurrentIndex(cells.index(0, 0));
+    press_keys(Qt::Key_Tab);
+    EXPECT_EQ(table->currentIndex(), cells.index(0, 1));
+    table->setCurrentIndex(cells.index(cells.rowCount() - 1, cells.columnCount() - 1));
+    press_keys(Qt::Key_Tab);
+    EXPECT_FALSE(table->hasFocus());
+    table->setFocus();
+    table->setCurrentIndex(cells.index(0, 0));
+    press_keys(Qt::Key_Backtab, Qt::ShiftModifier);
+    EXPECT_FALSE(table->hasFocus());
+    table->setFocus();
+    table->setCurrentIndex(cells.index(1, 1));
+    press_keys(Qt::Key_Tab, Qt::ControlModifier);
+    EXPECT_FALSE(table->hasFocus());
+    EXPECT_EQ(table->currentIndex(), cells.index(1, 1));
+}
+
+/// Nothing but keys after the analysis has been added.
+TEST_F(KeyboardSession, ABudgetAndItsCorrelationAreTyped) {
+    add_equation();
+    auto* equations = window_->properties().findChild<QPlainTextEdit*>(QStringLiteral("equations"));
+    ASSERT_TRUE(wait_for([&] { return equations->hasFocus(); }, 2000));
+    press_keys(Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(equations, QStringLiteral("L = a + b"));
+    press_keys(Qt::Key_F6, Qt::ShiftModifier);
+    press_keys(Qt::Key_F6, Qt::ShiftModifier);
+    auto* budget = window_->scene().findChild<BudgetSheetView*>();
+    ASSERT_NE(budget, nullptr);
+    ASSERT_TRUE(wait_for([&] { return budget->hasFocus(); }, 2000)) << pane_with_focus().toStdString();
+    budget->setCurrentIndex(budget->model()->index(0, 2));
+    for (const char* estimate : {"50 mm", "2 mm"}) {
+        const int row = budget->currentIndex().row();
+        type_keys(QString::fromLatin1(estimate));
+        press_keys(Qt::Key_Return);
+        EXPECT_EQ(budget->currentIndex().row(), row + 1);
+    }
+    budget->setCurrentIndex(budget->model()->index(0, 4));
+    for (int row = 0; row < 2; ++row) {
+        type_keys(QStringLiteral("1 um"));
+        press_keys(Qt::Key_Return);
+    }
+    ASSERT_TRUE(wait_for([this] { return status().result && status().is_current(); }));
+    const double alone = expanded_uncertainty(0);
+    budget->setCurrentIndex(budget->model()->index(0, 2));
+    press_keys(Qt::Key_Down, Qt::ShiftModifier);
+    press_keys(Qt::Key_R, Qt::ControlModifier);
+    type_keys(QStringLiteral("0.5"));
+    press_keys(Qt::Key_Return);
+    EXPECT_TRUE(wait_for([&] { return status().is_current() && expanded_uncertainty(0) > 1.1 * alone; }))
+        << "u of the sum grows by the root of 1.5";
+}
+
+TEST_F(KeyboardSession, HelpIsReadAndLeft) {
+    open(project_copy());
+    wait_until_idle();
+    window_->project_pane().setFocus();
+    trigger(QStringLiteral("Keys"));
+    EXPECT_TRUE(wait_for([&] { return is_in(window_->help().pane()); }, 2000));
+    press_keys(Qt::Key_Escape);
+    EXPECT_FALSE(window_->help().pane().isVisible());
+    EXPECT_EQ(pane_with_focus().toStdString(), "project");
+}
+
+}  // namespace
+}  // namespace covaria::ui::keyboard_session_test
