@@ -15,6 +15,10 @@
         <source>Turn %1</source>
         <translation>%1 drehen</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Trial %1&lt;/b&gt;, inputs farthest from their estimates: %2</source>
+        <translation>&lt;b&gt;Versuch %1&lt;/b&gt;, Eingangsgrößen am weitesten von ihren Schätzwerten: %2</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -16199,6 +16203,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>All Results</source>
         <translation>Alle Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Go to Source</source>
+        <translation>Zur Quelle</translation>
     </message>
 </context>
 <context>

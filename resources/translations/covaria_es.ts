@@ -15,6 +15,10 @@
         <source>Turn %1</source>
         <translation>Girar %1</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Trial %1&lt;/b&gt;, inputs farthest from their estimates: %2</source>
+        <translation>&lt;b&gt;Ensayo %1&lt;/b&gt;, entradas más alejadas de sus estimaciones: %2</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -16199,6 +16203,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>All Results</source>
         <translation>Todos los resultados</translation>
+    </message>
+    <message>
+        <source>Go to Source</source>
+        <translation>Ir al origen</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,10 @@
         <source>Turn %1</source>
         <translation>%1 회전</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Trial %1&lt;/b&gt;, inputs farthest from their estimates: %2</source>
+        <translation>&lt;b&gt;시행 %1&lt;/b&gt;, 추정값에서 가장 먼 입력량: %2</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -16196,6 +16200,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>All Results</source>
         <translation>모든 결과</translation>
+    </message>
+    <message>
+        <source>Go to Source</source>
+        <translation>출처로 이동</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,10 @@
         <source>Turn %1</source>
         <translation>Girar %1</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Trial %1&lt;/b&gt;, inputs farthest from their estimates: %2</source>
+        <translation>&lt;b&gt;Ensaio %1&lt;/b&gt;, entradas mais afastadas das suas estimativas: %2</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -16199,6 +16203,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>All Results</source>
         <translation>Todos os resultados</translation>
+    </message>
+    <message>
+        <source>Go to Source</source>
+        <translation>Ir para a origem</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,10 @@
         <source>Turn %1</source>
         <translation>旋转 %1</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Trial %1&lt;/b&gt;, inputs farthest from their estimates: %2</source>
+        <translation>&lt;b&gt;试验 %1&lt;/b&gt;，偏离估计值最远的输入量：%2</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -16196,6 +16200,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>All Results</source>
         <translation>全部结果</translation>
+    </message>
+    <message>
+        <source>Go to Source</source>
+        <translation>转到来源</translation>
     </message>
 </context>
 <context>

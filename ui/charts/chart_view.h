@@ -24,6 +24,8 @@ public:
     void set_plot(PlotSpecification plot);
     const PlotSpecification& plot() const;
     void set_theme(const Theme& theme);
+    /// Bars lead somewhere (`bar_clicked`), and the pointer says so. The first `count` of them.
+    void set_clickable_bars(int count) { clickable_bars_ = count; }
     const PlotChart& chart() const { return *chart_; }
 
     bool is_zoomed() const;
@@ -43,6 +45,8 @@ public:
 signals:
     void read_out_changed(const QString& text);  ///< empty when the pointer is on nothing
     void saved(const QString& file);
+    /// A horizontal bar, from 0.
+    void bar_clicked(int bar);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -64,6 +68,8 @@ private:
     Theme theme_;
     PlotChart* chart_ = nullptr;  // owned by the scene
     std::optional<ReadOut> read_out_;
+    int clickable_bars_ = 0;
+    bool is_over_link() const;
     std::optional<QPoint> pressed_;
     QRubberBand* band_;
 };

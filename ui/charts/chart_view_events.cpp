@@ -35,9 +35,16 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
         return;
     }
     show_read_out(read_out(plot(), chart_->chart_layout().geometry, event->position()));
+    viewport()->setCursor(is_over_link() ? Qt::PointingHandCursor : Qt::ArrowCursor);
+}
+
+bool ChartView::is_over_link() const {
+    return read_out_ && read_out_->bar && int(*read_out_->bar) < clickable_bars_;
 }
 
 void ChartView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && !pressed_ && is_over_link())
+        emit bar_clicked(int(*read_out_->bar));
     if (!pressed_ || event->button() != Qt::LeftButton) return;
     const QRectF rect(*pressed_, event->position().toPoint());
     pressed_.reset();

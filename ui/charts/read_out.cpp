@@ -50,7 +50,8 @@ struct Reader {
         const double wanted = plot.horizontal_bars ? at.y() : at.x();
         for (std::size_t i = 0; i < centres.size(); ++i) {
             if (std::abs(centres[i] - wanted) > 0.5 * bars.bar_width) continue;
-            if (plot.horizontal_bars) return ReadOut{plot.y.categories.at(i) + ": " + x_text(bars.x[i]), {}};
+            if (plot.horizontal_bars)
+                return ReadOut{plot.y.categories.at(i) + ": " + x_text(bars.x[i]), {}, i};
             return ReadOut{x_text(bars.x[i]) + ", " + y_text(bars.y[i]), {}};
         }
         return {};

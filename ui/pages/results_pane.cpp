@@ -24,6 +24,7 @@
 #include "ui/forms/form_labels.h"
 #include "ui/pages/all_results_tab.h"
 #include "ui/pages/compare_tab.h"
+#include "ui/pages/component_source.h"
 #include "ui/pages/design_tab.h"
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
@@ -208,9 +209,38 @@ QWidget* ResultsPane::make_results_tab() {
 QWidget* ResultsPane::make_budget_tab() {
     budget_ = new SortableTable(budget_model_, tr("budget"));
     budget_->set_columns(QStringLiteral("budget"), {});
+    budget_->extend_menu = [this](QMenu& menu, int row) {
+        menu.addAction(tr("Go to Source"), this, [this, row] { go_to_source(row); });
+    };
+    connect(budget_, &SortableTable::row_activated, this, &ResultsPane::go_to_source);
     contributions_ = new ChartView;
     contributions_->setObjectName(QStringLiteral("contributions_chart"));
+    connect(contributions_, &ChartView::bar_clicked, this, [this](int bar) {
+        budget_->select_row(bar);
+        go_to_source(bar);
+    });
     return side_by_side(budget_, contributions_, 3, 2);
+}
+
+void ResultsPane::show_contributions(std::size_t output) {
+    PlotSpecification plot = contribution_plot(*result_, output, language_of_window());
+    // The last bar may be that of all others.
+    const std::size_t bars = plot.y.categories.size(), rows = result_->budget.rows[output].size();
+    contributions_->set_clickable_bars(int(bars <= rows && bars > 0 && bars != rows ? bars - 1 : bars));
+    show_chart(*contributions_, std::move(plot));
+}
+
+/// Of a row of the budget shown; the bars stand in the same order.
+void ResultsPane::go_to_source(int row) {
+    const auto output = static_cast<std::size_t>(std::max(0, selection_.output()));
+    const auto& prepared = runner_.status(selection_.analysis()).prepared;
+    if (!result_ || !prepared || row < 0 || output >= result_->budget.rows.size() ||
+        row >= int(result_->budget.rows[output].size()))
+        return;
+    const BudgetRow& chosen = result_->budget.rows[output][static_cast<std::size_t>(row)];
+    const QString place =
+        place_of_component(document_.project(), *prepared, result_->budget.components[chosen.component]);
+    if (!place.isEmpty()) emit place_wanted(place);
 }
 
 QWidget* ResultsPane::make_distributions_tab() {
@@ -369,8 +399,7 @@ void ResultsPane::refresh_charts() {
     const auto index = std::size_t(output);
     const QWidget* shown = tabs_->currentWidget();
     const DocumentLanguage in = language_of_window();
-    if (shown->isAncestorOf(contributions_))
-        show_chart(*contributions_, contribution_plot(*result_, index, in));
+    if (shown->isAncestorOf(contributions_)) show_contributions(index);
     if (shown->isAncestorOf(histogram_)) {
         show_chart(*histogram_, histogram_plot(*result_, index, units_->units(), in));
         show_chart(*quantiles_, normal_quantile_plot(*result_, index, units_->units(), in));

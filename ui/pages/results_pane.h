@@ -86,6 +86,8 @@ private:
     void show_group(const QString& group);
     void show_output(int output);
     void go_to_result(const QString& analysis, const QString& group, int output);
+    void show_contributions(std::size_t output);
+    void go_to_source(int row);
     void refresh_charts();
     void show_chart(ChartView& view, PlotSpecification plot) const;
     QString state_words() const;

@@ -14,6 +14,7 @@
 #include "core/model/has_layout.h"
 #include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
+#include "ui/scene_view/trial_words.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
@@ -94,7 +95,6 @@ void ScenePanel::put_below_equations(QWidget* page) {
     flat_->addWidget(page);
     flat_->setStretchFactor(0, 0);
     flat_->setStretchFactor(1, 1);
-    flat_->setSizes({120, 480});
 }
 
 void ScenePanel::make_toolbar() {
@@ -388,6 +388,7 @@ void ScenePanel::describe_item(const QString& id) {
     if (measuring_->is_active()) return;
     const SceneItem* item = view_->scene() ? find_item(*view_->scene(), id.toStdString()) : nullptr;
     picked_->setVisible(item != nullptr);
+    picked_->setToolTip({});
     if (!item) return;
     const LengthUnit& unit = view_->scene()->unit;
     QString text =
@@ -397,9 +398,21 @@ void ScenePanel::describe_item(const QString& id) {
     picked_->setText(text);
 }
 
+/// Its inputs: made again, as the run had them.
+void ScenePanel::show_trial(std::uint64_t trial) {
+    const AnalysisStatus& status = runner_.status(analysis_);
+    if (measuring_->is_active() || !status.prepared || !status.is_of_present()) return;
+    const TrialWords words = trial_words(*status.prepared, trial);
+    if (words.line.isEmpty()) return;
+    picked_->setText(words.line);
+    picked_->setToolTip(words.all);
+    picked_->show();
+}
+
 /// The user picked an item, or nothing.
 void ScenePanel::take_pick(const QString& id) {
     describe_item(id);
+    if (const auto trial = view_->picked_trial()) show_trial(*trial);
     const SceneItem* item = view_->scene() ? find_item(*view_->scene(), to_std(id)) : nullptr;
     emit source_picked(item ? to_qt(item->source.asset) : QString(),
                        item ? to_qt(item->source.path) : QString());

@@ -83,6 +83,7 @@ private:
     void show_item(const QString& id);
     bool show_source();
     bool is_selected_source(const SceneItem& item) const;
+    void show_trial(std::uint64_t trial);
     void describe_item(const QString& id);
     void show_words();
     void take_pick(const QString& id);

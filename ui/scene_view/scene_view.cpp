@@ -18,12 +18,14 @@
 #include "ui/theme/strings.h"
 #include "viz/scene/pick.h"
 #include "viz/scene/saved_camera.h"
+#include "viz/scene/trial_pick.h"
 
 namespace covaria::ui {
 namespace {
 
 constexpr double pixels_per_key = 30.0;
 constexpr qint64 least_pause_between_moves = 25;  // ms
+constexpr double reach_of_dot = 4.0;              // of a cloud
 constexpr double reach_of_pointer = 14.0;         // pixels around an item in which it can be grasped
 constexpr double zoom_per_key = 1.15;
 constexpr double pixels_per_snap = 12.0;  // about; a round number of the unit
@@ -296,6 +298,20 @@ std::optional<std::string> SceneView::place_under(QPointF position) const {
         reach_of_pointer * devicePixelRatioF());
 }
 
+/// Not where the point of the cloud itself is meant.
+std::optional<std::uint64_t> SceneView::trial_under(QPointF position) const {
+    if (!scene_ || image_.isNull() || picks_places_) return std::nullopt;
+    const Pixel pixel = pixel_at(position);
+    for (const ScenePoint& point : scene_->points) {
+        const Pixel at = project(camera_, picture_size(), point.item.position);
+        if (std::hypot(at.x - pixel.x, at.y - pixel.y) < 2 * reach_of_dot * devicePixelRatioF())
+            return std::nullopt;
+    }
+    return trial_at(
+        *scene_, camera_, picture_size(), pixel_at(position), [this](Layer layer) { return layers_[layer]; },
+        reach_of_dot * devicePixelRatioF());
+}
+
 QRectF SceneView::place_of_cube() const {
     return cube_place(size(), scene_ && scene_->map);
 }
@@ -383,6 +399,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
         if (const auto place = place_under(event->position()))
             emit place_picked(QString::fromStdString(*place));
     } else if (clicked && scene_) {
+        picked_trial_ = trial_under(event->position());
         const QPointF at = event->position() * devicePixelRatioF();
         service_.pick(at.x(), at.y());
     }

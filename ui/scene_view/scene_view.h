@@ -65,6 +65,9 @@ public:
     QSize sizeHint() const override { return {800, 500}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
 
+    /// Of the last click, where it hit a dot of a cloud.
+    std::optional<std::uint64_t> picked_trial() const { return picked_trial_; }
+
 signals:
     /// The user clicked on an item (empty: on nothing).
     void item_picked(const QString& item_id);
@@ -112,6 +115,7 @@ private:
     void drag_by(QPointF delta);
     /// What a drag from there would move or turn.
     std::optional<Handle> handle_under(QPointF position) const;
+    std::optional<std::uint64_t> trial_under(QPointF position) const;
     void bring_item_to(QPointF position, Qt::KeyboardModifiers keys);
     void move_item_to(QPointF position, bool snaps);
     void turn_item_to(QPointF position, bool snaps);
@@ -143,6 +147,7 @@ private:
     bool dragged_ = false;
     std::optional<Handle> moved_;  ///< being dragged: as it was
     QElapsedTimer since_move_;
+    std::optional<std::uint64_t> picked_trial_;
     std::optional<QPointF> brought_to_;  ///< by the drag that goes on
     QPointF grip_;                       ///< from the pointer to its middle, device pixels
     bool framed_ = true;  ///< everything is in the picture, and stays so when the pane changes its size

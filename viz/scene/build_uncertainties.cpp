@@ -96,7 +96,7 @@ void add_cloud(SceneBuild& build, const UncertainPoint& p) {
     if (!trials || !estimates) return;
     const auto available = static_cast<std::size_t>(trials->cols());
     const std::size_t wanted = std::min(available, build.options.cloud_limit);
-    SceneCloud cloud{*p.drawn, p.role, {}};
+    SceneCloud cloud{*p.drawn, p.role, {}, {}};
     cloud.offsets.reserve(3 * wanted);
     for (std::size_t i = 0; i < wanted; ++i) {
         const auto t = static_cast<Eigen::Index>(i * available / wanted);
@@ -107,6 +107,7 @@ void add_cloud(SceneBuild& build, const UncertainPoint& p) {
         if (!d.allFinite()) continue;
         const Eigen::Vector3d offset = build.scene.magnification * (p.point->R_WQ * d);
         for (int k = 0; k < 3; ++k) cloud.offsets.push_back(static_cast<float>(offset[k]));
+        cloud.trials.push_back(static_cast<std::uint32_t>(t));
     }
     if (cloud.size() > 0) build.scene.clouds.push_back(std::move(cloud));
 }

@@ -145,7 +145,8 @@ struct SceneEllipsoid {
 struct SceneCloud {
     SceneItem item;
     Role role = Role::output;
-    std::vector<float> offsets = {};  ///< x y z of each trial from item.position, already magnified, m
+    std::vector<float> offsets = {};         ///< x y z of each trial from item.position, already magnified, m
+    std::vector<std::uint32_t> trials = {};  ///< number of each, from 0
     std::size_t size() const { return offsets.size() / 3; }
     bool operator==(const SceneCloud&) const = default;
 };

@@ -1,11 +1,16 @@
 // A user looks for results over all groups, and for those that do not meet what is required.
 #include <QCheckBox>
 #include <QDir>
+#include <QLabel>
 #include <QLineEdit>
 
+#include "core/propagation/engine.h"
 #include "tests/ui/main_window/session_fixture.h"
+#include "ui/charts/chart_view.h"
 #include "ui/models/roles.h"
+#include "ui/pages/component_source.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/scene_view/scene_view.h"
 
 namespace covaria::ui::results_session_test {
 namespace {
@@ -20,6 +25,97 @@ protected:
     }
     QString words(int row, const char* head) { return table().index(row, column(head)).data().toString(); }
 };
+
+TEST_F(ResultsSession, ABarAndARowOfTheBudgetLeadToTheirSource) {
+    open(project_copy(QStringLiteral("tracker-pose")));
+    select(SetupOwner::analysis, "tracker-alone");
+    ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
+    QTabWidget& tabs = window_->results().tabs();
+    tabs.setCurrentIndex(1);
+    auto* chart = window_->findChild<ChartView*>(QStringLiteral("contributions_chart"));
+    ASSERT_NE(chart, nullptr);
+    ASSERT_TRUE(wait_for([&] { return !chart->plot().series.empty(); }));
+    settle();
+    const PlotGeometry& geometry = chart->chart().chart_layout().geometry;
+    const QPoint on_first = geometry.at(0.1, chart->plot().series.front().y.front()).toPoint() + QPoint(2, 0);
+    QTest::mouseMove(chart->viewport(), on_first);
+    QMouseEvent over(QEvent::MouseMove, on_first, chart->viewport()->mapToGlobal(on_first), Qt::NoButton,
+                     Qt::NoButton, {});
+    QCoreApplication::sendEvent(chart->viewport(), &over);
+    EXPECT_EQ(chart->viewport()->cursor().shape(), Qt::PointingHandCursor);
+    QTest::mouseClick(chart->viewport(), Qt::LeftButton, {}, on_first);
+    EXPECT_EQ(window_->selection().entry().owner, SetupOwner::asset) << "the tracker states it";
+    EXPECT_EQ(window_->results().budget_table().current_row(), 0);
+    select(SetupOwner::analysis, "tracker-alone");
+    emit window_->results().budget_table().row_activated(1);
+    EXPECT_EQ(window_->selection().entry().owner, SetupOwner::asset);
+}
+
+/// What is stated in the set-up, each in its own place.
+TEST_F(ResultsSession, EveryComponentHasAPlaceToGoTo) {
+    int checked = 0;
+    for (const char* name :
+         {"chain", "force-moment-sensor", "stewart-platform", "gum/h1-end-gauge", "lsm-network"}) {
+        const auto loaded = load_project(
+            to_path(QStringLiteral(COVARIA_SOURCE_DIR "/projects/%1.covaria").arg(QLatin1String(name))));
+        for (const AnalysisEntry& analysis : loaded.project.analyses) {
+            const auto prepared = loaded.made->analysis(analysis.id);
+            ASSERT_TRUE(prepared) << name << ' ' << analysis.id;
+            const auto result = evaluate_first_order(*prepared->propagated, prepared->options);
+            ASSERT_TRUE(result);
+            for (const BudgetComponent& component : result->budget.components) {
+                const QString place = place_of_component(loaded.project, *prepared, component);
+                EXPECT_TRUE(exists(loaded.project, address_of_path(loaded.project, to_std(place))))
+                    << name << ' ' << analysis.id << ' ' << component.id << ": " << to_std(place);
+                ++checked;
+            }
+        }
+    }
+    EXPECT_GT(checked, 300);
+}
+
+/// Of a trial the inputs are those that the run drew.
+TEST_F(ResultsSession, ADotOfTheCloudTellsItsInputs) {
+    open(project_copy());
+    select(SetupOwner::analysis, "printed");
+    ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
+    scene_picture();
+    SceneView& view = window_->scene().view();
+    ASSERT_TRUE(view.scene() && !view.scene()->clouds.empty());
+    const SceneCloud* cloud = nullptr;
+    for (const SceneCloud& one : view.scene()->clouds)
+        if (one.role == covaria::Role::output) cloud = &one;
+    ASSERT_NE(cloud, nullptr);
+    const auto pixel_of = [&](std::size_t dot) {
+        const Eigen::Vector3d p_W =
+            cloud->item.position +
+            Eigen::Map<const Eigen::Vector3f>(cloud->offsets.data() + 3 * dot).cast<double>();
+        Pixel at;
+        view.service().post([&](SceneRenderer& renderer) { at = renderer.project(p_W); });
+        view.service().wait_until_idle();
+        return QPointF(at.x, at.y) / view.devicePixelRatioF();
+    };
+    std::size_t clicked = 0;  // not all: where the point itself is meant there is no trial
+    for (; clicked < cloud->size() && !view.picked_trial(); clicked += 97)
+        QTest::mouseClick(&view, Qt::LeftButton, {}, pixel_of(clicked).toPoint());
+    ASSERT_TRUE(view.picked_trial().has_value());
+    const auto of_cloud = std::find(cloud->trials.begin(), cloud->trials.end(), *view.picked_trial());
+    if (of_cloud != cloud->trials.end()) {
+        const auto found = std::size_t(of_cloud - cloud->trials.begin());
+        EXPECT_LT((pixel_of(found) - pixel_of(clicked - 97)).manhattanLength(), 6.0);
+    }
+    const auto replayed = replay_trials(*status().prepared->propagated, status().prepared->options.seed,
+                                        *view.picked_trial(), 1);
+    ASSERT_TRUE(replayed);
+    const auto words = [&] {
+        for (const QLabel* label : window_->scene().findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(QStringLiteral("Trial"))) return label->text();
+        return QString();
+    };
+    EXPECT_TRUE(wait_for([&] { return !words().isEmpty(); }, 3000));
+    EXPECT_TRUE(words().contains(QStringLiteral("<i>u</i>"))) << to_std(words());
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/trial.png"));
+}
 
 TEST_F(ResultsSession, AllGroupsAreFilteredBySearchAndByWhatIsNotMet) {
     open(project_copy());

@@ -1,0 +1,19 @@
+// One trial of a Monte Carlo run: what its inputs were.
+#pragma once
+
+#include <QString>
+#include <cstdint>
+
+#include "core/made/prepared_analysis.h"
+
+namespace covaria::ui {
+
+struct TrialWords {
+    QString line;  ///< HTML: the inputs that were farthest from their estimates, in their u
+    QString all;   ///< HTML: those of most effect on the eye, with values, for a tip
+};
+
+/// Of the run with the analysis' seed. Empty where the trial cannot be made again.
+TrialWords trial_words(const PreparedAnalysis& analysis, std::uint64_t trial);
+
+}  // namespace covaria::ui
