@@ -82,6 +82,8 @@ private:
         for (const std::string_view sign : {"±", "+/-", "+-"})
             if (rest.starts_with(sign)) return take("±", sign.size());
         if (rest.starts_with("\u2212")) return take("-", std::string_view("\u2212").size());
+        const bool unit_of_figure = rest.starts_with("1/") && !all_.empty() && all_.back().number;
+        if (unit_of_figure) return take_word(rest);
         if (is_digit(rest[0]) || (rest.size() > 1 && is_point(rest[0]) && is_digit(rest[1])))
             return number(rest);
         if (std::string_view(" \t=;,:").find(rest[0]) != std::string_view::npos) {
@@ -89,6 +91,10 @@ private:
             return;
         }
         if (rest[0] == '+' || rest[0] == '-') return take(rest.substr(0, 1), 1);
+        take_word(rest);
+    }
+
+    void take_word(std::string_view rest) {
         std::size_t length = 1;
         while (length < rest.size() &&
                std::string_view(" \t=;,:").find(rest[length]) == std::string_view::npos)
@@ -338,7 +344,8 @@ std::string statement_text(const TypedStatement& statement, const Unit& unit,
         std::string text(notation.words.front());
         const bool limits = notation.kind == "limits";
         if (statement.a) {
-            text += " " + std::string(notation.before_a);
+            text += ' ';
+            text += notation.before_a;
             text +=
                 notation.has_unit && !limits ? in_unit(*statement.a, unit.interval()) : number(*statement.a);
         }

@@ -13126,6 +13126,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
 | F1 | Hilfe zu Feld, Zelle oder Eintrag mit dem Fokus |
 </translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation type="unfinished">&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished">&amp;Rückgängig</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -15077,10 +15085,6 @@ Gewählt: %2</translation>
         <translation>Protokoll</translation>
     </message>
     <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
     </message>
@@ -15159,10 +15163,6 @@ Gewählt: %2</translation>
     <message>
         <source>First &amp;Steps</source>
         <translation>Erste &amp;Schritte</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>&amp;Rückgängig: %1</translation>
     </message>
 </context>
 <context>

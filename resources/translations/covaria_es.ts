@@ -13126,6 +13126,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
 | F1 | ayuda sobre el campo, la celda o la entrada con el foco |
 </translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation type="unfinished">&amp;Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished">&amp;Deshacer</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -15077,10 +15085,6 @@ Elegido: %2</translation>
         <translation>Registro</translation>
     </message>
     <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Deshacer</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rehacer</translation>
     </message>
@@ -15159,10 +15163,6 @@ Elegido: %2</translation>
     <message>
         <source>First &amp;Steps</source>
         <translation>Primeros &amp;pasos</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>&amp;Deshacer: %1</translation>
     </message>
 </context>
 <context>

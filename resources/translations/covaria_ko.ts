@@ -13126,6 +13126,14 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 | F1 | 포커스가 있는 필드, 셀, 항목의 도움말 |
 </translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation type="unfinished">실행 취소(&amp;U): %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished">실행 취소(&amp;U)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -15074,10 +15082,6 @@ Chosen: %2</source>
         <translation>로그</translation>
     </message>
     <message>
-        <source>&amp;Undo</source>
-        <translation>실행 취소(&amp;U)</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>다시 실행(&amp;R)</translation>
     </message>
@@ -15156,10 +15160,6 @@ Chosen: %2</source>
     <message>
         <source>First &amp;Steps</source>
         <translation>첫걸음(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>실행 취소(&amp;U): %1</translation>
     </message>
 </context>
 <context>

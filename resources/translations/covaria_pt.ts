@@ -13126,6 +13126,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
 | F1 | ajuda sobre o campo, a célula ou a entrada com o foco |
 </translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation type="unfinished">&amp;Desfazer: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished">&amp;Desfazer</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -15077,10 +15085,6 @@ Escolhido: %2</translation>
         <translation>Registro</translation>
     </message>
     <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Desfazer</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Refazer</translation>
     </message>
@@ -15159,10 +15163,6 @@ Escolhido: %2</translation>
     <message>
         <source>First &amp;Steps</source>
         <translation>Primeiros &amp;passos</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>&amp;Desfazer: %1</translation>
     </message>
 </context>
 <context>

@@ -13126,6 +13126,14 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
 | F1 | 当前焦点处的字段、单元格或条目的帮助 |
 </translation>
     </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation type="unfinished">撤销(&amp;U)：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished">撤销(&amp;U)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -15074,10 +15082,6 @@ Chosen: %2</source>
         <translation>日志</translation>
     </message>
     <message>
-        <source>&amp;Undo</source>
-        <translation>撤销(&amp;U)</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>重做(&amp;R)</translation>
     </message>
@@ -15156,10 +15160,6 @@ Chosen: %2</source>
     <message>
         <source>First &amp;Steps</source>
         <translation>入门(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>撤销(&amp;U)：%1</translation>
     </message>
 </context>
 <context>

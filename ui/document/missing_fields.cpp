@@ -1,5 +1,7 @@
 #include "ui/document/missing_fields.h"
 
+#include <cstdlib>
+
 #include "core/setup/setup_schema.h"
 #include "ui/document/setup_address.h"
 
@@ -30,6 +32,18 @@ bool is_empty(const SetupValue& value) {
            (table && table->rows.empty() && table->csv_file.empty());
 }
 
+/// "/analyses/0/setup/quantities/rows/2/value": a cell in which nothing stands, of a row that is begun.
+bool is_empty_cell(const FieldSpec& field, const SetupTable& table, const std::string& path) {
+    const auto rows = path.find("/rows/");
+    if (rows == std::string::npos) return false;
+    char* end = nullptr;
+    const unsigned long row = std::strtoul(path.c_str() + rows + 6, &end, 10);
+    if (*end != '/' || row >= table.rows.size()) return false;
+    const std::size_t column = SetupSchema::column(field, end + 1);
+    return column < field.columns.size() && column < table.rows[row].size() &&
+           std::holds_alternative<std::monostate>(table.rows[row][column]);
+}
+
 Lack lack(const Project& project, const Problems& all, const std::string& entry, int depth);
 
 bool refers_to_unfinished(const Project& project, const Problems& all, const std::string& id, int depth) {
@@ -49,6 +63,8 @@ bool missing(const Project& project, const Problems& all, const Problem& problem
     if (!field) return false;
     const SetupValue& value = value_of(*field, *setup);
     if (is_empty(value) || setup->values.empty()) return true;
+    if (const auto* table = std::get_if<SetupTable>(&value))
+        return is_empty_cell(*field, *table, problem.path);
     if (const auto* id = std::get_if<std::string>(&value); id && field->kind == FieldKind::reference)
         return refers_to_unfinished(project, all, *id, depth);
     return false;
@@ -74,7 +90,8 @@ std::optional<MissingField> next(const Project& project, const Problems& all, co
         const SetupAddress address = address_of_path(project, problem.path);
         const FieldSpec* field = find_schema(project, address)->find(field_in(problem.path, entry));
         const SetupValue& value = value_of(*field, *setup_of(project, address));
-        if (is_empty(value) || setup_of(project, address)->values.empty())
+        const bool is_table = std::holds_alternative<SetupTable>(value);  // of which a cell is empty
+        if (is_table || is_empty(value) || setup_of(project, address)->values.empty())
             return MissingField{field->title, problem.path};
         const std::string& id = std::get<std::string>(value);
         for (const SetupAddress& used : {SetupAddress{SetupOwner::asset, id}, {SetupOwner::analysis, id}})

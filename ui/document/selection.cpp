@@ -62,4 +62,11 @@ void Selection::clear() {
     emit analysis_changed(analysis_);
 }
 
+void Selection::leave_what_is_gone(const Project& project) {
+    if (analysis_.isEmpty() || project.find_analysis(to_std(analysis_))) return;
+    const SetupAddress entry = entry_;
+    clear();
+    if (exists(project, entry)) select_entry(entry);
+}
+
 }  // namespace covaria::ui

@@ -11,7 +11,7 @@
 namespace covaria::ui {
 
 BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
-    : SpreadsheetView(model, parent), frozen_(new QTableView(this)) {
+    : SpreadsheetView(model, parent), sheet_(model), frozen_(new QTableView(this)) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setHorizontalScrollMode(ScrollPerPixel);
     setVerticalScrollMode(ScrollPerPixel);
@@ -79,7 +79,10 @@ QModelIndex BudgetSheetView::moveCursor(CursorAction action, Qt::KeyboardModifie
     QModelIndex cell = SpreadsheetView::moveCursor(action, modifiers);
     if (action != MoveNext && action != MovePrevious) return cell;
     const int cells = model()->rowCount() * model()->columnCount(), columns = model()->columnCount();
-    for (int i = 0; i < cells && cell.isValid() && !(cell.flags() & Qt::ItemIsEditable); ++i) {
+    const auto passes = [&] {
+        return !(cell.flags() & Qt::ItemIsEditable) || (action == MoveNext && sheet_.is_passed_over(cell));
+    };
+    for (int i = 0; i < cells && cell.isValid() && passes(); ++i) {
         const int next = cell.row() * columns + cell.column() + (action == MoveNext ? 1 : cells - 1);
         cell = model()->index((next % cells) / columns, next % columns);
     }

@@ -25,6 +25,7 @@ protected:
 private:
     void place_frozen();
 
+    const SpreadsheetModel& sheet_;
     QTableView* frozen_;  ///< the first column over the others
     QAction* quantity_;
 };

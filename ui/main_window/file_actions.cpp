@@ -9,6 +9,7 @@
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/start_page.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/languages.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -96,6 +97,10 @@ void FileActions::new_project() {
     if (!may_leave()) return;
     Project project;
     project.title = tr("Untitled project").toStdString();
+    // Its documents speak as the window does, until the project says otherwise.
+    for (const CertificateLanguage& language : certificate_languages())
+        if (spoken_language() == QLatin1String(language.code) && spoken_language() != QLatin1String("en"))
+            project.certificate.language = language.code;
     document_.replace(std::move(project));
     emit project_opened();
 }

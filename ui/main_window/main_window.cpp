@@ -25,6 +25,7 @@
 #include "ui/main_window/run_actions.h"
 #include "ui/main_window/search_actions.h"
 #include "ui/main_window/theme_switch.h"
+#include "ui/main_window/undo_action.h"
 #include "ui/main_window/window_state.h"
 #include "ui/pages/budget_page.h"
 #include "ui/pages/compare_tab.h"
@@ -177,7 +178,7 @@ void MainWindow::give_names_room() {
 }
 
 void MainWindow::make_actions() {
-    undo_ = make_undo_action();
+    undo_ = make_undo_action(document_, this);
     redo_ = document_.undo_stack().createRedoAction(this, tr("&Redo"));
     undo_->setIcon(icon(QStringLiteral("undo")));
     redo_->setIcon(icon(QStringLiteral("redo")));
@@ -186,22 +187,6 @@ void MainWindow::make_actions() {
     run_ = new RunActions(document_, runner_, selection_, this);
     add_ = project_->make_add_menu(this);
     add_->menuAction()->setToolTip(tr("Add an analysis or what it uses"));
-}
-
-/// As QUndoStack makes it, and for texts that cannot be read.
-QAction* MainWindow::make_undo_action() {
-    auto* action = new QAction(tr("&Undo"), this);
-    connect(action, &QAction::triggered, &document_, &Document::undo);
-    const auto refresh = [this, action] {
-        const QUndoStack& stack = document_.undo_stack();
-        action->setEnabled(document_.can_undo());
-        action->setText(stack.canUndo() ? tr("&Undo %1").arg(stack.undoText()) : tr("&Undo"));
-    };
-    connect(&document_.undo_stack(), &QUndoStack::indexChanged, action, refresh);
-    connect(&document_.undo_stack(), &QUndoStack::undoTextChanged, action, refresh);
-    connect(&document_.unread(), &UnreadTexts::changed, action, refresh);
-    refresh();
-    return action;
 }
 
 void MainWindow::make_toolbar() {
@@ -343,6 +328,9 @@ void MainWindow::connect_panes() {
     });
     connect(imports_, &ImportActions::imported, &selection_, &Selection::select_entry);
     connect(&document_, &Document::project_changed, this, &MainWindow::hold_runs);
+    connect(
+        &document_, &Document::project_changed, &selection_,
+        [this] { selection_.leave_what_is_gone(document_.project()); }, Qt::QueuedConnection);
     connect(&document_.unread(), &UnreadTexts::changed, this, &MainWindow::hold_runs);
     connect(&problems_->problems(), &QAbstractItemModel::modelReset, this, &MainWindow::count_problems);
     connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);

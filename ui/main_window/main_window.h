@@ -84,7 +84,6 @@ private:
     void count_problems();
     void make_menus();
     void make_actions();
-    QAction* make_undo_action();
     QList<QWidget*> panes();
     void make_toolbar();
     void make_file_menu();

@@ -168,15 +168,17 @@ Unit BudgetSheetModel::unit_of(int row) const {
     return text ? Unit::parse(*text).value_or(Unit()) : Unit();
 }
 
-QString BudgetSheetModel::stated_words(int row) const {
+QString BudgetSheetModel::stated_words(int row, bool typeset) const {
     if (is_new_row(row)) return {};
     const SetupCell& cell =
         sheet_.table().rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column("statement"))];
     const std::string* kind = std::get_if<std::string>(&cell);
     if (!kind) return {};
     const TypedStatement statement{*kind, number_at(row, "a"), number_at(row, "b"), std::nullopt};
-    return to_qt(statement_text(statement, unit_of(row),
-                                [](double value) { return to_std(number_text(value, QLocale())); }));
+    return to_qt(statement_text(statement, unit_of(row), [typeset](double value) {
+        const QString typed = number_text(value, QLocale());
+        return to_std(typeset && typed.contains('e') ? localized(format_typed(value)) : typed);
+    }));
 }
 
 QVariant BudgetSheetModel::of_sheet(int row, int section, int role) const {
@@ -204,7 +206,7 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
     const QModelIndex kind = sheet_.index(row, column("statement"));
     const bool refused = sheet_.is_refused(row, column("statement"));
     if (role == Qt::DisplayRole || role == Qt::EditRole)
-        return refused ? kind.data(Qt::EditRole) : QVariant(stated_words(row));
+        return refused ? kind.data(Qt::EditRole) : QVariant(stated_words(row, role == Qt::DisplayRole));
     if (role == choices_role) return {};
     for (const char* key : {"statement", "a", "b"}) {
         const QModelIndex cell = sheet_.index(row, column(key));
@@ -350,8 +352,19 @@ bool BudgetSheetModel::setData(const QModelIndex& index, const QVariant& value, 
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
     const QString text = value.toString();
     if (is_new_row(index.row()) && text.trimmed().isEmpty()) return false;
-    sheet_.write_row(index.row(), cells_for(index.row(), index.column(), text));
+    const Cells cells = cells_for(index.row(), index.column(), text);
+    unit_with_estimate_ = index.column() == estimate && cells.contains(column("unit")) ? index.row() : -1;
+    sheet_.write_row(index.row(), cells);
+    if (index.column() == unit) read_again(index.row());
     return true;
+}
+
+/// What was refused in another unit of the row.
+void BudgetSheetModel::read_again(int row) {
+    for (const auto& [section, key] :
+         {std::pair(int(estimate), "value"), std::pair(int(stated), "statement")})
+        if (sheet_.is_refused(row, column(key)))
+            setData(index(row, section), sheet_.index(row, column(key)).data(Qt::EditRole));
 }
 
 bool BudgetSheetModel::insertRows(int row, int count, const QModelIndex& parent) {

@@ -11,6 +11,7 @@
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
 #include "ui/models/cell_blocks.h"
+#include "ui/models/number_words.h"
 #include "ui/models/roles.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/label_text.h"
@@ -86,6 +87,11 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
     const auto rejected = rejected_.find(at);
     switch (role) {
         case Qt::DisplayRole:
+            // "5e-07" is for editing.
+            if (const double* number = std::get_if<double>(&cell);
+                number && rejected == rejected_.end() && cell_text(spec, cell, QLocale()).contains('e'))
+                return localized(format_typed(*number));
+            [[fallthrough]];
         case Qt::EditRole:
             return rejected != rejected_.end() ? rejected->second.text : cell_text(spec, cell, QLocale());
         case typeset_role:  // "theta" is a name in every other column

@@ -22,6 +22,8 @@ public:
     virtual void remove_rows_at(const std::set<int>& rows) = 0;
     /// The rows come from a file beside the project and cannot be edited here.
     virtual bool is_linked() const = 0;
+    /// By Tab: it was filled together with the cell before.
+    virtual bool is_passed_over(const QModelIndex&) const { return false; }
 };
 
 }  // namespace covaria::ui

@@ -200,9 +200,10 @@ QString BudgetPage::lines_of(const UncertaintyResult& result) const {
             break;
         }
         const std::string symbol = to_html(symbol_text(output.quantity.symbol));
-        const std::string coverage = to_html(running_text(coverage_statement(output, result, in)));
-        lines << to_qt("<b>" + symbol + "</b> = " + escape_html(value_statement(output, true, in)) + ", " +
-                       coverage);
+        std::string words = "<b>" + symbol + "</b> = " + escape_html(value_statement(output, true, in));
+        if (output.expanded_uncertainty != 0.0)  // else exact
+            words += ", " + to_html(running_text(coverage_statement(output, result, in)));
+        lines << to_qt(words);
     }
     return lines.join(QStringLiteral("<br>"));
 }

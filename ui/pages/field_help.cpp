@@ -22,10 +22,12 @@ FieldHelp::FieldHelp(QWidget& area) : QLabel(&area), area_(area) {
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
 }
 
-void FieldHelp::start_over() {
+void FieldHelp::start_over(bool has_numbers) {
     if (shown_) shown_->removeEventFilter(this);
     shown_ = nullptr;
-    setText(tr("Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit."));
+    setText(has_numbers
+                ? tr("Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.")
+                : QString());
     setToolTip({});
 }
 

@@ -13,7 +13,7 @@ public:
     explicit FieldHelp(QWidget& area);
 
     /// Nothing is looked at any more: what to know about fields in general.
-    void start_over();
+    void start_over(bool has_numbers = true);
 
 protected:
     /// What is said follows the field: a complaint goes when it is solved.

@@ -11,9 +11,11 @@
 #include "ui/forms/designs_form.h"
 #include "ui/forms/help_place.h"
 #include "ui/forms/options_form.h"
+#include "ui/forms/quantity_edit.h"
 #include "ui/forms/report_form.h"
 #include "ui/forms/requirements_form.h"
 #include "ui/forms/setup_form.h"
+#include "ui/forms/spreadsheet_view.h"
 #include "ui/forms/studies_form.h"
 #include "ui/pages/asset_evaluation.h"
 #include "ui/pages/field_help.h"
@@ -53,6 +55,7 @@ void PropertiesPane::rebuild() {
     designs_ = nullptr;
     requirements_ = nullptr;
     tabs_ = new Tabs(this);
+    connect(tabs_, &QTabWidget::currentChanged, this, &PropertiesPane::start_help);
     static_cast<QVBoxLayout*>(layout())->insertWidget(0, tabs_, 1);
     const SetupAddress& entry = selection_.entry();
     if (entry.owner == SetupOwner::project) return add_project_pages();
@@ -82,6 +85,14 @@ void PropertiesPane::rebuild() {
     else
         add_analysis_pages(entry);
     add_notes_page(entry);
+}
+
+/// What was said of a field of another tab is over.
+void PropertiesPane::start_help() {
+    const QWidget* focused = QApplication::focusWidget();
+    const QWidget* page = tabs_->currentWidget();
+    if (!page || (focused && page->isAncestorOf(focused))) return;
+    help_->start_over(page->findChild<QuantityEdit*>() || page->findChild<SpreadsheetView*>());
 }
 
 void PropertiesPane::start_over() {

@@ -44,6 +44,7 @@ public:
     void go_to_first_field();
 
 private:
+    void start_help();
     void go_to_field(const QString& path);
     void scroll_to_focus();
     void rebuild();

@@ -57,6 +57,7 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     picked_ = new QLabel(this);
     picked_->setContentsMargins(8, 3, 8, 3);
     picked_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    picked_->setWordWrap(true);
     picked_->setAutoFillBackground(true);
     picked_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     picked_->hide();
@@ -402,7 +403,7 @@ void ScenePanel::describe_item(const QString& id) {
 void ScenePanel::show_trial(std::uint64_t trial) {
     const AnalysisStatus& status = runner_.status(analysis_);
     if (measuring_->is_active() || !status.prepared || !status.is_of_present()) return;
-    const TrialWords words = trial_words(*status.prepared, trial);
+    const TrialWords words = trial_words(*status.prepared, to_std(group()), trial);
     if (words.line.isEmpty()) return;
     picked_->setText(words.line);
     picked_->setToolTip(words.all);

@@ -32,14 +32,28 @@ QString in_u_of(double deviation) {
            QStringLiteral(" <i>u</i>");
 }
 
+/// By input: whether an output of the group depends on it.
+std::vector<bool> inputs_of_group(const PreparedAnalysis& analysis, const std::string& group) {
+    std::vector<bool> of_group(analysis.inputs.quantities.size(), false);
+    const auto& propagation = analysis.propagated->propagation();
+    const auto& outputs = analysis.model->outputs();
+    for (std::size_t j = 0; propagation && j < outputs.size(); ++j)
+        if (outputs[j].group == group)
+            for (const Sensitivity& one : propagation->law.sensitivities[j])
+                if (one.coefficient != 0.0) of_group[one.input] = true;
+    return of_group;
+}
+
 }  // namespace
 
-TrialWords trial_words(const PreparedAnalysis& analysis, std::uint64_t trial) {
+TrialWords trial_words(const PreparedAnalysis& analysis, const std::string& group, std::uint64_t trial) {
     const auto replayed = replay_trials(*analysis.propagated, analysis.options.seed, trial, 1);
     if (!replayed) return {};
     std::vector<Deviation> deviations;
     const InputSet& inputs = analysis.inputs;
+    const std::vector<bool> counts = inputs_of_group(analysis, group);
     for (std::size_t i = 0; i < inputs.quantities.size(); ++i) {
+        if (!counts[i]) continue;
         const double u = standard_uncertainty_of(inputs, i);
         const double d = (replayed->inputs(static_cast<Eigen::Index>(i), 0) - estimate_of(inputs, i)) / u;
         if (std::isfinite(d)) deviations.push_back({i, d});

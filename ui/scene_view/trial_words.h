@@ -13,7 +13,8 @@ struct TrialWords {
     QString all;   ///< HTML: those of most effect on the eye, with values, for a tip
 };
 
-/// Of the run with the analysis' seed. Empty where the trial cannot be made again.
-TrialWords trial_words(const PreparedAnalysis& analysis, std::uint64_t trial);
+/// Of the run with the analysis' seed: the inputs that the outputs of `group` depend on, to first order.
+/// Empty where the trial cannot be made again.
+TrialWords trial_words(const PreparedAnalysis& analysis, const std::string& group, std::uint64_t trial);
 
 }  // namespace covaria::ui

@@ -61,6 +61,13 @@ TEST(StatementText, PartsOfTheValue) {
     EXPECT_NE(objection("2 ppm").find("needs the value"), std::string::npos);
 }
 
+TEST(StatementText, AUnitMayBeginWithOne) {
+    const Unit per_kelvin = Unit::of("1/K");
+    EXPECT_EQ(typed("2e-6 1/K", per_kelvin, 1.15e-5), (TypedStatement{"standard", 2e-6}));
+    EXPECT_EQ(typed("rect 2e-6 1/K", per_kelvin, 1.15e-5), (TypedStatement{"rectangular", 2e-6}));
+    EXPECT_EQ(typed("U = 1e-6 1/°C, k = 2", per_kelvin), (TypedStatement{"certificate-k", 1e-6, 2.0}));
+}
+
 TEST(StatementText, TemperaturesHaveIntervalsAndLimits) {
     const Unit celsius = Unit::of("degC");
     EXPECT_EQ(typed("0.1 K", celsius, 20.0), (TypedStatement{"standard", 0.1}));

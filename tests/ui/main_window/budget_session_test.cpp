@@ -150,6 +150,22 @@ TEST_F(BudgetSession, TheKeyboardGoesOverTheSheet) {
     EXPECT_EQ(cell(1, Section::symbol), QStringLiteral("b"));
 }
 
+/// "50 mm" fills the unit, too: what is typed next is the statement.
+TEST_F(BudgetSession, TabPassesOverAUnitThatCameWithTheEstimate) {
+    new_equation(QStringLiteral("y = a"));
+    sheet()->setFocus();
+    sheet()->selectionModel()->setCurrentIndex(window_->budget().model()->index(0, Section::estimate),
+                                               QItemSelectionModel::ClearAndSelect);
+    type_keys(QStringLiteral("50 mm"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    EXPECT_EQ(sheet()->currentIndex().column(), Section::stated);
+    type_keys(QStringLiteral("75 nm"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_TRUE(wait_for([&] { return cell(0, Section::stated) == QStringLiteral("u = 7.5×10⁻⁵ mm"); }, 2000))
+        << to_std(cell(0, Section::stated));
+    EXPECT_EQ(cell(0, Section::unit), QStringLiteral("mm"));
+}
+
 // The centre belongs to the analysis: equations have a budget, scenes have none over them.
 TEST_F(BudgetSession, IsThereForEquationsOnly) {
     open(project_copy());

@@ -100,6 +100,27 @@ TEST_F(BudgetSheetModelTest, AFurtherComponentIsShownInTheUnitOfItsRow) {
     EXPECT_EQ(text(2, Section::u), QStringLiteral("0.0050"));
 }
 
+TEST_F(BudgetSheetModelTest, WhatWasRefusedIsReadAgainInTheNewUnit) {
+    type(0, Section::symbol, "theta");
+    type(0, Section::estimate, "1 nm");
+    type(0, Section::estimate, "-0.1 K");
+    ASSERT_FALSE(problem(0, Section::estimate).isEmpty());
+    type(0, Section::unit, "K");
+    EXPECT_EQ(problem(0, Section::estimate), QString());
+    EXPECT_EQ(stored(0, "value"), SetupCell(-0.1));
+}
+
+TEST_F(BudgetSheetModelTest, SmallFiguresAreShownAsPowersAndEditedAsTyped) {
+    type(0, Section::symbol, "alpha");
+    type(0, Section::estimate, "1.15e-5 1/K");
+    type(0, Section::stated, "2e-6 1/K");
+    EXPECT_EQ(text(0, Section::estimate), QStringLiteral("1.15×10⁻⁵"));
+    EXPECT_EQ(model->index(0, Section::estimate).data(Qt::EditRole).toString(), QStringLiteral("1.15e-05"));
+    EXPECT_EQ(text(0, Section::stated), QStringLiteral("u = 2×10⁻⁶ 1/K"));
+    EXPECT_EQ(model->index(0, Section::stated).data(Qt::EditRole).toString(),
+              QStringLiteral("u = 2e-06 1/K"));
+}
+
 TEST_F(BudgetSheetModelTest, WhatIsWrittenCanBeEdited) {
     type(0, Section::symbol, "x");
     type(0, Section::unit, "um");
