@@ -64,6 +64,15 @@ Bars bars_of(const UncertaintyResult& result, std::size_t output, std::size_t mo
     return bars;
 }
 
+bool has_contributions(const std::vector<BudgetRow>& rows) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [](const BudgetRow& row) { return row.share > 0.0 || row.one_at_a_time; });
+}
+
+bool is_of_second_order(const OutputResult& output) {
+    return output.first_order.standard_uncertainty < 1e-9 * output.standard_uncertainty;
+}
+
 std::vector<double> counted(std::size_t n) {
     std::vector<double> positions;
     for (std::size_t i = 0; i < n; ++i) positions.push_back(static_cast<double>(i));
@@ -86,8 +95,11 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
                                     const DocumentLanguage& language, std::size_t rows) {
     const PlottedOutput y(result, output);
     const std::string id = y.id("contributions");
-    if (output >= result.budget.rows.size() || result.budget.rows[output].empty())
-        return nothing_to_show(id, language.say_text(plot_words::nothing_influences, {y.label()}));
+    if (output >= result.budget.rows.size() || !has_contributions(result.budget.rows[output]))
+        return nothing_to_show(
+            id, language.say_text(is_of_second_order(y.output()) ? plot_words::of_second_order
+                                                                 : plot_words::nothing_influences,
+                                  {y.label()}));
     Bars bars = bars_of(result, output, std::max<std::size_t>(rows, 2), language);
     PlotSpecification plot;
     plot.id = id;

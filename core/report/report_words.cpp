@@ -180,12 +180,22 @@ bool groups_alike(const UncertaintyResult& result, const std::vector<std::string
     });
 }
 
+std::vector<std::string> groups_like_the_first(const UncertaintyResult& result) {
+    std::vector<std::string> groups = measurand_groups(result);
+    if (groups.empty()) return groups;
+    const std::string first = groups.front();
+    std::erase_if(groups, [&](const std::string& group) { return !groups_alike(result, {first, group}); });
+    return groups;
+}
+
 std::vector<std::string> groups_in_full(const UncertaintyResult& result) {
-    const std::vector<std::string> groups = measurand_groups(result);
-    if (groups.size() <= 2) return groups;
+    const std::vector<std::string> all = measurand_groups(result);
+    if (all.size() <= 2) return all;
+    const std::vector<std::string> groups = groups_like_the_first(result);
     std::map<std::string, double> sum_of_symbol;
-    for (const OutputResult& output : result.outputs)
-        if (is_measurand(output)) sum_of_symbol[output.quantity.symbol] += output.expanded_uncertainty;
+    for (const std::string& group : groups)
+        for (const std::size_t i : measurands_of(result, group))
+            sum_of_symbol[result.outputs[i].quantity.symbol] += result.outputs[i].expanded_uncertainty;
     const auto weight = [&](const std::string& group) {
         double sum = 0.0;
         for (const std::size_t i : measurands_of(result, group)) {

@@ -21,7 +21,7 @@ void add_verdict_words(Blocks& blocks, const UncertaintyResult& result, const Do
     blocks.push_back(ParagraphBlock{
         in.say(tell<"The law of propagation is validated by JCGM 101 clause 8 where both ends of its "
                     "coverage interval, y ± U, lie within the numerical tolerance δ of those of the "
-                    "propagation of distributions: so for %1 of %2 quantities.">(validated, compared))});
+                    "propagation of distributions. Validated: %1 of %2.">(validated, compared))});
 }
 
 }  // namespace

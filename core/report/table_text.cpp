@@ -65,7 +65,8 @@ bool is_numeric_column(const TableBlock& block, std::size_t column) {
 }
 
 Text head_text(const TableColumn& column) {
-    return (column.is_symbol ? symbols_text(column.header) : Text(column.header)) + unit_suffix(column);
+    return (column.is_symbol ? symbols_text(column.header) : running_text(column.header)) +
+           unit_suffix(column);
 }
 
 Text cell_typeset(const TableBlock& block, std::size_t row, std::size_t column) {

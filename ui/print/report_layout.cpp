@@ -179,7 +179,7 @@ public:
 
     void operator()(const EquationBlock& equation) {
         const double indent = style_.mm(6.0), gap = style_.mm(5.0);
-        RichText source(style_, TextRole::note, escaped(equation.source), Qt::AlignRight);
+        RichText source(style_, TextRole::note, rich(equation.source), Qt::AlignRight);
         const double source_width = std::min(source.natural_width(), 0.34 * width_);
         source.set_width(source_width);
         if (add_formula(equation, source, source_width)) return;

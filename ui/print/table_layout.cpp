@@ -157,7 +157,7 @@ private:
 
     void append_caption(std::vector<FlowItem>& items) const {
         if (block_.table.title.empty()) return;
-        RichText caption(style_, TextRole::caption, to_qt(escape_html(block_.table.title)));
+        RichText caption(style_, TextRole::caption, to_qt(to_html(running_text(block_.table.title))));
         caption.set_width(available_);
         items.push_back({caption.height() + style_.points(3.0),
                          style_.mm(4.5),
