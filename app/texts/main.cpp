@@ -151,7 +151,9 @@ void say_parts_of_project(TextList& list) {
 
 /// Where it is running text: symbols stay.
 void say_plain(TextList& list, std::string_view what, const Text& text) {
-    if (text.is_plain()) list.say(what, text.letters());
+    if (text.is_plain()) return list.say(what, text.letters());
+    const std::string words = pattern_of(text).words;
+    if (words.find_first_not_of("%123456789 ") != std::string::npos) list.say(what, words);
 }
 
 void say_table(TextList& list, const Table& table, const std::set<std::string>& without = {}) {
@@ -208,6 +210,7 @@ void say_figures(TextList& list, const std::vector<PlotSpecification>& figures) 
         for (const Text& text : {figure.title, figure.x.title, figure.y.title})
             say_plain(list, "In a chart", text);
         for (const PlotSeries& series : figure.series) say_plain(list, "In a chart", series.name);
+        for (const PlotMark& mark : figure.marks) say_plain(list, "In a chart", mark.label);
     }
 }
 

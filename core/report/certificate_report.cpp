@@ -146,7 +146,7 @@ void add_closing(Blocks& blocks, const ReportSource& source, const std::vector<E
     const Certificate& certificate = source.made.project().certificate;
     add_facts(blocks, certificate, {&Certificate::remarks}, in);
     std::string ids;
-    for (const EvaluatedAnalysis& one : shown) ids += (ids.empty() ? "" : ", ") + one.analysis->id;
+    for (const EvaluatedAnalysis& one : shown) ids += (ids.empty() ? "" : ", ") + one.analysis->name;
     blocks.push_back(ParagraphBlock{in.say(ids.empty() ? words::evaluated_with : words::evaluated_analyses,
                                            {version(), project_fingerprint(source), ids}),
                                     true});

@@ -24,8 +24,7 @@ double lines_of_row(const std::vector<TableCell>& row) {
     const double letters = letters_of_row / double(std::max<std::size_t>(row.size(), 1));
     double most = 1.0;
     for (const TableCell& cell : row)
-        if (const auto* text = std::get_if<std::string>(&cell))
-            most = std::max(most, lines_of_text(*text, std::max(letters, 9.0)));
+        most = std::max(most, lines_of_text(english_of(cell), std::max(letters, 9.0)));
     return most;
 }
 

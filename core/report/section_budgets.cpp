@@ -183,7 +183,9 @@ private:
     }
 
     void add(const std::string& name) {
-        std::vector<TableCell> cells{name == group_without_tag ? in_.say(tell<"other">()) : name};
+        std::vector<TableCell> cells{name == group_without_tag  ? in_.say(tell<"other">())
+                                     : grouping_ == "parameter" ? name
+                                                                : in_.say_declared(name)};
         for (const std::size_t j : outputs_) cells.emplace_back(100.0 * shares_[{name, j}]);
         if (alike_) cells.emplace_back(100.0 * together_[name]);
         table_.row(std::move(cells));

@@ -95,10 +95,10 @@ void add_provenance(Blocks& blocks, const ReportSource& source) {
         table.text(head);
     for (const EvaluatedAnalysis& evaluated : source.analyses) {
         const UncertaintyResult& result = *evaluated.result;
-        table.row({evaluated.analysis->name, evaluated.analysis->descriptor->id, in.say(method_of(result)),
-                   count_text(result.trials, in.numbers()), count_text(result.failed_trials, in.numbers()),
-                   std::to_string(result.provenance.seed), evaluated.analysis->fingerprint(),
-                   result.provenance.covaria_version});
+        table.row({evaluated.analysis->name, in.say_declared(evaluated.analysis->descriptor->title),
+                   in.say(method_of(result)), count_text(result.trials, in.numbers()),
+                   count_text(result.failed_trials, in.numbers()), std::to_string(result.provenance.seed),
+                   evaluated.analysis->fingerprint(), result.provenance.covaria_version});
     }
     table.note(tell<"The same project, seed and version give the same numbers on any number of threads. The "
                     "fingerprint covers everything that influences the numbers of an analysis.">());

@@ -38,7 +38,9 @@ std::string yes_or_no(bool yes, const DocumentLanguage& in) {
 
 std::string name_of_asset(const std::string& id, const ReportSource& source) {
     const AssetLibrary::Entry* entry = source.made.assets().find(id);
-    return entry && !entry->name.empty() ? entry->name : id;
+    if (entry && !entry->name.empty()) return entry->name;
+    const AnalysisEntry* analysis = source.made.project().find_analysis(id);  // one that gives such an asset
+    return analysis && !analysis->name.empty() ? analysis->name : id;
 }
 
 TableCell cell_of(const ColumnSpec& spec, const Unit& unit, const SetupCell& cell,

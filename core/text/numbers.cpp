@@ -139,19 +139,20 @@ std::string format_degrees_of_freedom(double nu) {
     return format_trimmed(shown_degrees_of_freedom(nu), unmatched_digits);
 }
 
+std::string unit_of_cell(const Quantity& quantity, const TableColumn& column) {
+    const std::string unit = quantity.unit.text() == "1" ? "" : quantity.unit.display();
+    return unit.empty() || quantity.unit == column.unit ? "" : "\u00a0" + unit;
+}
+
 std::string format_cell(const TableCell& cell, const TableColumn& column) {
     const auto number = [&column](double value) {
         if (column.decimals >= 0) return format_decimals(value, column.decimals);
         if (column.digits > 0) return format_significant(value, column.digits);
         return format_typed(value);
     };
-    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
     if (const auto* value = std::get_if<double>(&cell)) return number(column.unit.from_si(*value));
     const auto* quantity = std::get_if<Quantity>(&cell);
-    if (!quantity) return {};
-    const std::string unit = quantity->unit.text() == "1" ? "" : quantity->unit.display();
-    if (unit.empty() || quantity->unit == column.unit) return number(quantity->value);
-    return number(quantity->value) + "\u00a0" + unit;
+    return quantity ? number(quantity->value) + unit_of_cell(*quantity, column) : english_of(cell);
 }
 
 std::string format_exact(double value) {

@@ -30,6 +30,8 @@ std::string format_estimate(double value, double uncertainty);
 /// 000, where k of a t distribution differs from the normal one by less than 0.03 %.
 double shown_degrees_of_freedom(double nu);
 std::string format_degrees_of_freedom(double nu);
+/// Behind the number of a cell, with its space, where the head of the column does not give it.
+std::string unit_of_cell(const Quantity& quantity, const TableColumn& column);
 /// Cell as people read it, in the column's unit.
 std::string format_cell(const TableCell& cell, const TableColumn& column);
 /// Shortest text that reads back to the same double: for CSV.

@@ -111,6 +111,23 @@ std::string_view letter_of_subscript(std::string_view character) {
     return it == subscripts.end() ? std::string_view() : it->first;
 }
 
+TextPattern pattern_of(const Text& text) {
+    TextPattern pattern;
+    bool in_symbol = false;
+    for (const Text::Span& span : text.spans()) {
+        const bool words = span.script == Script::line && !span.italic;
+        if (words) pattern.words += span.letters;
+        const bool begins = !words && (!in_symbol || (span.script == Script::line && span.italic));
+        if (begins) {
+            pattern.symbols.emplace_back();
+            pattern.words.append("%").append(std::to_string(pattern.symbols.size()));
+        }
+        if (!words) pattern.symbols.back() += Text(span);
+        in_symbol = !words;
+    }
+    return pattern;
+}
+
 std::string to_unicode(const Text& text) {
     std::string out;
     for (const Text::Span& span : text.spans()) {

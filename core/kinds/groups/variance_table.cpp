@@ -23,7 +23,7 @@ DataTable variance_table(std::string id, std::string title, const Unit& unit, co
     };
     row(effect);
     row(rest);
-    table.rows.push_back({std::string("total"),
+    table.rows.push_back({tell<"total">(),
                           effect.sum_of_squares + rest.sum_of_squares,
                           effect.degrees_of_freedom + rest.degrees_of_freedom,
                           {},
