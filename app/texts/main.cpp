@@ -151,7 +151,8 @@ void say_parts_of_project(TextList& list) {
 
 /// Where it is running text: symbols stay.
 void say_plain(TextList& list, std::string_view what, const Text& text) {
-    if (text.is_plain()) list.say(what, text.letters());
+    if (text.is_plain()) return list.say(what, text.letters());
+    if (const TextPattern pattern = pattern_of(text); pattern.has_words()) list.say(what, pattern.words);
 }
 
 void say_table(TextList& list, const Table& table, const std::set<std::string>& without = {}) {
@@ -208,6 +209,7 @@ void say_figures(TextList& list, const std::vector<PlotSpecification>& figures) 
         for (const Text& text : {figure.title, figure.x.title, figure.y.title})
             say_plain(list, "In a chart", text);
         for (const PlotSeries& series : figure.series) say_plain(list, "In a chart", series.name);
+        for (const PlotMark& mark : figure.marks) say_plain(list, "In a chart", mark.label);
     }
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double close = 0.01;  // of the width of the interval
 constexpr double tolerable = 0.05;
+constexpr double certain_z = 5.0;  // standard errors of a moment that chance does not explain
 
 /// Standard error of (q_high - q_low)/(2 k u) under normality, relative.
 double scatter_of_ratio(double trials, double probability, double k) {
@@ -38,9 +39,11 @@ NormalityVerdict normality_of(const MonteCarloOutput& output, std::uint64_t tria
     const double deviation = std::max(std::abs(verdict.coverage_ratio - 1.0), std::abs(asymmetry));
     const double noise = 3.0 * scatter_of_ratio(n, probability, k);
     verdict.acceptable = deviation <= tolerable + noise;
+    const bool other_shape = std::max(std::abs(verdict.skewness_z), std::abs(verdict.kurtosis_z)) > certain_z;
     if (deviation <= std::max(close, noise))
-        verdict.words =
-            noise > close ? tell<"normal as far as so few trials can tell">() : tell<"normal within 1 %">();
+        verdict.words = noise <= close ? tell<"normal within 1 %">()
+                        : other_shape  ? tell<"not normal; k u fits as far as so few trials can tell">()
+                                       : tell<"normal as far as so few trials can tell">();
     else if (verdict.acceptable)
         verdict.words = tell<"normal within 5 %">();
     else if (std::abs(asymmetry) > std::abs(verdict.coverage_ratio - 1.0))

@@ -7,10 +7,9 @@ namespace covaria {
 namespace {
 
 std::string exact_cell(const TableCell& cell, const TableColumn& column) {
-    if (const auto* text = std::get_if<std::string>(&cell)) return csv_text(*text);
     if (const auto* value = std::get_if<double>(&cell)) return format_exact(column.unit.from_si(*value));
     if (const auto* quantity = std::get_if<Quantity>(&cell)) return format_exact(quantity->value);
-    return {};
+    return csv_text(english_of(cell));
 }
 
 bool has_unit_column(const DataTable& table) {

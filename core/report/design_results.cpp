@@ -162,7 +162,7 @@ bool says_something(const DataTable& table, std::size_t column) {
 OrderedJson cell_json(const TableCell& cell) {
     if (const auto* number = std::get_if<double>(&cell)) return json_number(*number);
     if (const auto* quantity = std::get_if<Quantity>(&cell)) return json_number(quantity->value);
-    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (!std::holds_alternative<std::monostate>(cell)) return english_of(cell);
     return nullptr;
 }
 

@@ -161,21 +161,19 @@ struct HtmlWriter {
         out += "</dl>\n";
     }
     void operator()(const EquationBlock& equation) {
-        out +=
-            element(
-                "p",
-                element("span",
-                        equation.formula.empty() ? to_html(equation_text(equation.text))
-                                                 : to_mathml(equation.formula),
-                        "formula") +
-                    (equation.source.empty() ? "" : element("span", escape_html(equation.source), "source")),
-                "equation") +
-            "\n";
+        out += element("p",
+                       element("span",
+                               equation.formula.empty() ? to_html(equation_text(equation.text))
+                                                        : to_mathml(equation.formula),
+                               "formula") +
+                           (equation.source.empty() ? "" : element("span", rich(equation.source), "source")),
+                       "equation") +
+               "\n";
     }
     void operator()(const TableBlock& block) {
         const DataTable& table = block.table;
         out += "<div class=\"wide" + printed_class(block) + "\"><table>\n";
-        if (!table.title.empty()) out += element("caption", escape_html(table.title)) + "\n";
+        if (!table.title.empty()) out += element("caption", rich(table.title)) + "\n";
         out += "<thead><tr>";
         for (std::size_t c = 0; c < table.columns.size(); ++c)
             out += element("th", to_html(head_text(table.columns[c])),
@@ -216,7 +214,7 @@ struct HtmlWriter {
 
     void figure(const std::string& file, const std::string& caption) {
         out += "<figure><img src=\"" + escape_html(file) + "\" alt=\"" + escape_html(caption) + "\">" +
-               element("figcaption", escape_html(caption)) + "</figure>\n";
+               element("figcaption", rich(caption)) + "</figure>\n";
     }
 };
 

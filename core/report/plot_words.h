@@ -29,6 +29,10 @@ inline const Phrase quantile{"quantile of %1"};
 // Contributions, correlation, convergence
 inline const Phrase nothing_influences{
     "No input quantity with an uncertainty influences %1: give its inputs components of uncertainty"};
+inline const Phrase of_second_order{
+    "To first order no input quantity influences %1 at these estimates: its uncertainty is of second order, "
+    "as "
+    "Monte Carlo shows"};
 inline const Phrase contributions{"Contributions to u(%1)"};
 inline const Phrase share{"share of the variance (%)"};
 inline const Phrase first_order{"first order"};

@@ -15,6 +15,18 @@ namespace {
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
 
+/// Labels that several bars have get what their component is of, from its id: "elevation, base 1.tracker".
+std::vector<Text> told_apart(std::vector<Text> labels, const UncertaintyBudget& budget,
+                             const std::vector<BudgetRow>& rows) {
+    std::map<Text, int> uses;
+    for (const Text& label : labels) ++uses[label];
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const std::string& id = budget.components[rows[i].component].id;
+        if (uses[labels[i]] > 1) labels[i] += Text(", ") + symbols_text(id.substr(0, id.rfind('.')));
+    }
+    return labels;
+}
+
 /// "b₁ₓ" if that names the component among those shown, else "b₁ₓ, calibration"; the name alone where several
 /// quantities share the component.
 std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,
@@ -33,7 +45,7 @@ std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::v
         const bool twice = uses[component.quantities] > 1 && !component.name.empty();
         labels.push_back(twice ? symbol + ", " + running_text(in.say(component.name)) : symbol);
     }
-    return labels;
+    return told_apart(std::move(labels), budget, rows);
 }
 
 struct Bars {
@@ -64,6 +76,15 @@ Bars bars_of(const UncertaintyResult& result, std::size_t output, std::size_t mo
     return bars;
 }
 
+bool has_contributions(const std::vector<BudgetRow>& rows) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [](const BudgetRow& row) { return row.share > 0.0 || row.one_at_a_time; });
+}
+
+bool is_of_second_order(const OutputResult& output) {
+    return output.first_order.standard_uncertainty < 1e-9 * output.standard_uncertainty;
+}
+
 std::vector<double> counted(std::size_t n) {
     std::vector<double> positions;
     for (std::size_t i = 0; i < n; ++i) positions.push_back(static_cast<double>(i));
@@ -86,8 +107,11 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
                                     const DocumentLanguage& language, std::size_t rows) {
     const PlottedOutput y(result, output);
     const std::string id = y.id("contributions");
-    if (output >= result.budget.rows.size() || result.budget.rows[output].empty())
-        return nothing_to_show(id, language.say_text(plot_words::nothing_influences, {y.label()}));
+    if (output >= result.budget.rows.size() || !has_contributions(result.budget.rows[output]))
+        return nothing_to_show(
+            id, language.say_text(is_of_second_order(y.output()) ? plot_words::of_second_order
+                                                                 : plot_words::nothing_influences,
+                                  {y.label()}));
     Bars bars = bars_of(result, output, std::max<std::size_t>(rows, 2), language);
     PlotSpecification plot;
     plot.id = id;

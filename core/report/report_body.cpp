@@ -22,6 +22,18 @@ struct AnalysisChapter {
 
 using Chapters = std::vector<AnalysisChapter>;
 
+/// A chart that has nothing to show says why in its title: a sentence instead of an empty frame.
+void say_what_is_not_drawn(Blocks& blocks) {
+    for (ReportBlock& block : blocks)
+        if (const auto* plot = std::get_if<PlotBlock>(&block); plot && plot->plot.series.empty())
+            block = ParagraphBlock{to_unicode(plot->plot.title) + ".", true};
+}
+
+bool only_headings(const Blocks& blocks) {
+    return std::all_of(blocks.begin(), blocks.end(),
+                       [](const ReportBlock& block) { return std::holds_alternative<HeadingBlock>(block); });
+}
+
 /// In the order of the report.
 Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evaluated,
                      std::set<std::string>& shown_assets) {
@@ -51,6 +63,8 @@ Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evalua
     add_correlation(begin(correlation), evaluated, in);
     add_studies(begin(studies), evaluated, in);
     add_designs(begin(designs), evaluated, in);
+    for (AnalysisChapter& chapter : all) say_what_is_not_drawn(chapter.whole);
+    std::erase_if(all, [](const AnalysisChapter& chapter) { return only_headings(chapter.whole); });
     return all;
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <optional>
 
 #include "core/report/prose.h"
 
@@ -22,8 +24,7 @@ double lines_of_row(const std::vector<TableCell>& row) {
     const double letters = letters_of_row / double(std::max<std::size_t>(row.size(), 1));
     double most = 1.0;
     for (const TableCell& cell : row)
-        if (const auto* text = std::get_if<std::string>(&cell))
-            most = std::max(most, lines_of_text(*text, std::max(letters, 9.0)));
+        most = std::max(most, lines_of_text(english_of(cell), std::max(letters, 9.0)));
     return most;
 }
 
@@ -80,12 +81,10 @@ Message rows_note(std::size_t all, std::size_t begin, std::size_t shown, const s
                   Elsewhere elsewhere) {
     const bool annex = elsewhere == Elsewhere::annex;
     if (begin > 0)
-        return annex ? tell<
-                           "From '%1' on, which has the largest expanded uncertainties, %2 of %3 rows; the "
-                           "annex has all of them.">(group, shown, all)
+        return annex ? tell<"From '%1' on, %2 of %3 rows; the annex has all of them.">(group, shown, all)
                      : tell<
-                           "From '%1' on, which has the largest expanded uncertainties, %2 of %3 rows; the "
-                           "CSV tables, and the annex on request, have all of them.">(group, shown, all);
+                           "From '%1' on, %2 of %3 rows; the CSV tables, and the annex on request, have all "
+                           "of them.">(group, shown, all);
     return annex ? tell<"The first %1 of %2 rows; the annex has all of them.">(shown, all)
                  : tell<
                        "The first %1 of %2 rows; the CSV tables, and the annex on request, have all of "
@@ -99,6 +98,17 @@ struct Shown {
 
 Message shown_note(Shown tables, Shown charts, Elsewhere elsewhere) {
     const bool annex = elsewhere == Elsewhere::annex;
+    const bool no_chart = charts.some == 0 && !charts.is_all();
+    if (no_chart && tables.is_all())
+        return annex ? tell<"The annex has the charts.">()
+                     : tell<"The CSV tables, and the annex on request, have what the charts show.">();
+    if (no_chart)
+        return annex
+                   ? tell<"Shown are %1 of %2 tables and no chart; the annex has the rest.">(tables.some,
+                                                                                             tables.all)
+                   : tell<
+                         "Shown are %1 of %2 tables and no chart; the CSV tables, and the annex on request, "
+                         "have the rest.">(tables.some, tables.all);
     if (charts.is_all())
         return annex ? tell<"Shown are %1 of %2 tables; the annex has the rest.">(tables.some, tables.all)
                      : tell<
@@ -116,6 +126,22 @@ Message shown_note(Shown tables, Shown charts, Elsewhere elsewhere) {
                        "request, have the rest.">(tables.some, tables.all, charts.some, charts.all);
 }
 
+/// Rows without sub-heads.
+std::size_t rows_in(const std::vector<std::vector<TableCell>>& rows) {
+    return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), std::not_fn(is_subhead)));
+}
+
+/// Where the rows that are shown end: not within a group, unless it alone is far longer.
+std::size_t end_of(const std::vector<std::vector<TableCell>>& rows, std::size_t begin, std::size_t most) {
+    const std::size_t end = begin + std::min(most, rows.size() - begin);
+    if (end == rows.size()) return end;
+    for (std::size_t row = end; row > begin; --row)
+        if (is_subhead(rows[row])) return row;
+    for (std::size_t row = end; row <= std::min(rows.size(), begin + 2 * most); ++row)
+        if (row == rows.size() || is_subhead(rows[row])) return row;
+    return end;
+}
+
 class Shortening {
 public:
     Shortening(const Extent& extent, const std::string& group, Elsewhere elsewhere,
@@ -123,14 +149,19 @@ public:
         : extent_(extent), group_(group), elsewhere_(elsewhere), in_(in) {}
 
     void add(const ReportBlock& block) {
+        if (const auto* heading = std::get_if<HeadingBlock>(&block); heading && heading->level > 2) {
+            end_section();
+            section_ = out_.body.size();
+        }
         if (const auto* table = std::get_if<TableBlock>(&block)) return add_table(*table);
         if (std::holds_alternative<PlotBlock>(block) && ++figures_ > extent_.figures)
-            out_.rest.push_back(block);
+            leave(block);
         else
             out_.body.push_back(block);
     }
 
     ShortenedChapter take() {
+        end_section();
         const Shown tables{extent_.tables, tables_}, charts{extent_.figures, figures_};
         if (!tables.is_all() || !charts.is_all())
             out_.body.push_back(ParagraphBlock{in_.say(shown_note(tables, charts, elsewhere_)), true});
@@ -138,21 +169,36 @@ public:
     }
 
 private:
+    void leave(const ReportBlock& block) {
+        out_.rest.push_back(block);
+        lost_ = true;
+    }
+
+    /// A heading below that of the chapter goes with what it was over.
+    void end_section() {
+        const auto begin = out_.body.begin() + static_cast<std::ptrdiff_t>(section_.value_or(0));
+        const bool words = std::all_of(begin, out_.body.end(), [](const ReportBlock& block) {
+            return std::holds_alternative<HeadingBlock>(block) ||
+                   std::holds_alternative<ParagraphBlock>(block);
+        });
+        if (section_ && lost_ && words) out_.body.erase(begin, out_.body.end());
+        section_.reset();
+        lost_ = false;
+    }
+
     void add_table(const TableBlock& table) {
-        if (++tables_ > extent_.tables) return out_.rest.push_back(table);
-        const std::size_t rows = table.table.rows.size();
-        if (is_budget(table) || double(rows) <= tolerated * double(extent_.rows)) {
+        if (++tables_ > extent_.tables) return leave(table);
+        const auto& rows = table.table.rows;
+        if (is_budget(table) || double(rows.size()) <= tolerated * double(extent_.rows)) {
             out_.body.push_back(table);
             return;
         }
         TableBlock part = table;
-        std::size_t begin = begin_of(table, group_);
-        const std::size_t shown = std::min(extent_.rows, rows - begin);
-        const auto first = table.table.rows.begin() + static_cast<std::ptrdiff_t>(begin);
-        part.table.rows.assign(first, first + static_cast<std::ptrdiff_t>(shown));
-        if (is_subhead(part.table.rows.back())) part.table.rows.pop_back();
+        const std::size_t begin = begin_of(table, group_), end = end_of(rows, begin, extent_.rows);
+        part.table.rows.assign(rows.begin() + static_cast<std::ptrdiff_t>(begin),
+                               rows.begin() + static_cast<std::ptrdiff_t>(end));
         part.table.notes.push_back(
-            in_.say(rows_note(rows, begin, part.table.rows.size(), group_, elsewhere_)));
+            in_.say(rows_note(rows_in(rows), begin, rows_in(part.table.rows), group_, elsewhere_)));
         out_.body.push_back(std::move(part));
         out_.rest.push_back(table);
     }
@@ -162,6 +208,8 @@ private:
     const Elsewhere elsewhere_;
     const DocumentLanguage& in_;
     std::size_t tables_ = 0, figures_ = 0;
+    std::optional<std::size_t> section_ = {};  ///< where one below the chapter's heading begins
+    bool lost_ = false;                        ///< something of it to the rest
     ShortenedChapter out_;
 };
 

@@ -121,8 +121,10 @@ bool is_measurand(const OutputResult& output);
 std::vector<std::string> measurand_groups(const UncertaintyResult& result);
 std::vector<std::size_t> measurands_of(const UncertaintyResult& result, const std::string& group);
 bool groups_alike(const UncertaintyResult& result, const std::vector<std::string>& groups);
-/// Groups that are shown in full: all if there are at most two, else the one with the largest U, measured for
-/// each symbol by its mean over the groups.
+/// Those whose measurands have the symbols and units of the first group's: what can be compared with it.
+std::vector<std::string> groups_like_the_first(const UncertaintyResult& result);
+/// Groups that are shown: all if there are at most two, else of those like the first the one with the largest
+/// U, measured for each symbol by its mean over the groups.
 std::vector<std::string> groups_in_full(const UncertaintyResult& result);
 
 }  // namespace covaria::report_parts

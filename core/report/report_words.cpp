@@ -1,6 +1,7 @@
 // Words and selections that the sections of a report share.
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 
 #include "core/base/file_names.h"
@@ -135,11 +136,36 @@ Quantity interval_in(const Unit& unit, double si) {
     return {unit.interval_from_si(si), unit};
 }
 
+namespace {
+
+/// What is zero but for the rounding of a sum is shown as zero: beside the other figures of its column, of a
+/// quantity with a unit, it is nothing.
+void drop_rounding_errors(DataTable& table) {
+    constexpr double rounding = 1e-14;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        if (table.columns[c].unit == Unit{}) continue;
+        double largest = 0.0;
+        const auto number = [c](std::vector<TableCell>& row) {
+            return c < row.size() ? std::get_if<double>(&row[c]) : nullptr;
+        };
+        for (auto& row : table.rows)
+            if (const double* value = number(row)) largest = std::max(largest, std::abs(*value));
+        for (auto& row : table.rows)
+            if (double* value = number(row); value && std::abs(*value) < rounding * largest) *value = 0.0;
+    }
+}
+
+}  // namespace
+
 TableBlock said_table(DataTable table, const DocumentLanguage& in) {
     table.title = in.say_declared(table.title);
     for (TableColumn& column : table.columns)
         if (!column.is_symbol) column.header = in.say_declared(column.header);
     for (Message& note : table.notes) note = in.say(note);
+    for (std::vector<TableCell>& row : table.rows)
+        for (TableCell& cell : row)
+            if (const auto* words = std::get_if<Message>(&cell)) cell = TableCell(in.say(*words));
+    drop_rounding_errors(table);
     return {std::move(table), {}, in.numbers()};
 }
 
@@ -180,12 +206,22 @@ bool groups_alike(const UncertaintyResult& result, const std::vector<std::string
     });
 }
 
+std::vector<std::string> groups_like_the_first(const UncertaintyResult& result) {
+    std::vector<std::string> groups = measurand_groups(result);
+    if (groups.empty()) return groups;
+    const std::string first = groups.front();
+    std::erase_if(groups, [&](const std::string& group) { return !groups_alike(result, {first, group}); });
+    return groups;
+}
+
 std::vector<std::string> groups_in_full(const UncertaintyResult& result) {
-    const std::vector<std::string> groups = measurand_groups(result);
-    if (groups.size() <= 2) return groups;
+    const std::vector<std::string> all = measurand_groups(result);
+    if (all.size() <= 2) return all;
+    const std::vector<std::string> groups = groups_like_the_first(result);
     std::map<std::string, double> sum_of_symbol;
-    for (const OutputResult& output : result.outputs)
-        if (is_measurand(output)) sum_of_symbol[output.quantity.symbol] += output.expanded_uncertainty;
+    for (const std::string& group : groups)
+        for (const std::size_t i : measurands_of(result, group))
+            sum_of_symbol[result.outputs[i].quantity.symbol] += result.outputs[i].expanded_uncertainty;
     const auto weight = [&](const std::string& group) {
         double sum = 0.0;
         for (const std::size_t i : measurands_of(result, group)) {

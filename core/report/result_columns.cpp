@@ -1,6 +1,8 @@
 // The output quantities of a result.
 #include "core/report/result_columns.h"
 
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -27,6 +29,11 @@ const Phrase without{"U without %1"},
 
 using Number = std::function<std::optional<double>(const OutputResult&)>;
 using Scale = Measured::Scale;
+
+/// Of the shape of a distribution: not there where it has no variance.
+double moment(const MonteCarloOutput& trials, double value) {
+    return std::isfinite(trials.standard_uncertainty) ? value : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// A number of Monte Carlo, where it ran.
 Number trials(std::function<double(const MonteCarloOutput&)> of) {
@@ -188,13 +195,13 @@ private:
         add_limit("interval high", &C::high, &M::symmetric).window("High", symmetric);
         add_limit("shortest low", &C::low, &M::shortest).window("Low", shortest);
         add_limit("shortest high", &C::high, &M::shortest).window("High", shortest);
-        table_.add("skewness", pure(trials([](T t) { return t.skewness; })))
+        table_.add("skewness", pure(trials([](T t) { return moment(t, t.skewness); })))
             .print("skewness")
             .round({.decimals = 3});
-        table_.add("excess kurtosis", pure(trials([](T t) { return t.kurtosis; })))
+        table_.add("excess kurtosis", pure(trials([](T t) { return moment(t, t.kurtosis); })))
             .print("excess kurtosis")
             .round({.decimals = 3});
-        table_.add("kurtosis", pure(trials([](T t) { return 3.0 + t.kurtosis; }))).not_in_files();
+        table_.add("kurtosis", pure(trials([](T t) { return moment(t, 3.0 + t.kurtosis); }))).not_in_files();
         table_.add("coverage ratio", pure(trials([](T t) { return t.normality.coverage_ratio; })));
         table_.add("distribution", of_output([](const OutputResult& o) -> Cell {
                        if (!o.monte_carlo) return {};
@@ -213,7 +220,9 @@ private:
         table_
             .add(
                 "ratio", of_output([](const OutputResult& o) -> Cell {
-                    if (!o.monte_carlo || !(o.monte_carlo->standard_uncertainty > 0.0)) return {};
+                    if (!o.monte_carlo || !(o.monte_carlo->standard_uncertainty > 0.0) ||
+                        !std::isfinite(o.monte_carlo->standard_uncertainty))
+                        return {};
                     return Measured{o.first_order.standard_uncertainty / o.monte_carlo->standard_uncertainty};
                 }))
             .print("ratio")

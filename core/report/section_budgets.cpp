@@ -73,7 +73,9 @@ private:
             square += row(i).contribution * row(i).contribution;
             share += row(i).share;
         }
-        push({{"component in words", in_.say(tell<"%1 further components">(places_.size() - first))},
+        const std::size_t rest = places_.size() - first;
+        push({{"component in words",
+               in_.say(rest == 1 ? tell<"1 further component">() : tell<"%1 further components">(rest))},
               {"contribution", interval_in(output_.quantity.unit, std::sqrt(square))},
               {"share of variance", 100.0 * share}});
     }
@@ -95,9 +97,7 @@ private:
     Message result_line() const {
         const FirstOrderOutput& first = output_.first_order;
         const Unit& unit = output_.quantity.unit;
-        const auto number = [this](const std::string& plain) {
-            return with_decimal_sign(plain, in_.numbers());
-        };
+        const auto number = [this](const std::string& plain) { return grouped_digits(plain, in_.numbers()); };
         const double u = unit.interval_from_si(first.standard_uncertainty);
         const std::string value =
             value_statement(first.estimate, first.expanded_uncertainty, unit, digits_, true, in_);
@@ -181,7 +181,9 @@ private:
     }
 
     void add(const std::string& name) {
-        std::vector<TableCell> cells{name == group_without_tag ? in_.say(tell<"other">()) : name};
+        std::vector<TableCell> cells{name == group_without_tag  ? in_.say(tell<"other">())
+                                     : grouping_ == "parameter" ? name
+                                                                : in_.say_declared(name)};
         for (const std::size_t j : outputs_) cells.emplace_back(100.0 * shares_[{name, j}]);
         if (alike_) cells.emplace_back(100.0 * together_[name]);
         table_.row(std::move(cells));
@@ -199,6 +201,23 @@ private:
     bool alike_ = true;
 };
 
+/// Which of the groups is shown, and why that one.
+Message choice_of_groups(const UncertaintyResult& result) {
+    const std::string shown = groups_in_full(result).front();
+    const std::size_t all = measurand_groups(result).size(), alike = groups_like_the_first(result).size();
+    if (alike == 1)
+        return tell<"Shown for %1, the first of the %2 groups; the CSV table of budgets has every group.">(
+            shown, all);
+    if (alike == all)
+        return tell<
+            "Shown for %1: of the %2 groups it has the largest expanded uncertainties on average; the CSV "
+            "table of budgets has every group.">(shown, all);
+    return tell<
+        "Shown for %1: of the %2 groups with the same quantities it has the largest expanded uncertainties "
+        "on "
+        "average; the CSV table of budgets has all %3 groups.">(shown, alike, all);
+}
+
 }  // namespace
 
 void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in,
@@ -210,11 +229,7 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
     std::string words = in.say(
         tell<"Components by falling share of the variance; cᵢ in the unit of the measurand per unit of "
              "the component.">());
-    if (shown.size() < groups.size())
-        words +=
-            " " + in.say(tell<"Shown in full for %1, which has the largest expanded uncertainties of the "
-                              "%2 groups; the CSV table of budgets has every group.">(shown.front(),
-                                                                                      groups.size()));
+    if (shown.size() < groups.size()) words += " " + in.say(choice_of_groups(result));
     blocks.push_back(ParagraphBlock{words});
     for (const std::string& group : shown) {
         for (const std::string& grouping : groupings_of(result.budget))

@@ -21,7 +21,7 @@ void add_verdict_words(Blocks& blocks, const UncertaintyResult& result, const Do
     blocks.push_back(ParagraphBlock{
         in.say(tell<"The law of propagation is validated by JCGM 101 clause 8 where both ends of its "
                     "coverage interval, y ± U, lie within the numerical tolerance δ of those of the "
-                    "propagation of distributions: so for %1 of %2 quantities.">(validated, compared))});
+                    "propagation of distributions. Validated: %1 of %2.">(validated, compared))});
 }
 
 }  // namespace
@@ -36,15 +36,18 @@ void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Do
     std::vector<std::size_t> outputs;
     for (std::size_t i = 0; i < result.outputs.size(); ++i)
         if (result.outputs[i].monte_carlo) outputs.push_back(i);
-    table.results(
-        result, outputs,
-        {"symbol", "unit", "estimate first order", "mean", "u first order", "u Monte Carlo", "ratio", "delta",
-         "d_low", "d_high", "clause 8", "skewness", "excess kurtosis", "distribution in short"});
+    table.results(result, outputs,
+                  {"symbol", "unit", "estimate first order", "mean", "u first order", "u Monte Carlo",
+                   "ratio", "delta", "d_low", "d_high", "clause 8"});
+    blocks.push_back(table.take());
+    TableBuilder shapes("shapes-" + evaluated.analysis->id,
+                        tell<"Shape of the distributions by Monte Carlo">(), in);
+    shapes.results(result, outputs, {"symbol", "skewness", "excess kurtosis", "distribution in short"});
     if (std::any_of(result.outputs.begin(), result.outputs.end(), has_advice))
-        table.note(
+        shapes.note(
             tell<"Where a distribution is too skewed, heavy-tailed or flat for k u, state its coverage "
                  "interval.">());
-    blocks.push_back(table.take());
+    blocks.push_back(shapes.take());
 }
 
 }  // namespace covaria::report_parts

@@ -33,7 +33,7 @@ Message reduction_note(const UncertaintyResult& result, const DocumentLanguage& 
                   "probabilities of conformance are those of the trials.">();
     if (const auto gain = least_gain(result))
         note += " " + tell<"At the interval ends each trial is worth %1 plain ones or more.">(
-                          with_decimal_sign(format_short(*gain, 2), in.numbers()));
+                          grouped_digits(format_short(*gain, 2), in.numbers()));
     return note;
 }
 
@@ -95,10 +95,10 @@ void add_provenance(Blocks& blocks, const ReportSource& source) {
         table.text(head);
     for (const EvaluatedAnalysis& evaluated : source.analyses) {
         const UncertaintyResult& result = *evaluated.result;
-        table.row({evaluated.analysis->name, evaluated.analysis->descriptor->id, in.say(method_of(result)),
-                   count_text(result.trials, in.numbers()), count_text(result.failed_trials, in.numbers()),
-                   std::to_string(result.provenance.seed), evaluated.analysis->fingerprint(),
-                   result.provenance.covaria_version});
+        table.row({evaluated.analysis->name, in.say_declared(evaluated.analysis->descriptor->title),
+                   in.say(method_of(result)), count_text(result.trials, in.numbers()),
+                   count_text(result.failed_trials, in.numbers()), std::to_string(result.provenance.seed),
+                   evaluated.analysis->fingerprint(), result.provenance.covaria_version});
     }
     table.note(tell<"The same project, seed and version give the same numbers on any number of threads. The "
                     "fingerprint covers everything that influences the numbers of an analysis.">());

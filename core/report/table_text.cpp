@@ -43,6 +43,13 @@ std::string cell_text(const TableBlock& block, std::size_t row, std::size_t colu
             return style.input ? format_estimate(*number, *u)
                                : format_to_match(*number, *u, head.digits == 1 ? 1 : 2);
     }
+    if (head.match >= 0) {
+        const auto other = static_cast<std::size_t>(head.match);
+        const auto u =
+            other < cells.size() ? shown_number(cells[other], block.table.columns[other]) : std::nullopt;
+        const auto* own = std::get_if<Quantity>(&cell);
+        if (u) return format_to_match(*number, *u) + (own ? unit_of_cell(*own, head) : std::string());
+    }
     if (style.bare) {
         TableColumn plain = head;
         plain.unit = Unit{};
@@ -58,6 +65,7 @@ bool is_numeric_column(const TableBlock& block, std::size_t column) {
         const TableCell& cell = block.table.rows[r][column];
         if (std::holds_alternative<std::monostate>(cell)) continue;
         // A number with a unit of its own is a text.
+        if (std::holds_alternative<Message>(cell)) return false;
         if (std::holds_alternative<std::string>(cell) && style_of(block, column).match < 0) return false;
         any = true;
     }
@@ -65,7 +73,8 @@ bool is_numeric_column(const TableBlock& block, std::size_t column) {
 }
 
 Text head_text(const TableColumn& column) {
-    return (column.is_symbol ? symbols_text(column.header) : Text(column.header)) + unit_suffix(column);
+    return (column.is_symbol ? symbols_text(column.header) : running_text(column.header)) +
+           unit_suffix(column);
 }
 
 Text cell_typeset(const TableBlock& block, std::size_t row, std::size_t column) {

@@ -155,8 +155,7 @@ std::optional<double> number_in(const DataTable& table, const VerificationCell& 
     while (column < table.columns.size() && table.columns[column].header != cell.column) ++column;
     if (column == table.columns.size()) return std::nullopt;
     for (const std::vector<TableCell>& row : table.rows) {
-        const auto* name = std::get_if<std::string>(&row.front());
-        if (!name || *name != cell.row) continue;
+        if (english_of(row.front()) != cell.row) continue;
         if (const auto* si = std::get_if<double>(&row[column]))
             return table.columns[column].unit.from_si(*si);
         if (const auto* own = std::get_if<Quantity>(&row[column])) return own->value;

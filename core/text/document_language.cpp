@@ -44,7 +44,10 @@ Text DocumentLanguage::say_text(const Phrase& phrase, std::initializer_list<Text
 }
 
 Text DocumentLanguage::say_title(const Text& english) const {
-    return english.is_plain() ? Text(say_declared(english.letters())) : english;
+    if (english.is_plain()) return say_declared(english.letters());
+    const TextPattern pattern = pattern_of(english);
+    if (!pattern.has_words()) return english;
+    return fill_placeholders<Text>(say_declared(pattern.words), pattern.symbols);
 }
 
 PlotSpecification DocumentLanguage::say_plot(PlotSpecification plot) const {

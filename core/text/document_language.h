@@ -47,7 +47,7 @@ public:
     Text say_text(const Phrase& phrase, std::initializer_list<Text> arguments) const;
     /// What a registry declares: the title of a field, the name of an output. Names that people gave stay.
     std::string say_declared(const std::string& english) const;
-    /// Likewise; a text with symbols in it stays.
+    /// Likewise, with symbols in it, which stay.
     Text say_title(const Text& english) const;
     /// A chart of a model or an asset: titles, axes, legends, marks.
     PlotSpecification say_plot(PlotSpecification english) const;

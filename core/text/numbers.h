@@ -30,6 +30,8 @@ std::string format_estimate(double value, double uncertainty);
 /// 000, where k of a t distribution differs from the normal one by less than 0.03 %.
 double shown_degrees_of_freedom(double nu);
 std::string format_degrees_of_freedom(double nu);
+/// Behind the number of a cell, with its space, where the head of the column does not give it.
+std::string unit_of_cell(const Quantity& quantity, const TableColumn& column);
 /// Cell as people read it, in the column's unit.
 std::string format_cell(const TableCell& cell, const TableColumn& column);
 /// Shortest text that reads back to the same double: for CSV.
@@ -52,7 +54,7 @@ std::string typeset_number(std::string plain, const NumberLocale& locale = {});
 /// Likewise, rounded to `decimals`, digits in groups of three from 10 000 on.
 std::string grouped_number(double value, int decimals, const NumberLocale& locale = {});
 /// The digits of a plain number in groups of three on both sides of its point, where there are more than
-/// four: "50.000 78".
+/// four: "50.000 78"; what stands behind it (a power of ten, a unit) stays there.
 std::string grouped_digits(const std::string& plain, const NumberLocale& locale = {});
 /// With the locale's decimal sign, else as it is.
 std::string with_decimal_sign(std::string plain, const NumberLocale& locale);

@@ -92,6 +92,14 @@ bool is_subscripted_letter(std::string_view word) {
            is_letter(word.substr(0, end));
 }
 
+/// Likewise in an equation, where short words are symbols, too: "KS_j", "Rot_i", "d'_hij".
+bool is_subscripted_word(std::string_view word) {
+    constexpr std::size_t longest = 4;
+    const std::size_t end = word.find_first_of("_^");
+    if (end == std::string_view::npos || end == 0 || end + 1 >= word.size()) return false;
+    return end <= longest || is_subscripted_letter(word);
+}
+
 /// Where the run of characters that are all of a word, or all not, ends.
 std::size_t end_of_run(std::string_view text, std::size_t begin) {
     const auto is_word = [&](std::size_t i) {
@@ -102,11 +110,26 @@ std::size_t end_of_run(std::string_view text, std::size_t begin) {
     return end;
 }
 
-/// A comma within a subscript goes on ("p_1x,1"), the one after it does not ("p_1x, pose 1", "u_x,u_y").
-std::size_t end_of_symbol(std::string_view text, std::size_t begin) {
+bool is_figure(char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// What else belongs to a subscript that ends before `end`: all in braces ("z_{i−1}"); a comma goes on
+/// ("p_1x,1"), the one after it does not ("p_1x, pose 1", "u_x,u_y"), and so does a hyphen between figures
+/// ("L_1-2") where it cannot be a minus sign.
+bool goes_on(std::string_view text, std::size_t begin, std::size_t end, bool equation) {
+    if (end + 1 >= text.size() || text.substr(begin, end - begin).find('_') == std::string_view::npos)
+        return false;
+    if (text[end] == ',') return std::isalnum(static_cast<unsigned char>(text[end + 1])) != 0;
+    return !equation && text[end] == '-' && is_figure(text[end - 1]) && is_figure(text[end + 1]);
+}
+
+std::size_t end_of_symbol(std::string_view text, std::size_t begin, bool equation) {
     std::size_t end = end_of_run(text, begin);
-    while (text.substr(begin, end - begin).find('_') != std::string_view::npos && end + 1 < text.size() &&
-           text[end] == ',' && std::isalnum(static_cast<unsigned char>(text[end + 1]))) {
+    if (end < text.size() && text[end] == '{' && text[end - 1] == '_')
+        if (const std::size_t closed = text.find('}', end); closed != std::string_view::npos)
+            return closed + 1;
+    while (goes_on(text, begin, end, equation)) {
         const std::size_t next = end_of_run(text, end + 1);
         if (text.substr(end, next - end).find_first_of("_^") != std::string_view::npos) break;
         end = next;
@@ -116,13 +139,13 @@ std::size_t end_of_symbol(std::string_view text, std::size_t begin) {
 
 /// `is_symbol` says which words are symbols.
 template <class IsSymbol>
-Text with_symbols(std::string_view text, const IsSymbol& is_symbol) {
+Text with_symbols(std::string_view text, const IsSymbol& is_symbol, bool equation = false) {
     Text out;
     for (std::size_t begin = 0; begin < text.size();) {
         std::size_t end = end_of_run(text, begin);
         const bool word = is_word_character(text.substr(begin, character_length(text.substr(begin)))) &&
                           begins_with_letter(text.substr(begin));
-        if (word) end = end_of_symbol(text, begin);
+        if (word) end = end_of_symbol(text, begin, equation);
         const std::string_view part = text.substr(begin, end - begin);
         out += word && is_symbol(part) ? symbol_text(part) : Text(part);
         begin = end;
@@ -140,7 +163,9 @@ Symbol parse_symbol(std::string_view plain) {
         const std::size_t next = std::min(plain.find_first_of("_^", end + 1), plain.size());
         std::string& target = plain[end] == '^' ? symbol.superscript : symbol.subscript;
         if (!target.empty()) target += ',';
-        target += with_greek(plain.substr(end + 1, next - end - 1));
+        std::string_view part = plain.substr(end + 1, next - end - 1);
+        if (part.starts_with('{') && part.ends_with('}')) part = part.substr(1, part.size() - 2);
+        target += with_greek(part);
         end = next;
     }
     return symbol;
@@ -196,8 +221,8 @@ Text running_text(std::string_view text) {
 }
 
 Text equation_text(std::string_view text) {
-    return with_symbols(text,
-                        [](std::string_view word) { return is_letter(word) || is_subscripted_letter(word); });
+    return with_symbols(
+        text, [](std::string_view word) { return is_letter(word) || is_subscripted_word(word); }, true);
 }
 
 Text title_text(std::string_view title) {
@@ -205,7 +230,7 @@ Text title_text(std::string_view title) {
 }
 
 bool looks_like_symbol(std::string_view title) {
-    const bool word = !title.empty() && end_of_symbol(title, 0) == title.size() &&
+    const bool word = !title.empty() && end_of_symbol(title, 0, false) == title.size() &&
                       is_word_character(title.substr(0, character_length(title)));
     return word && (title.size() == 1 || title.find('_') != std::string_view::npos ||
                     base_letters(title) != title || is_letter(title));

@@ -111,6 +111,28 @@ std::string_view letter_of_subscript(std::string_view character) {
     return it == subscripts.end() ? std::string_view() : it->first;
 }
 
+bool TextPattern::has_words() const {
+    const std::string_view before_unit = std::string_view(words).substr(0, words.find('('));
+    return before_unit.find_first_not_of("%123456789 ,") != std::string_view::npos;
+}
+
+TextPattern pattern_of(const Text& text) {
+    TextPattern pattern;
+    bool in_symbol = false;
+    for (const Text::Span& span : text.spans()) {
+        const bool words = span.script == Script::line && !span.italic;
+        if (words) pattern.words += span.letters;
+        const bool begins = !words && (!in_symbol || (span.script == Script::line && span.italic));
+        if (begins) {
+            pattern.symbols.emplace_back();
+            pattern.words.append("%").append(std::to_string(pattern.symbols.size()));
+        }
+        if (!words) pattern.symbols.back() += Text(span);
+        in_symbol = !words;
+    }
+    return pattern;
+}
+
 std::string to_unicode(const Text& text) {
     std::string out;
     for (const Text::Span& span : text.spans()) {

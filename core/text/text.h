@@ -46,6 +46,14 @@ private:
     std::vector<Span> spans_;  ///< none is empty; neighbours differ
 };
 
+/// The words of a text with "%1", "%2" for its symbols: "Observations of %1".
+struct TextPattern {
+    std::string words;
+    std::vector<Text> symbols;
+    bool has_words() const;  ///< beside symbols and a unit in parentheses
+};
+TextPattern pattern_of(const Text& text);
+
 /// "b₁ₓ", "u_c": with the subscripts and superscripts that Unicode has, else after "_" and "^".
 std::string to_unicode(const Text& text);
 /// "<i>b</i><sub>1x</sub>", escaped.

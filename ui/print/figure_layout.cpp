@@ -14,7 +14,7 @@ constexpr double picture_dots_per_mm = 200.0 / 25.4;
 constexpr double least_dots_per_mm = 130.0 / 25.4;  // a small picture stays small
 
 RichText caption_of(const std::string& caption, const PageStyle& style, double width) {
-    RichText text(style, TextRole::note, QString::fromStdString(escape_html(caption)));
+    RichText text(style, TextRole::note, QString::fromStdString(to_html(running_text(caption))));
     text.set_width(width);
     return text;
 }

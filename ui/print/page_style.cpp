@@ -51,6 +51,12 @@ PageStyle::PageStyle(QPaintDevice* device, PaperSize paper) : device_(device) {
     figures_family_ = figures_family();
 }
 
+PageStyle PageStyle::with_fonts(double scale) const {
+    PageStyle scaled = *this;
+    scaled.font_scale_ *= scale;
+    return scaled;
+}
+
 double PageStyle::mm(double length) const {
     return length * device_->logicalDpiX() / 25.4;
 }
@@ -62,7 +68,7 @@ double PageStyle::points(double length) const {
 QFont PageStyle::font(TextRole role) const {
     const RoleSpec spec = spec_of(role);
     QFont font(text_family_);
-    font.setPointSizeF(spec.size);
+    font.setPointSizeF(font_scale_ * spec.size);
     font.setWeight(spec.weight);
     // Inter swaps marks beside figures and capitals for glyphs that PDF readers cannot map back to text.
     font.setStyleStrategy(QFont::PreferNoShaping);
@@ -72,7 +78,7 @@ QFont PageStyle::font(TextRole role) const {
 
 QFont PageStyle::figures_font() const {
     QFont font(figures_family_);
-    font.setPointSizeF(spec_of(TextRole::table).size);
+    font.setPointSizeF(font_scale_ * spec_of(TextRole::table).size);
     font.setHintingPreference(QFont::PreferNoHinting);
     return font;
 }

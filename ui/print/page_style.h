@@ -35,7 +35,8 @@ public:
     QRectF text_area() const { return text_area_; }  ///< of the flowing content
     QRectF sheet() const { return sheet_; }
     QFont font(TextRole role) const;
-    QFont figures_font() const;  ///< numbers in tables
+    QFont figures_font() const;                ///< numbers in tables
+    PageStyle with_fonts(double scale) const;  ///< the same page, with fonts of that part of their size
     QPaintDevice* device() const { return device_; }
 
     static QColor ink() { return QColor(0x1c, 0x1f, 0x23); }
@@ -46,6 +47,7 @@ private:
     QPaintDevice* device_;
     QRectF sheet_, text_area_;
     QString text_family_, figures_family_;
+    double font_scale_ = 1.0;
 };
 
 QPageSize page_size_of(PaperSize paper);

@@ -4,12 +4,77 @@
 #include <QAbstractTextDocumentLayout>
 #include <QPainter>
 #include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
 #include <QTextLayout>
 #include <QTextOption>
+#include <algorithm>
 #include <cmath>
 
+#include "ui/print/kept_spaces.h"
+
 namespace covaria::ui {
+namespace {
+
+/// The importer of HTML makes a plain space of every other one but U+00A0: numbers would break between their
+/// groups of digits. It is put back where it was.
+constexpr char16_t group_space = u'\u202f', stand_in = u'\ue02f';
+/// Behind the stroke of a unit, where a line would break else: "mm/m".
+constexpr char16_t joiner = u'\u2060';
+
+void replace(QTextDocument& document, qsizetype at, QChar letter) {
+    QTextCursor cursor(&document);
+    cursor.setPosition(static_cast<int>(at));
+    cursor.movePosition(QTextCursor::NextCharacter, QTextCursor::KeepAnchor);
+    cursor.insertText(QString(letter));
+}
+
+void insert(QTextDocument& document, qsizetype at, QChar letter) {
+    QTextCursor cursor(&document);
+    cursor.setPosition(static_cast<int>(at));
+    cursor.insertText(QString(letter));
+}
+
+bool is_stroke_of_unit(const QString& text, qsizetype at) {
+    const auto letter = [&](qsizetype i) { return i >= 0 && i < text.size() && text[i].isLetter(); };
+    return text[at] == u'/' && letter(at - 1) && letter(at + 1);
+}
+
+void set_html(QTextDocument& document, QString html) {
+    document.setHtml(html.replace(group_space, stand_in));
+    const QString set = document.toRawText();
+    const QString kept = with_kept_spaces(QString(set).replace(stand_in, group_space));
+    for (qsizetype i = set.size(); i-- > 0;) {
+        if (kept[i] != set[i]) replace(document, i, kept[i]);
+        if (is_stroke_of_unit(set, i)) insert(document, i + 1, joiner);
+    }
+}
+
+/// Whether lines may break on either side of it without a space: letters of Chinese, Japanese and Korean.
+bool is_ideograph(QChar letter) {
+    return letter.unicode() >= 0x2e80 && !letter.isSurrogate();
+}
+
+bool breaks(QChar letter) {
+    return letter == ' ' || letter == QChar::LineSeparator || letter == QChar::ParagraphSeparator;
+}
+
+/// The longest part of a text that no line breaks.
+double longest_word(const QString& text, const QFontMetricsF& metrics) {
+    double widest = 0.0;
+    qsizetype begin = 0;
+    for (qsizetype i = 0; i <= text.size(); ++i) {
+        const bool end = i == text.size() || breaks(text[i]) || is_ideograph(text[i]);
+        if (!end) continue;
+        widest = std::max(widest, metrics.horizontalAdvance(text.sliced(begin, i - begin)));
+        if (i < text.size() && is_ideograph(text[i]))
+            widest = std::max(widest, metrics.horizontalAdvance(text[i]));
+        begin = i + 1;
+    }
+    return widest;
+}
+
+}  // namespace
 
 RichText::RichText(const PageStyle& style, TextRole role, const QString& html, Qt::Alignment align)
     : document_(std::make_shared<QTextDocument>()) {
@@ -20,7 +85,7 @@ RichText::RichText(const PageStyle& style, TextRole role, const QString& html, Q
     QTextOption option(align);
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     document_->setDefaultTextOption(option);
-    document_->setHtml(html);
+    set_html(*document_, html);
     document_->setTextWidth(-1.0);
 }
 
@@ -34,10 +99,7 @@ double RichText::natural_width() const {
 
 double RichText::narrowest_width() const {
     const QFontMetricsF metrics(document_->defaultFont(), document_->documentLayout()->paintDevice());
-    double widest = 0.0;
-    for (const QString& word : document_->toPlainText().split(' '))
-        widest = std::max(widest, metrics.horizontalAdvance(word));
-    return std::ceil(1.02 * widest) + 1.0;
+    return std::ceil(1.02 * longest_word(document_->toRawText(), metrics)) + 1.0;
 }
 
 void RichText::set_width(double width) {

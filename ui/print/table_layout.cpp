@@ -3,6 +3,8 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <optional>
 
 #include "core/report/table_text.h"
@@ -15,6 +17,9 @@ namespace covaria::ui {
 namespace {
 
 constexpr std::size_t largest_whole_group = 8;  // rows under a sub-head that a page break does not part
+constexpr double most_lines = 4.0;              // of a long text in a cell, where there is room
+constexpr std::array font_scales = {1.0, 0.93, 0.86};  // the least: 6.5 pt
+constexpr std::size_t most_keys = 2;                   // columns that every part of a wide table has
 
 /// A cell: a number set to the decimal point, or a text set to the column's width.
 struct Cell {
@@ -28,53 +33,76 @@ struct Column {
     bool numeric = false;
 };
 
+using ColumnIndices = std::vector<std::size_t>;
+
 class TableLayout {
 public:
-    TableLayout(const TableBlock& block, const PageStyle& style, double width)
-        : block_(block), style_(style), available_(width), pad_(style.points(1.6)) {
+    TableLayout(const TableBlock& block, const PageStyle& style, double width, ColumnIndices shown,
+                double scale)
+        : block_(block),
+          style_(style),
+          fonts_(style.with_fonts(scale)),
+          available_(width),
+          pad_(style.points(1.6)),
+          shown_(std::move(shown)) {
         make_cells();
         place_columns();
     }
 
-    void append(std::vector<FlowItem>& items) {
-        append_caption(items);
+    /// Of the columns alone, with the least gaps: texts at their longest word, or wide enough to be read.
+    double least_width(bool comfortable) const {
+        double width = least_gap() * static_cast<double>(count() - 1);
+        for (std::size_t c = 0; c < count(); ++c) width += least_width_of(c, comfortable);
+        return width;
+    }
+    double least_width_of(std::size_t c, bool comfortable) const {
+        const ColumnWish wish = wish_of(c, false);
+        const double read = std::min(wish.natural / most_lines, 0.3 * available_);
+        return comfortable && !wish.numeric ? std::max(wish.narrowest, read) : wish.narrowest;
+    }
+    double least_gap() const { return style_.mm(2.2); }
+    bool is_numeric(std::size_t c) const { return columns_[c].numeric; }
+
+    void append(std::vector<FlowItem>& items, bool first, bool last) {
+        if (first) append_caption(items);
         const auto head = std::make_shared<RepeatedHead>(make_head());
-        const double before = block_.table.title.empty() ? style_.mm(2.5) : 0.0;
+        const double before = !first ? style_.mm(3.5) : block_.table.title.empty() ? style_.mm(2.5) : 0.0;
         items.push_back({head->height, before, true, head->paint, {}});
-        for (std::size_t r = 0; r < cells_.size(); ++r) items.push_back(row_item(r, head));
-        append_notes(items);
+        for (std::size_t r = 0; r < cells_.size(); ++r) items.push_back(row_item(r, head, last));
+        if (last) append_notes(items);
     }
 
 private:
-    std::size_t count() const { return block_.table.columns.size(); }
+    std::size_t count() const { return shown_.size(); }
 
     void make_cells() {
-        for (std::size_t c = 0; c < count(); ++c) {
+        for (const std::size_t column : shown_) {
+            const bool numeric = is_numeric_column(block_, column);
             columns_.push_back({});
-            columns_[c].numeric = is_numeric_column(block_, c);
-            const auto align = columns_[c].numeric ? Qt::AlignRight : Qt::AlignLeft;
-            heads_.emplace_back(style_, TextRole::table_head,
-                                to_qt(to_html(head_text(block_.table.columns[c]))), align);
+            columns_.back().numeric = numeric;
+            heads_.emplace_back(fonts_, TextRole::table_head,
+                                to_qt(to_html(head_text(block_.table.columns[column]))),
+                                numeric ? Qt::AlignRight : Qt::AlignLeft);
         }
         for (std::size_t r = 0; r < block_.table.rows.size(); ++r) {
             cells_.emplace_back();
-            for (std::size_t c = 0; c < block_.table.rows[r].size() && c < count(); ++c)
-                cells_[r].push_back(make_cell(r, c));
+            for (std::size_t c = 0; c < count(); ++c)
+                if (shown_[c] < block_.table.rows[r].size()) cells_[r].push_back(make_cell(r, c));
         }
     }
 
     Cell make_cell(std::size_t r, std::size_t c) {
-        const std::string html = to_html(cell_typeset(block_, r, c));
+        const std::string html = to_html(cell_typeset(block_, r, shown_[c]));
         Cell cell;
         if (html.empty()) return cell;
         if (is_subhead(block_, r)) {
-            cell.text.emplace(style_, TextRole::table_head, "<b>" + to_qt(html) + "</b>");
+            cell.text.emplace(fonts_, TextRole::table_head, "<b>" + to_qt(html) + "</b>");
         } else if (columns_[c].numeric) {
-            cell.number.emplace(style_, QString::fromStdString(html));
+            cell.number.emplace(fonts_, QString::fromStdString(html), block_.locale);
             columns_[c].before_point = std::max(columns_[c].before_point, cell.number->before_point());
             columns_[c].after_point = std::max(columns_[c].after_point, cell.number->after_point());
         } else {
-            cell.text.emplace(style_, TextRole::table, to_qt(html));
+            cell.text.emplace(fonts_, TextRole::table, to_qt(html));
         }
         return cell;
     }
@@ -94,6 +122,7 @@ private:
             wish.natural = std::max(wish.natural, cells_[r][c].text->natural_width());
             wish.narrowest = std::max(wish.narrowest, cells_[r][c].text->narrowest_width());
         }
+        wish.narrowest = std::min(wish.narrowest, wish.natural);
         return wish;
     }
 
@@ -109,7 +138,7 @@ private:
         const double gaps = std::max(1.0, static_cast<double>(count() - 1));
         std::vector<ColumnWish> wishes = wish_all(true);
         if (wanted + gaps * style_.mm(3.2) > available_) wishes = wish_all(false);
-        gap_ = std::clamp((available_ - wanted) / gaps, style_.mm(2.2), style_.mm(7.5));
+        gap_ = std::clamp((available_ - wanted) / gaps, least_gap(), style_.mm(7.5));
         const std::vector<double> widths =
             share_width(wishes, available_ - gap_ * static_cast<double>(count() - 1));
         double x = 0.0;
@@ -118,16 +147,17 @@ private:
             columns_[c].width = widths[c];
             x += widths[c] + gap_;
             heads_[c].set_width(widths[c]);
-            for (std::size_t r = 0; r < cells_.size(); ++r)
-                if (!is_subhead(block_, r) && c < cells_[r].size() && cells_[r][c].text)
-                    cells_[r][c].text->set_width(widths[c]);
+            for (std::size_t r = 0; r < cells_.size(); ++r) {
+                if (c >= cells_[r].size() || !cells_[r][c].text) continue;
+                cells_[r][c].text->set_width(is_subhead(block_, r) ? available_ : widths[c]);
+            }
         }
         width_ = x - gap_;
     }
 
     void append_caption(std::vector<FlowItem>& items) const {
         if (block_.table.title.empty()) return;
-        RichText caption(style_, TextRole::caption, to_qt(escape_html(block_.table.title)));
+        RichText caption(style_, TextRole::caption, to_qt(to_html(running_text(block_.table.title))));
         caption.set_width(available_);
         items.push_back({caption.height() + style_.points(3.0),
                          style_.mm(4.5),
@@ -152,13 +182,13 @@ private:
     }
 
     double row_height(std::size_t r) const {
-        double height = QFontMetricsF(style_.font(TextRole::table), style_.device()).height();
+        double height = QFontMetricsF(fonts_.font(TextRole::table), style_.device()).height();
         for (const Cell& cell : cells_[r])
             if (cell.text) height = std::max(height, cell.text->height());
         return height + 2.0 * pad_;
     }
 
-    FlowItem row_item(std::size_t r, const std::shared_ptr<const RepeatedHead>& head) const {
+    FlowItem row_item(std::size_t r, const std::shared_ptr<const RepeatedHead>& head, bool last_part) const {
         const bool subhead = is_subhead(block_, r);
         const bool last = r + 1 == cells_.size();
         const double height = row_height(r);
@@ -176,14 +206,15 @@ private:
                 painter.fillRect(QRectF(at.x(), at.y() + height - line, width, line),
                                  last ? PageStyle::ink() : PageStyle::rule());
         };
-        return {height, subhead && r > 0 ? style_.points(2.0) : 0.0, keeps_with_next(r), paint, head};
+        return {height, subhead && r > 0 ? style_.points(2.0) : 0.0, keeps_with_next(r, last_part), paint,
+                head};
     }
 
     /// No single row is left behind or sent on, small groups under a sub-head stay whole, notes stay with the
     /// table.
-    bool keeps_with_next(std::size_t r) const {
+    bool keeps_with_next(std::size_t r, bool last_part) const {
         const std::size_t rows = cells_.size();
-        if (r + 1 == rows) return !block_.table.notes.empty();
+        if (r + 1 == rows) return last_part && !block_.table.notes.empty();
         if (is_subhead(block_, r) || r == 0 || r + 2 == rows) return true;
         if (is_subhead(block_, r + 1)) return false;
         std::size_t first = r, last = r;
@@ -193,7 +224,7 @@ private:
     }
 
     /// Of the first line of a text cell: numbers stand on the same line.
-    double baseline() const { return QFontMetricsF(style_.font(TextRole::table), style_.device()).ascent(); }
+    double baseline() const { return QFontMetricsF(fonts_.font(TextRole::table), style_.device()).ascent(); }
 
     void append_notes(std::vector<FlowItem>& items) const {
         for (const Message& note : block_.table.notes) {
@@ -210,40 +241,77 @@ private:
 
     const TableBlock& block_;
     const PageStyle& style_;
+    const PageStyle fonts_;
     double available_, pad_, gap_ = 0.0, width_ = 0.0;
+    ColumnIndices shown_;
     std::vector<Column> columns_;
     std::vector<RichText> heads_;
     std::vector<std::vector<Cell>> cells_;
 };
 
+ColumnIndices all_columns(const TableBlock& block) {
+    ColumnIndices all(block.table.columns.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+/// The columns of each part of a table that is too wide: its first ones of text, and as many others as fit.
+std::vector<ColumnIndices> parts_of(const TableLayout& whole, std::size_t columns, double available) {
+    const auto width_of = [&](std::size_t c) { return whole.least_width_of(c, true) + whole.least_gap(); };
+    ColumnIndices keys{0};
+    double key_width = width_of(0);
+    while (keys.size() < std::min(most_keys, columns) && !whole.is_numeric(keys.size()) &&
+           key_width + width_of(keys.size()) < 0.3 * available) {
+        key_width += width_of(keys.size());
+        keys.push_back(keys.size());
+    }
+    std::vector<ColumnIndices> parts;
+    double width = 0.0;
+    for (std::size_t c = keys.size(); c < columns; ++c) {
+        const bool begins = parts.empty() || width + width_of(c) > available + whole.least_gap();
+        if (begins) {
+            parts.push_back(keys);
+            width = key_width;
+        }
+        parts.back().push_back(c);
+        width += width_of(c);
+    }
+    return parts;
+}
+
 }  // namespace
 
 std::vector<double> share_width(const std::vector<ColumnWish>& wishes, double available) {
-    double natural = 0.0, fixed = 0.0, narrowest = 0.0;
+    double natural = 0.0, least = 0.0;
+    const auto least_of = [](const ColumnWish& wish) {
+        return wish.numeric ? wish.natural : std::min(wish.narrowest, wish.natural);
+    };
     for (const ColumnWish& wish : wishes) {
         natural += wish.natural;
-        (wish.numeric ? fixed : narrowest) +=
-            wish.numeric ? wish.natural : std::min(wish.narrowest, wish.natural);
+        least += least_of(wish);
     }
-    const double slack = natural - fixed - narrowest;
+    const double slack = natural - least;
     const double factor =
-        natural <= available || slack <= 0.0 ? 1.0 : std::max(0.0, (available - fixed - narrowest) / slack);
+        natural <= available || slack <= 0.0 ? 1.0 : std::max(0.0, (available - least) / slack);
     std::vector<double> widths;
-    double total = 0.0;
-    for (const ColumnWish& wish : wishes) {
-        const double least = std::min(wish.narrowest, wish.natural);
-        widths.push_back(wish.numeric ? wish.natural : least + factor * (wish.natural - least));
-        total += widths.back();
-    }
-    if (total > available)  // even the longest words do not fit: words will break
-        for (double& width : widths) width *= available / total;
+    for (const ColumnWish& wish : wishes)
+        widths.push_back(least_of(wish) + factor * (wish.natural - least_of(wish)));
     return widths;
 }
 
 void append_table(std::vector<FlowItem>& items, const TableBlock& block, const PageStyle& style,
                   double width) {
-    if (block.table.columns.empty()) return;
-    TableLayout(block, style, width).append(items);
+    const ColumnIndices all = all_columns(block);
+    if (all.empty()) return;
+    for (const bool comfortable : {true, false})
+        for (const double scale : font_scales) {
+            TableLayout whole(block, style, width, all, scale);
+            if (whole.least_width(comfortable) <= width) return whole.append(items, true, true);
+        }
+    const TableLayout whole(block, style, width, all, 1.0);
+    const std::vector<ColumnIndices> parts = parts_of(whole, all.size(), width);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        TableLayout(block, style, width, parts[i], 1.0).append(items, i == 0, i + 1 == parts.size());
 }
 
 }  // namespace covaria::ui

@@ -129,15 +129,16 @@ public:
                          {.header = "distribution"},
                          {.header = "u", .unit = Unit::of("um"), .is_symbol = true, .digits = 4}};
         const Distribution& along = position_[0].distribution;
-        table.rows.push_back({"along any axis", std::string(along.title()), along.standard_uncertainty()});
+        table.rows.push_back(
+            {tell<"along any axis">(), Message::declared(along.title()), along.standard_uncertainty()});
         const auto length = length_law_of(along);
         if (length) {
-            table.rows.push_back({"distance: largest", law_title().english(), length->largest});
-            table.rows.push_back({"distance: RP = mean + 3 s", law_title().english(),
+            table.rows.push_back({tell<"distance: largest">(), law_title(), length->largest});
+            table.rows.push_back({tell<"distance: RP = mean + 3 s">(), law_title(),
                                   length->mean() + 3.0 * length->standard_deviation()});
         } else {
             const double u = along.standard_uncertainty();
-            table.rows.push_back({"distance: RP = mean + 3 s", law_title().english(),
+            table.rows.push_back({tell<"distance: RP = mean + 3 s">(), law_title(),
                                   (maxwell_mean + 3.0 * maxwell_deviation) * u});
         }
         table.notes.push_back(

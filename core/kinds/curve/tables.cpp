@@ -22,8 +22,8 @@ DataTable points_table_of(const CurveSetup& setup, const Fit& fit) {
 void judge_stated(const CurveSetup& setup, const Fit& fit, DataTable& summary) {
     const double nu = setup.degrees_of_freedom();
     const double limit = chi_squared_quantile(0.95, nu);
-    summary.rows.push_back({std::string("chi-squared"), fit.chi_squared});
-    summary.rows.push_back({std::string("its 95 % quantile"), limit});
+    summary.rows.push_back({tell<"chi-squared">(), fit.chi_squared});
+    summary.rows.push_back({tell<"its 95 % quantile">(), limit});
     summary.notes.push_back(
         fit.chi_squared <= limit
             ? tell<"The residuals agree with the stated uncertainties.">()
@@ -36,12 +36,12 @@ DataTable fit_table_of(const CurveSetup& setup, const Fit& fit) {
     const Unit unit = setup.y_unit.interval();
     const double nu = setup.degrees_of_freedom();
     if (nu > 0.0)
-        summary.rows.push_back({std::string("standard deviation of the residuals"),
+        summary.rows.push_back({tell<"standard deviation of the residuals">(),
                                 Quantity{unit.interval_from_si(fit.standard_deviation), unit}});
-    summary.rows.push_back({std::string("degrees of freedom"), nu});
+    summary.rows.push_back({tell<"degrees of freedom">(), nu});
     if (setup.from_residuals)
         summary.rows.push_back(
-            {std::string("coefficient of determination R²"),
+            {tell<"coefficient of determination R²">(),
              fit.sum_of_squares_regression / (fit.sum_of_squares_regression + fit.sum_of_squares)});
     else if (nu > 0.0)
         judge_stated(setup, fit, summary);
@@ -70,10 +70,10 @@ std::vector<DataTable> curve_evaluation(const CurveSetup& setup, const Fit& fit,
                                         const std::vector<InversePlace>& inverse) {
     std::vector<DataTable> tables{points_table_of(setup, fit), fit_table_of(setup, fit)};
     if (setup.from_residuals)
-        tables.push_back(variance_table("variance", "Analysis of variance of the fit",
-                                        setup.y_unit.interval(),
-                                        {"curve", fit.sum_of_squares_regression, double(setup.degree)},
-                                        {"residuals", fit.sum_of_squares, setup.degrees_of_freedom()}));
+        tables.push_back(
+            variance_table("variance", "Analysis of variance of the fit", setup.y_unit.interval(),
+                           {tell<"curve">(), fit.sum_of_squares_regression, double(setup.degree)},
+                           {tell<"residuals">(), fit.sum_of_squares, setup.degrees_of_freedom()}));
     if (!inverse.empty()) tables.push_back(inverse_table_of(setup, fit, inverse));
     return tables;
 }

@@ -137,13 +137,13 @@ private:
         if (rows.empty()) return;
         const auto equal =
             std::count_if(rows.begin(), rows.end(), [](const Compared& r) { return r.reproduces(); });
-        table_.rows.push_back({quantity, std::to_string(equal) + " of " + std::to_string(rows.size()),
-                               std::monostate{}, std::monostate{}, std::string("reproduces")});
+        table_.rows.push_back({quantity, tell<"%1 of %2">(equal, rows.size()), std::monostate{},
+                               std::monostate{}, tell<"reproduces">()});
         for (const Compared& r : rows) {
             if (r.reproduces()) continue;
             table_.rows.push_back({std::string(), r.sensor, Quantity{unit.from_si(r.stated), unit},
                                    Quantity{unit.from_si(r.computed), unit},
-                                   std::string(r.inside_rounding() ? "inside rounding" : "differs")});
+                                   r.inside_rounding() ? tell<"inside rounding">() : tell<"differs">()});
         }
     }
 

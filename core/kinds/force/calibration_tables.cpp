@@ -36,9 +36,8 @@ DataTable plan_table(const Calibration& calibration) {
                      {.header = "steps"},
                      {.header = "decreasing steps"},
                      {.header = "spread of the preloads", .unit = ratio, .decimals = ratio_decimals}};
-    table.rows.push_back({std::string("planned"), double(plan.preloads), double(plan.runs),
-                          double(plan.steps), plan.decreasing ? double(plan.steps - 1) : 0.0,
-                          std::monostate{}});
+    table.rows.push_back({tell<"planned">(), double(plan.preloads), double(plan.runs), double(plan.steps),
+                          plan.decreasing ? double(plan.steps - 1) : 0.0, std::monostate{}});
     for (std::size_t c = 0; c < calibration.series.size(); ++c) {
         const Series& series = calibration.series[c];
         double low = infinity, high = -infinity;
@@ -144,7 +143,7 @@ private:
     }
 
     std::vector<TableCell> largest_row() const {
-        std::vector<TableCell> cells{std::string("largest")};
+        std::vector<TableCell> cells{tell<"largest">()};
         for (std::size_t h = 0; h < calibration_.size(); ++h)
             cells.push_back(calibration_.largest_interference(h) /
                             (relative_ ? std::abs(calibration_.channels[h].rated_output) : 1.0));

@@ -51,7 +51,7 @@ DataTable comparison_table(const ChannelSetup& setup) {
         table.rows.push_back({c.sensor, c.paper, c.all, c.largest, c.alone,
                               std::isfinite(c.degrees_of_freedom) ? TableCell(c.degrees_of_freedom)
                                                                   : TableCell(std::string("∞")),
-                              c.k_alone, c.worst, std::string(c.worst > c.paper ? "yes" : "no")});
+                              c.k_alone, c.worst, c.worst > c.paper ? tell<"yes">() : tell<"no">()});
     }
     table.notes = {
         tell<"The paper adds the largest hysteresis and the largest interference to k times u_c. It counts "

@@ -9,7 +9,7 @@ namespace covaria {
 
 /// One source of variation.
 struct VarianceSource {
-    std::string name;
+    Message name;
     double sum_of_squares = 0.0;  ///< SI
     double degrees_of_freedom = 0.0;
     double mean_square() const { return sum_of_squares / degrees_of_freedom; }

@@ -128,18 +128,18 @@ Variances variances_of(const GroupSetup& setup) {
 std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances& v) {
     const Unit unit = deviation_unit(setup.unit);
     DataTable table{"anova", "Components of variance", {{"what"}, {"value", {}, false, 3}}, {}, {}};
-    const auto deviation = [&](const char* what, double s) {
-        table.rows.push_back({std::string(what), Quantity{unit.interval_from_si(s), unit}});
+    const auto deviation = [&](Message what, double s) {
+        table.rows.push_back({std::move(what), Quantity{unit.interval_from_si(s), unit}});
     };
-    deviation("standard deviation of the means of the groups", v.s_of_means);
-    deviation("s_a, from the means of the groups", v.s_a);
-    deviation("s_b, within the groups", v.s_b);
-    deviation("s_B, between the groups", v.s_between);
-    table.rows.push_back({std::string("n_0, size of the groups"), v.group_size});
+    deviation(tell<"standard deviation of the means of the groups">(), v.s_of_means);
+    deviation(tell<"s_a, from the means of the groups">(), v.s_a);
+    deviation(tell<"s_b, within the groups">(), v.s_b);
+    deviation(tell<"s_B, between the groups">(), v.s_between);
+    table.rows.push_back({tell<"n_0, size of the groups">(), v.group_size});
     const double limit = f_quantile(0.95, v.nu_a, v.nu_b);
-    if (v.s_b > 0.0) table.rows.push_back({std::string("F = s_a²/s_b²"), v.ratio});
-    table.rows.push_back({std::string("95 % quantile of F"), limit});
-    table.rows.push_back({std::string("97.5 % quantile of F"), f_quantile(0.975, v.nu_a, v.nu_b)});
+    if (v.s_b > 0.0) table.rows.push_back({tell<"F = s_a²/s_b²">(), v.ratio});
+    table.rows.push_back({tell<"95 % quantile of F">(), limit});
+    table.rows.push_back({tell<"97.5 % quantile of F">(), f_quantile(0.975, v.nu_a, v.nu_b)});
     table.notes.push_back(v.ratio > limit ? tell<"There is an effect of the groups at the level of 5 %.">()
                                           : tell<"No effect of the groups is seen at the level of 5 %.">());
     if (setup.between == Between::components && !(v.s_between > 0.0))
@@ -148,8 +148,8 @@ std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances
                  "independent.">());
     return {groups_table(setup),
             variance_table("variance", "Analysis of variance", unit,
-                           {"between the groups", v.between_squares, v.nu_a},
-                           {"within the groups", v.within_squares, v.nu_b}),
+                           {tell<"between the groups">(), v.between_squares, v.nu_a},
+                           {tell<"within the groups">(), v.within_squares, v.nu_b}),
             table};
 }
 

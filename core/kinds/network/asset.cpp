@@ -151,9 +151,9 @@ public:
                          {.header = "y", .unit = mm, .digits = 2},
                          {.header = "z", .unit = mm, .digits = 2}};
         for (const Sensor& member : sensors_) {
-            std::string reads;
+            Message reads;
             for (Observable o : observables)
-                if (member->reads(o)) reads += (reads.empty() ? "" : ", ") + words_of(o).english();
+                if (member->reads(o)) reads += Message(reads.empty() ? "" : ", ") + words_of(o);
             const auto& at = member->station().coordinates;
             table.rows.push_back({member.name, reads, at[0], at[1], at[2]});
         }

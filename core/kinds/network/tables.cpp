@@ -75,7 +75,8 @@ public:
                     of_target(t, Eigen::Vector3d(Eigen::Vector3d::Unit(c))));
         for (const Distance& distance : setup_.distances)
             add(table,
-                "distance " + setup_.targets[distance.from].name + " to " + setup_.targets[distance.to].name,
+                tell<"distance from %1 to %2">(setup_.targets[distance.from].name,
+                                               setup_.targets[distance.to].name),
                 of_distance(distance));
         table.notes = {
             tell<"The precision of the readings is no uncertainty of a position: it leaves out where the "
@@ -84,7 +85,7 @@ public:
     }
 
 private:
-    static void add(DataTable& table, const std::string& name, const Variances& v) {
+    static void add(DataTable& table, const Message& name, const Variances& v) {
         table.rows.push_back({name, std::sqrt(v.readings_alone), std::sqrt(v.total)});
     }
 
@@ -259,9 +260,9 @@ private:
     void put(const std::string& target, const std::string& sensor, const char* reading, const Unit& unit,
              const Numbers& numbers) {
         const bool controlled = numbers.redundancy > 1e-6;
-        std::string remark = controlled ? "" : "not controlled";
+        Message remark = controlled ? Message() : tell<"not controlled">();
         if (controlled && std::abs(numbers.w) > outlier_limit) {
-            remark = "outlier?";
+            remark = tell<"outlier?">();
             ++outliers_;
         }
         table_.rows.push_back({target, sensor, std::string(reading),

@@ -315,7 +315,7 @@ std::unique_ptr<Asset> create_artefact(const SetupReader& setup, const AssetLibr
     std::vector<ObservedErrors> errors = evaluation.errors();
     std::vector<ErrorBudget> budgets = evaluation.budgets(errors);
     const DeviationRule rule{stated.bias.treatment, stated.bias.systematic_common, 1.0,
-                             "measured artefact, Porath et al., Eq. 2"};
+                             tell<"measured artefact, Porath et al., Eq. 2">()};
     check_correction(budgets, rule.bias, artefact_fields().place(&StatedArtefact::components), problems);
     if (problems.has_errors()) return nullptr;
     return std::make_unique<ArtefactPoints>(std::move(stated.points), std::move(errors), std::move(budgets),

@@ -65,8 +65,8 @@ public:
                          {.header = "distribution"},
                          {.header = "u", .unit = Unit::of("mm"), .is_symbol = true, .digits = 3}};
         for (const char* coordinate : point_coordinates)
-            table.rows.push_back(
-                {coordinate, std::string(distribution_.title()), distribution_.standard_uncertainty()});
+            table.rows.push_back({std::string(coordinate), Message::declared(distribution_.title()),
+                                  distribution_.standard_uncertainty()});
         table.notes.push_back(tell<"The figure is taken as: %1.">(meaning_));
         return {table};
     }

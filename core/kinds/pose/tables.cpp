@@ -221,11 +221,11 @@ DataTable summary_table(const std::vector<FrameFit>& fits) {
     for (const FrameFit& fit : fits) {
         const Largest largest = largest_of(fit);
         const bool tested = fit.degrees_of_freedom > 0;
-        std::string remark = !tested                   ? "not tested"
-                             : fails(fit, fits.size()) ? "residuals larger than stated"
-                                                       : "agrees";
+        Message remark = !tested                   ? tell<"not tested">()
+                         : fails(fit, fits.size()) ? tell<"residuals larger than stated">()
+                                                   : tell<"agrees">();
         if (fit.explanation && (!tested || fails(fit, fits.size())))
-            remark += "; " + words_of(fit, *fit.explanation).english();
+            remark += Message("; ") + words_of(fit, *fit.explanation);
         table.rows.push_back({fit.set, double(fit.names.size()), fit.rms,
                               tested ? TableCell(double(fit.degrees_of_freedom)) : TableCell(),
                               tested ? TableCell(fit.chi_square) : TableCell(),
@@ -266,7 +266,7 @@ DataTable residual_table(const std::vector<FrameFit>& fits) {
             }
             for (int c = 0; c < 3; ++c)
                 row.push_back(fit.degrees_of_freedom > 0 ? TableCell(fit.redundancy[i][c]) : TableCell());
-            row.emplace_back(std::string(outlier ? "outlier?" : ""));
+            row.emplace_back(outlier ? tell<"outlier?">() : Message());
             table.rows.push_back(std::move(row));
         }
     table.notes = {

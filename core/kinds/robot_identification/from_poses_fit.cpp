@@ -254,14 +254,14 @@ private:
             const double length = A.col(static_cast<Index>(i)).norm();
             if (length < 1e-9 * largest) {
                 c_.held.push_back(
-                    {c_.unknowns[i].name().english(), "does not move the measured points in any pose"});
+                    {c_.unknowns[i].name(), tell<"does not move the measured points in any pose">()});
                 continue;
             }
             const VectorXd column = A.col(static_cast<Index>(i)) / length;
             VectorXd rest = column - Q * (Q.transpose() * column);
             rest -= Q * (Q.transpose() * rest);
             if (rest.norm() < 1e-7) {
-                c_.held.push_back({c_.unknowns[i].name().english(), coupling(kept, unknowns, column)});
+                c_.held.push_back({c_.unknowns[i].name(), coupling(kept, unknowns, column)});
                 continue;
             }
             Q.conservativeResize(Eigen::NoChange, Q.cols() + 1);
@@ -273,13 +273,13 @@ private:
         c_.unknowns = std::move(unknowns);
     }
 
-    std::string coupling(const MatrixXd& kept, const std::vector<Unknown>& unknowns, const VectorXd& column) {
+    Message coupling(const MatrixXd& kept, const std::vector<Unknown>& unknowns, const VectorXd& column) {
         const VectorXd shares = kept.colPivHouseholderQr().solve(column);
-        std::string names;
+        Message names;
         for (Index i = 0; i < shares.size(); ++i)
             if (std::abs(shares[i]) > 1e-4)
-                names += (names.empty() ? "" : ", ") + unknowns[static_cast<std::size_t>(i)].name().english();
-        return "moves the measured points as " + names + " can: coupled with it, held at its nominal value";
+                names += Message(names.empty() ? "" : ", ") + unknowns[static_cast<std::size_t>(i)].name();
+        return tell<"moves the measured points as %1 can: coupled with it, held at its nominal value">(names);
     }
 
     Calibration without_parameters() const {

@@ -175,9 +175,7 @@ private:
             for (JointParameter p : joint_parameters) {
                 const IdentifiedParameter parameter{j, p};
                 if (p == JointParameter::d && joints[j].parallel)
-                    c_.held.push_back({parameter.symbol(),
-                                       "the axis is parallel to the next: 0 by definition, "
-                                       "or beta and d would describe the same"});
+                    c_.held.push_back({parameter.symbol(), parallel_to_the_next()});
                 if (!joints[j].has(p)) continue;
                 if (held.erase(parameter.symbol()) > 0)
                     c_.held.push_back({parameter.symbol(), "held at its nominal value by the set-up"});

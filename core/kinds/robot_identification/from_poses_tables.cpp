@@ -42,19 +42,19 @@ DataTable observability_table(const Calibration& c) {
     table.title = "Observability";
     table.columns = {{.header = "quantity"}, {.header = "value", .digits = 3}};
     const double smallest = s.singular_values[s.singular_values.size() - 1];
-    const auto add = [&](const char* name, TableCell value) {
-        table.rows.push_back({std::string(name), std::move(value)});
+    const auto add = [&](Message name, TableCell value) {
+        table.rows.push_back({std::move(name), std::move(value)});
     };
-    add("coordinates in the fit", std::to_string(c.rows()));
-    add("unknowns (rank)", std::to_string(c.unknowns.size()));
-    add("degrees of freedom", std::to_string(c.rows() - c.unknowns.size()));
-    add("condition of the fit", s.singular_values[0] / smallest);
-    add("smallest singular value", smallest);
-    add("residuals over what uncertainties explain", s.scatter);
-    std::string names;
+    add(tell<"coordinates in the fit">(), std::to_string(c.rows()));
+    add(tell<"unknowns (rank)">(), std::to_string(c.unknowns.size()));
+    add(tell<"degrees of freedom">(), std::to_string(c.rows() - c.unknowns.size()));
+    add(tell<"condition of the fit">(), s.singular_values[0] / smallest);
+    add(tell<"smallest singular value">(), smallest);
+    add(tell<"residuals over what uncertainties explain">(), s.scatter);
+    Message names;
     for (Index i = 0; i < s.weakest.size(); ++i)
         if (std::abs(s.weakest[i]) > 0.3)
-            names += (names.empty() ? "" : ", ") + c.unknowns[static_cast<std::size_t>(i)].name().english();
+            names += Message(names.empty() ? "" : ", ") + c.unknowns[static_cast<std::size_t>(i)].name();
     table.notes = {tell<"Singular values are those of the weighted Jacobian with columns of length one.">(),
                    tell<"Least well told apart: %1.">(names)};
     return table;
@@ -64,13 +64,11 @@ DataTable coupling_table(const Calibration& c) {
     DataTable table;
     table.id = "coupling";
     table.title = "Strongest correlation of each unknown";
-    table.columns = {{.header = "unknown", .is_symbol = true},
-                     {.header = "coupled with", .is_symbol = true},
-                     {.header = "r", .is_symbol = true, .digits = 3}};
+    table.columns = {
+        {.header = "unknown"}, {.header = "coupled with"}, {.header = "r", .is_symbol = true, .digits = 3}};
     for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
         const auto [other, r] = partner_of(c.statistics.covariance, i);
-        if (other != i)
-            table.rows.push_back({c.unknowns[i].name().english(), c.unknowns[other].name().english(), r});
+        if (other != i) table.rows.push_back({c.unknowns[i].name(), c.unknowns[other].name(), r});
     }
     return table;
 }
@@ -94,7 +92,7 @@ DataTable residual_table(const Calibration& c) {
             if (s.u_residuals[i] > 0.0)
                 largest = std::max(largest, std::abs(s.residuals[i]) / s.u_residuals[i]);
         table.rows.push_back({c.poses[k].name, s.residuals[row], s.residuals[row + 1], s.residuals[row + 2],
-                              largest, std::string(largest > s.limit ? "outlier" : "")});
+                              largest, largest > s.limit ? tell<"outlier">() : Message()});
     }
     char limit[16];
     std::snprintf(limit, sizeof limit, "%.2f", s.limit);

@@ -76,12 +76,12 @@ public:
         for (std::size_t j = 0; j < n; ++j)
             for (JointParameter p : joint_parameters) {
                 const IdentifiedParameter parameter{j, p};
-                const std::string reason = reason_against(j, p);
+                const Message reason = reason_against(j, p);
                 const bool exists = p != JointParameter::beta || (j + 1 < n && id_.structure.parallel[j]);
                 if (reason.empty() && exists) id_.parameters.push_back(parameter);
                 if (!reason.empty() && exists) id_.missing.push_back({parameter.symbol(), reason});
             }
-        id_.missing.push_back({"tool", "one ball is one point: it has no orientation"});
+        id_.missing.push_back({tell<"tool">(), tell<"one ball is one point: it has no orientation">()});
     }
 
 private:
@@ -142,16 +142,17 @@ private:
         }
     }
 
-    std::string reason_against(std::size_t j, JointParameter p) const {
+    Message reason_against(std::size_t j, JointParameter p) const {
         const std::size_t n = id_.trajectories.size();
         const bool place = p == JointParameter::theta || p == JointParameter::d;
         if (j == 0 && place)
-            return "places the base frame on axis 1: by definition, as nominal; it would need a measured "
-                   "base";
+            return tell<
+                "places the base frame on axis 1: by definition, as nominal; it would need a measured "
+                "base">();
         if (j + 1 == n)
-            return "places the frame of the last link, which no axis follows: by definition, as nominal";
-        if (p == JointParameter::d && id_.structure.parallel[j])
-            return "the axis is parallel to the next: 0 by definition, or beta and d would describe the same";
+            return tell<
+                "places the frame of the last link, which no axis follows: by definition, as nominal">();
+        if (p == JointParameter::d && id_.structure.parallel[j]) return parallel_to_the_next();
         return {};
     }
 

@@ -15,6 +15,10 @@ TableCell cell(JointParameter p, double si) {
 
 }  // namespace
 
+Message parallel_to_the_next() {
+    return tell<"the axis is parallel to the next: 0 by definition, or beta and d would describe the same">();
+}
+
 double next_to(double nominal, JointParameter parameter, double value) {
     if (is_length(parameter)) return value;
     return nominal + std::remainder(value - nominal, 2.0 * std::numbers::pi);
@@ -25,11 +29,14 @@ DataTable identified_table(const SerialRobotSource& nominal, const std::vector<I
     DataTable table;
     table.id = "identified";
     table.title = "Identified parameters beside the nominal ones";
-    table.columns = {{.header = "parameter", .is_symbol = true},
+    table.columns = {{.header = "parameter"},
                      {.header = "nominal"},
                      {.header = "identified", .digits = 8},
                      {.header = "difference", .digits = 4}};
-    if (covariance.size() > 0) table.columns.push_back({.header = "u", .is_symbol = true, .digits = 2});
+    if (covariance.size() > 0) {
+        table.columns[2].match = table.columns[3].match = 4;
+        table.columns.push_back({.header = "u", .is_symbol = true, .digits = 2});
+    }
     for (std::size_t i = 0; i < values.size(); ++i) {
         const JointParameter p = found[i].parameter;
         const double before = nominal.joints()[found[i].joint].values[p];
@@ -46,7 +53,7 @@ DataTable held_table(const std::vector<HeldParameter>& held) {
     DataTable table;
     table.id = "not-identified";
     table.title = "What these points cannot tell";
-    table.columns = {{.header = "parameter", .is_symbol = true}, {.header = "reason"}};
+    table.columns = {{.header = "parameter"}, {.header = "reason"}};
     for (const HeldParameter& h : held) table.rows.push_back({h.parameter, h.reason});
     return table;
 }

@@ -20,8 +20,11 @@ struct IdentifiedParameter {
 
 /// A parameter that stays as it is, and why.
 struct HeldParameter {
-    std::string parameter, reason;
+    Message parameter, reason;
 };
+
+/// Why its d stays: an axis that is parallel to the next.
+Message parallel_to_the_next();
 
 /// Value next to the nominal one: angles without whole turns in between.
 double next_to(double nominal, JointParameter parameter, double value);

@@ -193,6 +193,9 @@ TEST(EmptyPlots, SayWhatToDo) {
     EXPECT_NE(
         to_unicode(contribution_plot(result, 0).title).find("give its inputs components of uncertainty"),
         std::string::npos);
+    result.outputs[0].first_order.standard_uncertainty = 0.0;
+    EXPECT_NE(to_unicode(contribution_plot(result, 0).title).find("of second order"), std::string::npos)
+        << "there are components of uncertainty";
 }
 
 TEST(EmptyPlots, ZeroUncertaintyHasNoDistribution) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/core/report/sample_report.h"
 
 namespace covaria::report_extent_test {
@@ -130,9 +132,49 @@ TEST(ReportExtent, TheRowsShownAreOfTheGroupWithTheLargestUncertainties) {
         const auto* table = std::get_if<TableBlock>(&block);
         if (!table || table->table.id != "results-" + sample.analyses[0].analysis->id) continue;
         EXPECT_EQ(std::get<std::string>(table->table.rows[0][0]), group);
-        EXPECT_NE(table->table.notes.back().english().find("of 420 rows"), std::string::npos)
-            << table->table.notes.back();
+        EXPECT_NE(table->table.notes.back().english().find("of 360 rows"), std::string::npos)
+            << table->table.notes.back() << ": sub-heads are no rows";
+        const std::size_t sub_heads =
+            std::size_t(std::count_if(table->table.rows.begin(), table->table.rows.end(),
+                                      [](const auto& row) { return row.size() == 1; }));
+        EXPECT_EQ(table->table.rows.size(), sub_heads * 7) << "no group is cut";
     }
+}
+
+TEST(ReportExtent, AHeadingGoesWithTheTablesThatWereUnderIt) {
+    TableBlock table;
+    table.table.rows = {{1.0, 2.0}, {2.0, 3.0}};
+    Blocks chapter{HeadingBlock{2, "Chapter"}};
+    for (const char* name : {"first", "second", "third"}) {
+        chapter.push_back(HeadingBlock{3, name});
+        chapter.push_back(ParagraphBlock{"About it."});
+        chapter.push_back(table);
+    }
+    chapter.push_back(HeadingBlock{3, "words alone"});
+    chapter.push_back(ParagraphBlock{"It never had a table."});
+    Extent extent;
+    extent.tables = 2;
+    std::vector<std::string> headings;
+    for (const ReportBlock& block : shorten(chapter, extent, "", Elsewhere::files, {}).body)
+        if (const auto* heading = std::get_if<HeadingBlock>(&block)) headings.push_back(heading->text);
+    EXPECT_EQ(headings, (std::vector<std::string>{"Chapter", "first", "second", "words alone"}));
+}
+
+TEST(GroupsShown, AreComparedWithThoseOfTheSameQuantitiesOnly) {
+    UncertaintyResult result;
+    const auto add = [&](const char* group, const char* symbol, double U) {
+        OutputResult output;
+        output.quantity.group = group;
+        output.quantity.symbol = symbol;
+        output.expanded_uncertainty = U;
+        result.outputs.push_back(output);
+    };
+    add("A", "x", 1.0);
+    add("B", "x", 3.0);
+    add("C", "x", 2.0);
+    for (const char* only : {"d_1", "d_2", "d_3"}) add("distances", only, 0.1);
+    EXPECT_EQ(groups_like_the_first(result), (std::vector<std::string>{"A", "B", "C"}));
+    EXPECT_EQ(groups_in_full(result), std::vector<std::string>{"B"}) << "not the one with symbols of its own";
 }
 
 TEST(ReportExtent, RoomGoesToThoseThatNeedIt) {

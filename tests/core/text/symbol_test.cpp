@@ -83,6 +83,19 @@ TEST(EquationText, SetsSingleLettersToo) {
               "<i>y</i> = atan2(<i>r</i><sub>32</sub>, <i>α</i>)");
 }
 
+TEST(EquationText, SetsShortWordsAndBracesAsSymbols) {
+    EXPECT_EQ(to_html(equation_text("|M − KS_j| + Rot_iᵀ d'_hij")),
+              "|<i>M</i> − <i>KS</i><sub>j</sub>| + <i>Rot</i><sub>i</sub>ᵀ <i>d'</i><sub>hij</sub>");
+    EXPECT_EQ(to_html(equation_text("z_{i−1} × z_i")), "<i>z</i><sub>i−1</sub> × <i>z</i><sub>i</sub>");
+    EXPECT_EQ(to_html(equation_text("x_1-2")), "<i>x</i><sub>1</sub>-2") << "a minus sign";
+}
+
+TEST(SymbolsText, AHyphenBetweenFiguresIsOfTheSubscript) {
+    EXPECT_EQ(to_html(symbols_text("L_1-2, L_2-3")), "<i>L</i><sub>1-2</sub>, <i>L</i><sub>2-3</sub>");
+    EXPECT_EQ(to_html(running_text("Distribution of L_1-2.")), "Distribution of <i>L</i><sub>1-2</sub>.");
+    EXPECT_EQ(to_html(running_text("z_i-1")), "<i>z</i><sub>i</sub>-1");
+}
+
 TEST(TitleText, IsASymbolWhereItLooksLikeOne) {
     for (const char* title : {"u_x", "alpha", "x"}) EXPECT_TRUE(looks_like_symbol(title)) << title;
     for (const char* title : {"point", "side length", ""}) EXPECT_FALSE(looks_like_symbol(title)) << title;

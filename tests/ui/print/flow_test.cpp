@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "ui/print/kept_spaces.h"
+#include "ui/print/number_text.h"
 #include "ui/print/table_layout.h"
 
 namespace covaria::ui::flow_test {
@@ -75,9 +79,39 @@ TEST(ShareWidth, TextGivesWayAndNumbersDoNot) {
     EXPECT_DOUBLE_EQ(widths[0], 50.0);  // 20 + half of what it wants beyond
 }
 
-TEST(ShareWidth, WhatCannotFitIsScaled) {
-    const std::vector<double> widths = share_width({{100, 100, true}, {100, 100, true}}, 100.0);
-    EXPECT_DOUBLE_EQ(widths[0] + widths[1], 100.0);
+TEST(ShareWidth, NothingIsNarrowerThanItsLongestWord) {
+    EXPECT_EQ(share_width({{100, 100, true}, {100, 60, false}}, 100.0), (std::vector<double>{100, 60}));
+}
+
+TEST(DecimalSign, StandsBehindTheIntegerPartWhereThereIsNone) {
+    const NumberLocale point, comma{","};
+    const auto of = [](const QString& number, const NumberLocale& locale) {
+        return number.left(decimal_sign_of(number, locale));
+    };
+    EXPECT_EQ(of("0.0012", point), "0");
+    EXPECT_EQ(of("−1,5×10⁻⁵", comma), "−1");
+    EXPECT_EQ(of("5×10⁻⁵", point), "5");
+    EXPECT_EQ(of("−12\u202f345", point), "−12\u202f345");
+    EXPECT_EQ(of("2 (5)", comma), "2");
+    EXPECT_EQ(of("∞", point), "∞");
+}
+
+TEST(KeptSpaces, HoldNumbersUnitsAndRelationsTogether) {
+    const auto kept = [](const QString& text) { return with_kept_spaces(text).replace(QChar::Nbsp, '~'); };
+    EXPECT_EQ(kept("at 20 °C, −2000 mm to 3 mm."), "at 20~°C, −2000~mm to 3~mm.");
+    EXPECT_EQ(kept("with 20 000 trials"), "with 20~000 trials");
+    EXPECT_EQ(kept("so p = 99 % or w = U"), "so p~=~99~% or w~=~U");
+    EXPECT_EQ(kept("d. h. Nr. 3, Table H. 1"), "d. h. Nr.~3, Table H.~1");
+    EXPECT_EQ(kept("6 of 7 poses are kept"), "6 of 7 poses are kept");
+}
+
+TEST(KeptSpaces, DoNotMakeALongEquationOnePiece) {
+    QString equation = "a";
+    for (int i = 0; i < 40; ++i) equation += " = quantity";
+    qsizetype longest = 0;
+    for (const QString& piece : with_kept_spaces(equation).split(' '))
+        longest = std::max(longest, piece.size());
+    EXPECT_LE(longest, 40);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "core/report/table_text.h"
@@ -100,6 +101,64 @@ TEST_F(PdfReport, EveryNumberOfEveryTableIsPrinted) {
                     ASSERT_TRUE(contains(text, without_spaces(to_html(cell_typeset(*table, r, c)))))
                         << table->table.title << " row " << r << ": " << to_html(cell_typeset(*table, r, c));
                 }
+    }
+}
+
+TEST_F(PdfReport, WordsStayWithTheTableTheyLeadTo) {
+    for (int before = 20; before < 70; ++before) {
+        ReportDocument document;
+        document.title = "Breaks";
+        for (int i = 0; i < before; ++i) document.blocks.push_back(ListBlock{{"filling"}});
+        document.blocks.push_back(HeadingBlock{2, "Heading"});
+        document.blocks.push_back(ParagraphBlock{"This leads to the table."});
+        TableBlock table;
+        table.table.title = "Caption of the table";
+        table.table.columns = {{"value"}};
+        table.table.rows = {{std::string("first")}, {std::string("second")}};
+        document.blocks.push_back(table);
+        document.blocks.push_back(ParagraphBlock{"Before the signature."});
+        document.blocks.push_back(SignatureBlock{"statement", "date", "name", "function", "The end."});
+        for (const std::string& page : pages_of(text_of(document, options()))) {
+            EXPECT_EQ(contains(page, "This leads"), contains(page, "Caption of the table")) << before;
+            EXPECT_EQ(contains(page, "Before the signature"), contains(page, "The end.")) << before;
+        }
+        before += 4;
+    }
+}
+
+/// A table of so many columns of numbers behind two of text.
+ReportDocument with_wide_table(int columns) {
+    TableBlock block;
+    block.table.columns = {{"Quantity"}, {"Unit"}};
+    std::vector<TableCell> row{std::string("x"), std::string("mm")};
+    for (int c = 0; c < columns; ++c) {
+        TableColumn column{"uncertainty measurements" + std::to_string(c)};
+        column.decimals = 4;
+        block.table.columns.push_back(column);
+        row.emplace_back(100.0 + c);
+    }
+    block.table.columns.push_back({"Verdict"});
+    row.emplace_back(std::string("normal as far as so few trials can tell"));
+    block.table.rows = {row, row};
+    ReportDocument document;
+    document.title = "Wide";
+    document.blocks = {block};
+    return document;
+}
+
+TEST_F(PdfReport, NeitherNumbersTouchNorWordsBreakHoweverManyColumns) {
+    for (const int columns : {3, 8, 12, 30}) {
+        std::istringstream words(text_of(with_wide_table(columns), options()));
+        const std::vector<std::string> found{std::istream_iterator<std::string>(words), {}};
+        const auto times = [&](const std::string& word) {
+            return std::count(found.begin(), found.end(), word);
+        };
+        for (int c = 0; c < columns; ++c) {
+            EXPECT_EQ(times(std::to_string(100 + c) + ".0000"), 2) << columns << " columns";
+            EXPECT_EQ(times("measurements" + std::to_string(c)), 1) << columns << " columns";
+        }
+        EXPECT_EQ(times("Quantity"), times("Unit"));
+        EXPECT_EQ(times("Quantity") > 1, columns > 3) << "keys are repeated where there are several parts";
     }
 }
 
