@@ -13364,11 +13364,11 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&amp;Undo %1</source>
-        <translation type="unfinished">실행 취소(&amp;U): %1</translation>
+        <translation>실행 취소(&amp;U): %1</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished">실행 취소(&amp;U)</translation>
+        <translation>실행 취소(&amp;U)</translation>
     </message>
 </context>
 <context>

@@ -122,7 +122,7 @@ TEST_F(ProjectModelsTest, TheProjectShowsItsOwnProblemsOnly) {
     EXPECT_EQ(project.data(problem_role).toString(), "issued too early");
     EXPECT_EQ(project.data(worst_role).toInt(), int(Severity::warning));
     EXPECT_EQ(ProblemsModel::place_words(document.project(), "/certificate/dates/issued"),
-              "Project: certificate, Issued");
+              "Project: certificate, Date of issue");
     EXPECT_EQ(address_of_path(document.project(), "/certificate/dates/issued"), project_address);
     EXPECT_TRUE(address_of_path(document.project(), "/analyses/7").id.empty());
     EXPECT_FALSE(exists(document.project(), address_of_path(document.project(), "/analyses/7")));
