@@ -133,8 +133,7 @@ void add_geometry(Fields<StatedRobot>& fields) {
     fields.section("Geometry")
         .choice(&StatedRobot::convention, "convention", "Convention",
                 "How the parameters of a row lead from one joint's frame to the next.",
-                {{Convention::modified, "modified",
-                  "Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β for parallel joints"},
+                {{Convention::modified, "modified", "Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β for parallel joints"},
                  {Convention::standard, "standard", "Rz(θ) Tz(d) Tx(a) Rx(α), Denavit-Hartenberg"},
                  {Convention::craig, "craig", "Rx(α) Tx(a) Rz(θ) Tz(d), Craig: α and a before joint i"}},
                 Convention::modified)
