@@ -60,7 +60,8 @@ void keep_letters(QLineEdit& edit, int letters) {
 
 void keep_placeholder(QLineEdit& edit) {
     follow_font(edit, [&edit] {
-        const int beside = 4 * edit.fontMetrics().horizontalAdvance(QLatin1Char('0'));  // a button that clears
+        const int beside =
+            4 * edit.fontMetrics().horizontalAdvance(QLatin1Char('0'));  // a button that clears
         edit.setMinimumWidth(edit.fontMetrics().horizontalAdvance(edit.placeholderText()) + beside);
     });
 }
