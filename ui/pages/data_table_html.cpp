@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include "core/base/message.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "ui/models/number_words.h"
@@ -23,6 +24,8 @@ QString head_of(const TableColumn& column) {
 /// Numbers as everywhere in the window: the locale's decimal mark, a true minus sign. Symbols among words are
 /// set as symbols.
 QString shown(const TableCell& cell, const TableColumn& column) {
+    if (const auto* words = std::get_if<Message>(&cell))
+        return to_qt(to_html(running_text(to_std(to_qt(*words)))));
     const std::string text = format_cell(cell, column);
     return std::holds_alternative<std::string>(cell) ? to_qt(to_html(running_text(text)))
                                                      : localized(text).toHtmlEscaped();
