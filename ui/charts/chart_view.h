@@ -64,12 +64,12 @@ private:
     void replace_chart(PlotSpecification plot);
     void show_read_out(const std::optional<ReadOut>& read_out);
     bool can_zoom() const;
+    bool is_over_link() const;
 
     Theme theme_;
     PlotChart* chart_ = nullptr;  // owned by the scene
     std::optional<ReadOut> read_out_;
     int clickable_bars_ = 0;
-    bool is_over_link() const;
     std::optional<QPoint> pressed_;
     QRubberBand* band_;
 };

@@ -71,6 +71,7 @@ private:
     void change_rows(const SetupTable& next);
     void shift_rejected(int row, int count);
     void remember_rejected();
+    TextPlace place_of(const CellPosition& at) const;
     void recall_rejected();
     void forget_rejected();
     std::string written(const CellPosition& at) const;

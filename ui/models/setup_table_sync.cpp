@@ -97,12 +97,15 @@ std::string SetupTableModel::written(const CellPosition& at) const {
 
 /// In the document, where texts outlive this view of them.
 void SetupTableModel::remember_rejected() {
-    const std::string part = "/setup/" + field_ + "/rows/";
     UnreadTexts::Texts texts;
-    for (const auto& [at, mark] : rejected_)
-        texts[{address_, part + std::to_string(at.first) + "/" + std::to_string(at.second)}] = {
-            mark.text, mark.reason, mark.instead_of};
-    document_.unread().replace_under(address_, part, std::move(texts));
+    for (const auto& [at, mark] : rejected_) texts[place_of(at)] = {mark.text, mark.reason, mark.instead_of};
+    document_.unread().replace_under(address_, "/setup/" + field_ + "/rows/", std::move(texts));
+}
+
+/// Of a cell, among the texts that cannot be read.
+TextPlace SetupTableModel::place_of(const CellPosition& at) const {
+    return {address_,
+            "/setup/" + field_ + "/rows/" + std::to_string(at.first) + "/" + std::to_string(at.second)};
 }
 
 void SetupTableModel::recall_rejected() {
@@ -119,12 +122,9 @@ void SetupTableModel::recall_rejected() {
 
 /// Texts that were taken back.
 void SetupTableModel::forget_rejected() {
-    const std::string part = "/setup/" + field_ + "/rows/";
     std::vector<CellPosition> gone;
     for (const auto& [at, mark] : rejected_)
-        if (!document_.unread().find(
-                {address_, part + std::to_string(at.first) + "/" + std::to_string(at.second)}))
-            gone.push_back(at);
+        if (!document_.unread().find(place_of(at))) gone.push_back(at);
     for (const CellPosition& at : gone) {
         rejected_.erase(at);
         emit dataChanged(index(at.first, at.second), index(at.first, at.second));

@@ -224,9 +224,9 @@ QWidget* ResultsPane::make_budget_tab() {
 
 void ResultsPane::show_contributions(std::size_t output) {
     PlotSpecification plot = contribution_plot(*result_, output, language_of_window());
-    // The last bar may be that of all others.
+    // Where there are fewer than rows, the last is that of all others.
     const std::size_t bars = plot.y.categories.size(), rows = result_->budget.rows[output].size();
-    contributions_->set_clickable_bars(int(bars <= rows && bars > 0 && bars != rows ? bars - 1 : bars));
+    contributions_->set_clickable_bars(int(bars) - int(bars < rows));
     show_chart(*contributions_, std::move(plot));
 }
 

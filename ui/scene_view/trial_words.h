@@ -10,7 +10,7 @@ namespace covaria::ui {
 
 struct TrialWords {
     QString line;  ///< HTML: the inputs that were farthest from their estimates, in their u
-    QString all;   ///< HTML: those of most effect on the eye, with values, for a tip
+    QString all;   ///< HTML: more of them, with their values, for a tip
 };
 
 /// Of the run with the analysis' seed: the inputs that the outputs of `group` depend on, to first order.
