@@ -152,8 +152,7 @@ void say_parts_of_project(TextList& list) {
 /// Where it is running text: symbols stay.
 void say_plain(TextList& list, std::string_view what, const Text& text) {
     if (text.is_plain()) return list.say(what, text.letters());
-    const std::string words = pattern_of(text).words;
-    if (words.find_first_not_of("%123456789 ") != std::string::npos) list.say(what, words);
+    if (const TextPattern pattern = pattern_of(text); pattern.has_words()) list.say(what, pattern.words);
 }
 
 void say_table(TextList& list, const Table& table, const std::set<std::string>& without = {}) {

@@ -59,11 +59,12 @@ std::vector<CertificateField> fields_of_item() {
 }
 
 std::vector<CertificateField> fields_of_dates() {
-    return {{"dates", "received", "Received", "ISO 8601: 2026-04-17.", &C::received, CertificateText::date,
-             "7.8.2.1 h"},
-            {"dates", "calibrated", "Calibrated", "A date, or two of an interval: 2026-04-17/2026-04-18.",
-             &C::calibrated, CertificateText::dates, "7.8.2.1 i", true},
-            {"dates", "issued", "Issued", "ISO 8601: 2026-04-20.", &C::issued, CertificateText::date,
+    return {{"dates", "received", "Date of receipt", "ISO 8601: 2026-04-17.", &C::received,
+             CertificateText::date, "7.8.2.1 h"},
+            {"dates", "calibrated", "Date of calibration",
+             "A date, or two of an interval: 2026-04-17/2026-04-18.", &C::calibrated, CertificateText::dates,
+             "7.8.2.1 i", true},
+            {"dates", "issued", "Date of issue", "ISO 8601: 2026-04-20.", &C::issued, CertificateText::date,
              "7.8.2.1 j", true}};
 }
 

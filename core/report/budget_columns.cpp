@@ -34,7 +34,7 @@ Cell estimate_cell(const BudgetLine& line, const NumberLocale& numbers) {
     if (c.quantities.size() > 1) return {};
     if (unit == c.unit || !(unit.dimension() == c.unit.dimension()))
         return Measured{c.estimate, Scale::value, c.unit, {}};
-    const std::string number = typeset_number(
+    const std::string number = grouped_digits(
         format_to_match(unit.from_si(c.estimate), unit.interval_from_si(c.standard_uncertainty)), numbers);
     return number + (unit == Unit::of("deg") ? "" : "\u00a0") + unit.display();
 }

@@ -72,6 +72,7 @@ void add_facts(Blocks& blocks, const Certificate& certificate,
 
 void add_administration(Blocks& blocks, const Certificate& certificate, const DocumentLanguage& in) {
     using C = Certificate;
+    if (is_blank(certificate.number)) add_facts(blocks, certificate, {&C::number}, in);
     add_facts(blocks, certificate,
               {&C::laboratory, &C::laboratory_address, &C::accreditation, &C::place, &C::customer,
                &C::customer_address},
@@ -168,11 +169,11 @@ ReportDocument build_certificate(const MadeProject& made, const std::vector<Eval
         which == CertifiedResults::all ? analyses : those_that_fit(analyses);
     ReportDocument document;
     document.title =
-        in.say(words::title, {is_blank(certificate.number) ? in.say(words::not_stated) : certificate.number});
+        is_blank(certificate.number) ? in.say(words::untitled) : in.say(words::title, {certificate.number});
     document.language = in.code();
     document.page_words = in.say(words::page);
     document.running_head = document.title;
-    document.over = stated(certificate, &Certificate::laboratory, in);
+    document.over = in_one_line(certificate.laboratory);
     document.head_on_every_page = true;
     if (auto logo = certificate_logo(made.project())) document.logo = *std::move(logo);
     add_administration(document.blocks, certificate, in);

@@ -228,12 +228,20 @@ void add_uncertainty_statement(Blocks& blocks, const UncertaintyResult& result) 
 
 void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses,
                                const DocumentLanguage& in) {
-    std::vector<std::string> said;
+    // The analyses of each sentence, in their order.
+    std::vector<std::pair<std::string, std::string>> said;
     for (const EvaluatedAnalysis& evaluated : analyses) {
-        std::string words = uncertainty_sentences(*evaluated.result, in);
-        if (std::find(said.begin(), said.end(), words) == said.end()) said.push_back(std::move(words));
+        const std::string words = uncertainty_sentences(*evaluated.result, in);
+        const auto found =
+            std::find_if(said.begin(), said.end(), [&](const auto& one) { return one.first == words; });
+        if (found == said.end())
+            said.emplace_back(words, evaluated.analysis->name);
+        else
+            found->second += ", " + evaluated.analysis->name;
     }
-    for (std::string& words : said) blocks.push_back(ParagraphBlock{std::move(words)});
+    for (const auto& [words, names] : said)
+        blocks.push_back(
+            ParagraphBlock{said.size() > 1 ? in.say(certificate_words::results_of, {names, words}) : words});
 }
 
 }  // namespace covaria::report_parts

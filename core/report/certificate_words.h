@@ -6,6 +6,7 @@
 namespace covaria::certificate_words {
 
 inline const Phrase title{"Calibration certificate %1"};
+inline const Phrase untitled{"Calibration certificate"};
 inline const Phrase page{"Page %1 of %2"};
 inline const Phrase not_stated{"— not stated —"};
 inline const Phrase dates{"%1 to %2"};
@@ -44,6 +45,7 @@ inline const Phrase exact{"%1 (exact)"};
 inline const Phrase not_finite{"%1 (U not finite)"};
 inline const Phrase without_k{"without k, because u is not finite"};
 inline const Phrase coverage_interval{"coverage interval %1"};
+inline const Phrase results_of{"%1: %2"};
 inline const Phrase by_law{
     "The standard uncertainty was determined by the law of propagation of uncertainty in accordance with "
     "JCGM 100."};

@@ -15,6 +15,18 @@ namespace {
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
 
+/// Labels that several bars have get what their component is of, from its id: "elevation, base 1.tracker".
+std::vector<Text> told_apart(std::vector<Text> labels, const UncertaintyBudget& budget,
+                             const std::vector<BudgetRow>& rows) {
+    std::map<Text, int> uses;
+    for (const Text& label : labels) ++uses[label];
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const std::string& id = budget.components[rows[i].component].id;
+        if (uses[labels[i]] > 1) labels[i] += Text(", ") + symbols_text(id.substr(0, id.rfind('.')));
+    }
+    return labels;
+}
+
 /// "b₁ₓ" if that names the component among those shown, else "b₁ₓ, calibration"; the name alone where several
 /// quantities share the component.
 std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,
@@ -33,7 +45,7 @@ std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::v
         const bool twice = uses[component.quantities] > 1 && !component.name.empty();
         labels.push_back(twice ? symbol + ", " + running_text(in.say(component.name)) : symbol);
     }
-    return labels;
+    return told_apart(std::move(labels), budget, rows);
 }
 
 struct Bars {

@@ -1,6 +1,8 @@
 // Labels and display units of charts.
 #include "core/report/plots_parts.h"
 
+#include <cmath>
+
 #include "core/report/plot_words.h"
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
@@ -49,12 +51,14 @@ std::string PlottedOutput::density_title() const {
 }
 
 std::string PlottedOutput::result_text(double si) const {
-    const std::string number = format_to_match(value(si), interval(output_.standard_uncertainty));
-    return typeset_number(number, language_.numbers()) + unit_after_number(unit_);
+    const double u = output_.standard_uncertainty;
+    const double spread = std::isfinite(u) ? u : 0.5 * output_.expanded_uncertainty;
+    const std::string number = format_to_match(value(si), interval(spread));
+    return grouped_digits(number, language_.numbers()) + unit_after_number(unit_);
 }
 
 std::string PlottedOutput::uncertainty_text(double si, int digits) const {
-    return typeset_number(format_significant(interval(si), digits), language_.numbers()) +
+    return grouped_digits(format_significant(interval(si), digits), language_.numbers()) +
            unit_after_number(unit_);
 }
 

@@ -31,9 +31,14 @@ Table regions_table(const UncertaintyResult& result, const DocumentLanguage& lan
         .print("Group")
         .not_in_files();
     add("outputs", [&result](R r) -> Cell { return symbols_of(result, r); });
-    add("size", [](R r) -> Cell { return Measured{static_cast<double>(r.outputs.size())}; })
+    add("symbols",
+        [&result](R r) -> Cell {
+            Symbols symbols;
+            for (const std::size_t i : r.outputs) symbols.push_back(result.outputs[i].quantity.symbol);
+            return symbols;
+        })
         .print("Quantities")
-        .round({.decimals = 0})
+        .of_symbols()
         .not_in_files();
     add("coverage probability", [&result](R) -> Cell { return Measured{result.coverage_probability}; });
     add("ellipsoid first order", [](R r) -> Cell { return Measured{r.ellipsoid_first_order}; })

@@ -12,8 +12,10 @@
 namespace covaria {
 namespace {
 
-constexpr double smallest_plain = 1e-3, largest_plain = 1e9;
-constexpr double skewed_from = 0.05;  // of U
+constexpr double smallest_plain = 1e-3, largest_plain = 1e10;
+constexpr int most_rounded_places = 3;    // before the point: 50 000 840 ± 180
+constexpr double skewed_from = 0.05;      // of U
+constexpr double largest_stated = 0.999;  // a coverage probability is not rounded to 100 %
 
 /// How the numbers of one result are written: all of them multiplied by a power of ten, to one place.
 struct Place {
@@ -29,7 +31,8 @@ struct Place {
 Place place_for(double estimate, double uncertainty, int digits, const NumberLocale& locale) {
     const int decimals = decimals_for(uncertainty, digits);
     const double largest = std::max(std::abs(estimate), uncertainty);
-    if (decimals >= 0 && largest >= smallest_plain && largest < largest_plain) return {0, decimals, locale};
+    if (decimals >= -most_rounded_places && largest >= smallest_plain && largest < largest_plain)
+        return {0, decimals, locale};
     const int exponent = -decimals_for(largest, 1);
     return {exponent, decimals + exponent, locale};
 }
@@ -62,7 +65,7 @@ std::string value_statement(double estimate, double uncertainty, const Unit& uni
     const std::string in_unit = with_unit ? unit_words(unit) : "";
     if (!has_interval(y, U))
         return in.say(U == 0.0 ? certificate_words::exact : certificate_words::not_finite,
-                      {typeset_number(format_typed(y), in.numbers()) + in_unit});
+                      {grouped_digits(format_typed(y), in.numbers()) + in_unit});
     const Place place = place_for(y, U, digits, in.numbers());
     const std::string pair = place(y) + " ± " + place(U), power = power_words(place.exponent);
     return in_unit.empty() && power.empty() ? pair : "(" + pair + ")" + power + in_unit;
@@ -73,17 +76,20 @@ double stated_probability(const OutputResult& output, const UncertaintyResult& r
     const double y = output.estimate, U = output.expanded_uncertainty;
     // More decimals than trials tell would be noise.
     if (output.monte_carlo)
-        return 1e-3 * std::round(1e3 * output.monte_carlo->distribution.inside(y - U, y + U));
+        return std::min(1e-3 * std::round(1e3 * output.monte_carlo->distribution.inside(y - U, y + U)),
+                        largest_stated);
     return stated_probability(output.first_order, result);
 }
 
 double stated_probability(const FirstOrderOutput& first, const UncertaintyResult& result) {
     if (expanded_by(result) != ExpandedBy::fixed_factor) return result.coverage_probability;
-    return 1.0 - 2.0 * t_distribution_function(-first.coverage_factor, first.effective_degrees_of_freedom);
+    return std::min(
+        1.0 - 2.0 * t_distribution_function(-first.coverage_factor, first.effective_degrees_of_freedom),
+        largest_stated);
 }
 
 std::string probability_text(double probability, const DocumentLanguage& in) {
-    return typeset_number(format_trimmed(100.0 * probability, 4), in.numbers()) + "\u00a0%";
+    return grouped_digits(format_trimmed(100.0 * probability, 4), in.numbers()) + "\u00a0%";
 }
 
 double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyResult& result) {
@@ -96,10 +102,10 @@ std::string coverage_statement(const OutputResult& output, const UncertaintyResu
     const double nu = stated_degrees_of_freedom(output, result);
     std::string words =
         std::isfinite(output.coverage_factor)
-            ? "k = " + typeset_number(format_decimals(output.coverage_factor, 2), in.numbers())
+            ? "k = " + grouped_digits(format_decimals(output.coverage_factor, 2), in.numbers())
             : in.say(certificate_words::without_k);
     if (std::isfinite(nu))
-        words += ", nu_eff = " + typeset_number(format_degrees_of_freedom(nu), in.numbers());
+        words += ", nu_eff = " + grouped_digits(format_degrees_of_freedom(nu), in.numbers());
     words += ", p = " + probability_text(stated_probability(output, result), in);
     const std::string interval = skewed_interval(output, result, in);
     return interval.empty() ? words : words + ", " + in.say(certificate_words::coverage_interval, {interval});

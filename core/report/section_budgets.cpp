@@ -97,9 +97,7 @@ private:
     Message result_line() const {
         const FirstOrderOutput& first = output_.first_order;
         const Unit& unit = output_.quantity.unit;
-        const auto number = [this](const std::string& plain) {
-            return with_decimal_sign(plain, in_.numbers());
-        };
+        const auto number = [this](const std::string& plain) { return grouped_digits(plain, in_.numbers()); };
         const double u = unit.interval_from_si(first.standard_uncertainty);
         const std::string value =
             value_statement(first.estimate, first.expanded_uncertainty, unit, digits_, true, in_);

@@ -45,7 +45,7 @@ void add_between_groups(Blocks& blocks, const UncertaintyResult& result, const E
             second = i;
         }
     if (measurand_groups(result).size() < 2) return;
-    const std::string number = with_decimal_sign(format_decimals(largest, 3), in.numbers());
+    const std::string number = grouped_digits(format_decimals(largest, 3), in.numbers());
     const Message words =
         largest == 0.0
             ? tell<"Between groups, which share input quantities, the largest coefficient is %1.">(number)

@@ -21,7 +21,7 @@ Message what_was_looked_for(const DesignResult& design) {
 
 Message what_came_out(const DesignResult& design, const DocumentLanguage& in) {
     const auto number = [&in](double value) {
-        return with_decimal_sign(format_significant(value, 4), in.numbers());
+        return grouped_digits(format_significant(value, 4), in.numbers());
     };
     if (design.cost) return tell<"Cost: %1.">(number(*design.cost));
     return design.before ? tell<"Found: %1, before %2.">(number(design.objective), number(*design.before))

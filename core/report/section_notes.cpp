@@ -33,7 +33,7 @@ Message reduction_note(const UncertaintyResult& result, const DocumentLanguage& 
                   "probabilities of conformance are those of the trials.">();
     if (const auto gain = least_gain(result))
         note += " " + tell<"At the interval ends each trial is worth %1 plain ones or more.">(
-                          with_decimal_sign(format_short(*gain, 2), in.numbers()));
+                          grouped_digits(format_short(*gain, 2), in.numbers()));
     return note;
 }
 

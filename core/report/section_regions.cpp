@@ -14,7 +14,7 @@ void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
                     "of a group lie in the region together with a probability of %1 (JCGM 102 6.5 and "
                     "7.7).">(percent_text(result.coverage_probability, in.numbers())))});
     const Table regions = regions_table(result, in);
-    std::vector<std::string> keys = {"group in words", "size", "ellipsoid first order",
+    std::vector<std::string> keys = {"group in words", "symbols", "ellipsoid first order",
                                      "rectangle first order"};
     if (result.trials > 0) keys.insert(keys.end(), {"ellipsoid Monte Carlo", "rectangle Monte Carlo"});
     TableBuilder table("regions-" + evaluated.analysis->id, tell<"Factors of the coverage regions">(), in);

@@ -53,7 +53,7 @@ Message reduction_words(const ReverseBudget& budget, const DocumentLanguage& in)
                   "draws.">(count_text(budget.trials, in.numbers()));
     if (budget.common_factor)
         words += " " + tell<"No component suffices alone: all standard uncertainties multiplied by %1 do.">(
-                           with_decimal_sign(format_significant(*budget.common_factor, 3), in.numbers()));
+                           grouped_digits(format_significant(*budget.common_factor, 3), in.numbers()));
     return words;
 }
 
@@ -108,7 +108,7 @@ std::string percent(double probability, const NumberLocale& locale = {}) {
     const double in_percent = 100.0 * probability;
     if (in_percent > 0.0 && in_percent < 0.001) return "< 0" + locale.decimal + "001 %";
     if (in_percent < 100.0 && in_percent > 99.999) return "> 99" + locale.decimal + "999 %";
-    return typeset_number(format_trimmed(std::round(1000.0 * in_percent) / 1000.0, 6), locale) + " %";
+    return grouped_digits(format_trimmed(std::round(1000.0 * in_percent) / 1000.0, 6), locale) + " %";
 }
 
 std::string decision_words(const RequirementResult& r, const DocumentLanguage& in) {

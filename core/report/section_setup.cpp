@@ -13,12 +13,12 @@ namespace {
 constexpr std::size_t most_setup_rows = 60;  // of a set-up table; the file has them all
 
 std::string quantity_text(double value, const Unit& unit, const DocumentLanguage& in) {
-    return typeset_number(format_cell(Quantity{value, unit}, TableColumn{}), in.numbers());
+    return grouped_digits(format_cell(Quantity{value, unit}, TableColumn{}), in.numbers());
 }
 
 std::string triple_text(const std::array<double, 3>& values, const Unit& unit, const DocumentLanguage& in) {
     const auto number = [&in](double value) {
-        return typeset_number(format_cell(value, TableColumn{}), in.numbers());
+        return grouped_digits(format_cell(value, TableColumn{}), in.numbers());
     };
     const char* between = in.numbers().decimal == "," ? "; " : ", ";
     return "(" + number(values[0]) + between + number(values[1]) + between + number(values[2]) + ")\u00a0" +
@@ -43,13 +43,21 @@ std::string name_of_asset(const std::string& id, const ReportSource& source) {
     return analysis && !analysis->name.empty() ? analysis->name : id;
 }
 
+/// A unit that was typed ("um", "kg/m^3") as people read it.
+std::string shown_unit(const std::string& key, const std::string& text) {
+    const Result<Unit> unit =
+        key.ends_with("unit") ? Unit::parse(text) : Result<Unit>(fail(ErrorCode::bad_input, ""));
+    return unit ? unit->display() : text;
+}
+
 TableCell cell_of(const ColumnSpec& spec, const Unit& unit, const SetupCell& cell,
                   const ReportSource& source) {
     if (const auto* number = std::get_if<double>(&cell)) return Quantity{*number, unit};
     if (const auto* flag = std::get_if<bool>(&cell)) return yes_or_no(*flag, source.in);
     if (const auto* text = std::get_if<std::string>(&cell))
-        return spec.kind == FieldKind::reference ? name_of_asset(*text, source)
-                                                 : choice_title(spec.choices, *text, source.in);
+        return spec.kind == FieldKind::reference
+                   ? name_of_asset(*text, source)
+                   : choice_title(spec.choices, shown_unit(spec.key, *text), source.in);
     return std::monostate{};
 }
 
@@ -66,13 +74,13 @@ std::string setup_text(const FieldSpec& field, const SetupValue& value, const Re
         return quantity_text(quantity->value, quantity->unit, source.in);
     if (const auto* flag = std::get_if<bool>(&value)) return yes_or_no(*flag, source.in);
     if (const auto* pose = std::get_if<PoseValue>(&value))
-        return source.in.say(
-            tell<"position %1, α, β, γ = %2">(triple_text(pose->position, pose->length_unit, source.in),
-                                              triple_text(pose->angles, pose->angle_unit, source.in)));
+        return source.in.say(tell<"position %1, rotations about x, y, z: %2">(
+            triple_text(pose->position, pose->length_unit, source.in),
+            triple_text(pose->angles, pose->angle_unit, source.in)));
     const auto* text = std::get_if<std::string>(&value);
     if (!text) return {};
     if (field.kind == FieldKind::reference) return name_of_asset(*text, source);
-    return choice_title(field.choices, *text, source.in);
+    return choice_title(field.choices, shown_unit(field.key, *text), source.in);
 }
 
 TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const ReportSource& source) {

@@ -15,11 +15,11 @@ constexpr std::size_t most_quantities = 8;  // of the table of best and worst po
 
 Message range_of(const StudyAxisValues& axis, const DocumentLanguage& in) {
     const auto number = [&in](double value) {
-        return with_decimal_sign(format_trimmed(value, 6), in.numbers());
+        return grouped_digits(format_trimmed(value, 6), in.numbers());
     };
     const std::string title = to_unicode(axis.title), from = number(axis.values.front()),
-                      to =
-                          number(axis.values.back()) + (axis.unit == Unit{} ? "" : " " + axis.unit.display());
+                      to = number(axis.values.back()) +
+                           (axis.unit == Unit{} ? "" : "\u00a0" + axis.unit.display());
     return axis.logarithmic
                ? tell<"%1 from %2 to %3 (%4 values, logarithmic)">(title, from, to, axis.values.size())
                : tell<"%1 from %2 to %3 (%4 values)">(title, from, to, axis.values.size());

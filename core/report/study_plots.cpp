@@ -31,7 +31,7 @@ double shown(const StudyResult& study, const StudyQuantity& quantity, std::size_
 
 /// Six significant digits: 500, 1500.25; no tails of a logarithmic spacing.
 std::string value_text(double value, const NumberLocale& numbers) {
-    return typeset_number(format_trimmed(value, 6), numbers);
+    return grouped_digits(format_trimmed(value, 6), numbers);
 }
 
 /// Runs of points with values; only the first has the name.

@@ -46,7 +46,7 @@ Text DocumentLanguage::say_text(const Phrase& phrase, std::initializer_list<Text
 Text DocumentLanguage::say_title(const Text& english) const {
     if (english.is_plain()) return say_declared(english.letters());
     const TextPattern pattern = pattern_of(english);
-    if (pattern.words.find_first_not_of("%123456789 ") == std::string::npos) return english;
+    if (!pattern.has_words()) return english;
     return fill_placeholders<Text>(say_declared(pattern.words), pattern.symbols);
 }
 

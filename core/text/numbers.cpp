@@ -71,6 +71,16 @@ std::string without_trailing_zeros(std::string text) {
     return text.erase(kept, end - kept);
 }
 
+/// "e-05" -> "×10⁻⁵".
+std::string with_powers(std::string plain) {
+    const std::size_t e = plain.find('e');
+    const bool power =
+        e != std::string::npos && e + 1 < plain.size() && (plain[e + 1] == '-' || plain[e + 1] == '+');
+    if (!power) return plain;
+    const std::size_t end = std::min(plain.find_first_not_of("0123456789", e + 2), plain.size());
+    return plain.replace(e, end - e, "×" + power_of_ten(std::atoi(plain.c_str() + e + 1)));
+}
+
 }  // namespace
 
 std::string format_decimals(double value, int decimals) {
@@ -178,13 +188,7 @@ std::string format_short(double value, int digits) {
 }
 
 std::string typeset_number(std::string plain, const NumberLocale& locale) {
-    const std::size_t e = plain.find('e');
-    if (e != std::string::npos && e > 0 && e + 1 < plain.size() &&
-        (plain[e + 1] == '-' || plain[e + 1] == '+')) {
-        const std::size_t end = std::min(plain.find_first_not_of("0123456789", e + 2), plain.size());
-        plain.replace(e, end - e, "×" + power_of_ten(std::atoi(plain.c_str() + e + 1)));
-    }
-    plain = with_decimal_sign(std::move(plain), locale);
+    plain = with_decimal_sign(with_powers(std::move(plain)), locale);
     if (!plain.empty() && plain.front() == '-') plain.replace(0, 1, "−");
     return plain;
 }
@@ -201,16 +205,18 @@ std::string grouped_number(double value, int decimals, const NumberLocale& local
 }
 
 std::string grouped_digits(const std::string& plain, const NumberLocale& locale) {
-    if (plain.find_first_not_of("-.0123456789") != std::string::npos) return typeset_number(plain, locale);
-    const std::size_t first = plain.starts_with('-') ? 1 : 0, point = std::min(plain.find('.'), plain.size());
+    const std::size_t end = std::min(plain.find_first_not_of("-.0123456789"), plain.size());
+    const std::size_t first = plain.starts_with('-') ? 1 : 0, point = std::min(plain.find('.'), end);
+    if (first == end) return typeset_number(plain, locale);
     std::string whole = plain.substr(first, point - first);
     if (whole.size() > 4)
         for (std::size_t i = whole.size(); i > 3;) whole.insert(i -= 3, locale.group);
-    if (point == plain.size()) return (first ? "−" : "") + whole;
-    std::string parts = plain.substr(point + 1);
+    std::string parts = point < end ? plain.substr(point + 1, end - point - 1) : "";
     if (parts.size() > 4)
         for (std::size_t i = (parts.size() - 1) / 3 * 3; i > 0; i -= 3) parts.insert(i, locale.group);
-    return (first ? "−" : "") + whole + locale.decimal + parts;
+    // What follows has no decimal sign of its own: a power of ten, a unit.
+    const std::string behind = with_powers(plain.substr(end));
+    return (first ? "−" : "") + whole + (point < end ? locale.decimal + parts : std::string()) + behind;
 }
 
 std::string with_decimal_sign(std::string plain, const NumberLocale& locale) {

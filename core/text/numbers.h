@@ -54,7 +54,7 @@ std::string typeset_number(std::string plain, const NumberLocale& locale = {});
 /// Likewise, rounded to `decimals`, digits in groups of three from 10 000 on.
 std::string grouped_number(double value, int decimals, const NumberLocale& locale = {});
 /// The digits of a plain number in groups of three on both sides of its point, where there are more than
-/// four: "50.000 78".
+/// four: "50.000 78"; what stands behind it (a power of ten, a unit) stays there.
 std::string grouped_digits(const std::string& plain, const NumberLocale& locale = {});
 /// With the locale's decimal sign, else as it is.
 std::string with_decimal_sign(std::string plain, const NumberLocale& locale);

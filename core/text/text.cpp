@@ -111,6 +111,11 @@ std::string_view letter_of_subscript(std::string_view character) {
     return it == subscripts.end() ? std::string_view() : it->first;
 }
 
+bool TextPattern::has_words() const {
+    const std::string_view before_unit = std::string_view(words).substr(0, words.find('('));
+    return before_unit.find_first_not_of("%123456789 ,") != std::string_view::npos;
+}
+
 TextPattern pattern_of(const Text& text) {
     TextPattern pattern;
     bool in_symbol = false;

@@ -50,6 +50,7 @@ private:
 struct TextPattern {
     std::string words;
     std::vector<Text> symbols;
+    bool has_words() const;  ///< beside symbols and a unit in parentheses
 };
 TextPattern pattern_of(const Text& text);
 

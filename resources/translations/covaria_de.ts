@@ -3832,24 +3832,12 @@
         <translation>Daten</translation>
     </message>
     <message>
-        <source>Received</source>
-        <translation>Eingegangen</translation>
-    </message>
-    <message>
         <source>ISO 8601: 2026-04-17.</source>
         <translation>ISO 8601: 2026-04-17.</translation>
     </message>
     <message>
-        <source>Calibrated</source>
-        <translation>Kalibriert</translation>
-    </message>
-    <message>
         <source>A date, or two of an interval: 2026-04-17/2026-04-18.</source>
         <translation>Ein Datum oder zwei eines Zeitraums: 2026-04-17/2026-04-18.</translation>
-    </message>
-    <message>
-        <source>Issued</source>
-        <translation>Ausgestellt</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-20.</source>
@@ -11236,10 +11224,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Zwischengrößen</translation>
     </message>
     <message>
-        <source>position %1, α, β, γ = %2</source>
-        <translation>Position %1, α, β, γ = %2</translation>
-    </message>
-    <message>
         <source>Read from %1.</source>
         <translation>Gelesen aus %1.</translation>
     </message>
@@ -11420,16 +11404,8 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Komponenten nach fallendem Anteil an der Varianz; cᵢ in der Einheit der Messgröße je Einheit der Komponente.</translation>
     </message>
     <message>
-        <source>Shown in full for %1, which has the largest expanded uncertainties of the %2 groups; the CSV table of budgets has every group.</source>
-        <translation>Vollständig gezeigt für %1 mit den größten erweiterten Unsicherheiten der %2 Gruppen; die CSV-Tabelle der Budgets enthält jede Gruppe.</translation>
-    </message>
-    <message>
         <source>Contributions to the variance of %1.</source>
         <translation>Beiträge zur Varianz von %1.</translation>
-    </message>
-    <message>
-        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions: so for %1 of %2 quantities.</source>
-        <translation>Das Fortpflanzungsgesetz ist nach JCGM 101 Abschnitt 8 validiert, wo beide Enden seines Überdeckungsintervalls, y ± U, innerhalb der numerischen Toleranz δ bei denen der Fortpflanzung von Verteilungen liegen: so bei %1 von %2 Größen.</translation>
     </message>
     <message>
         <source>Estimates and standard uncertainties by both methods</source>
@@ -11586,14 +11562,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>In the annex, on request: %1.</source>
         <translation>Im Anhang, auf Wunsch: %1.</translation>
-    </message>
-    <message>
-        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the annex has all of them.</source>
-        <translation>Ab &apos;%1&apos;, mit den größten erweiterten Unsicherheiten, %2 von %3 Zeilen; der Anhang enthält alle.</translation>
-    </message>
-    <message>
-        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
-        <translation>Ab &apos;%1&apos;, mit den größten erweiterten Unsicherheiten, %2 von %3 Zeilen; die CSV-Tabellen und auf Wunsch der Anhang enthalten alle.</translation>
     </message>
     <message>
         <source>The first %1 of %2 rows; the annex has all of them.</source>
@@ -12674,6 +12642,274 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
         <translation>die Parameter stammen aus einer Analyse, die in jedem Versuch ausgewertet wird: ihre Korrelation lässt sich nicht vernachlässigen</translation>
+    </message>
+    <message>
+        <source>Date of receipt</source>
+        <translation>Datum des Eingangs</translation>
+    </message>
+    <message>
+        <source>Date of calibration</source>
+        <translation>Datum der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Date of issue</source>
+        <translation>Datum der Ausstellung</translation>
+    </message>
+    <message>
+        <source>To first order no input quantity influences %1 at these estimates: its uncertainty is of second order, as Monte Carlo shows</source>
+        <translation>In erster Ordnung beeinflusst keine Eingangsgröße %1 bei diesen Schätzwerten: seine Unsicherheit ist von zweiter Ordnung, wie Monte Carlo zeigt</translation>
+    </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>not normal; k u fits as far as so few trials can tell</source>
+        <translation>nicht normal; k u passt, soweit so wenige Versuche es sagen können</translation>
+    </message>
+    <message>
+        <source>measured artefact, Porath et al., Eq. 2</source>
+        <translation>gemessenes Normal, Porath et al., Gl. 2</translation>
+    </message>
+    <message>
+        <source>not controlled</source>
+        <translation>nicht kontrolliert</translation>
+    </message>
+    <message>
+        <source>outlier?</source>
+        <translation>Ausreißer?</translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation>nicht geprüft</translation>
+    </message>
+    <message>
+        <source>residuals larger than stated</source>
+        <translation>Residuen größer als angegeben</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>stimmt überein</translation>
+    </message>
+    <message>
+        <source>along any axis</source>
+        <translation>entlang jeder Achse</translation>
+    </message>
+    <message>
+        <source>distance: largest</source>
+        <translation>Abstand: größter</translation>
+    </message>
+    <message>
+        <source>distance: RP = mean + 3 s</source>
+        <translation>Abstand: RP = Mittelwert + 3 s</translation>
+    </message>
+    <message>
+        <source>does not move the measured points in any pose</source>
+        <translation>bewegt die gemessenen Punkte in keiner Pose</translation>
+    </message>
+    <message>
+        <source>moves the measured points as %1 can: coupled with it, held at its nominal value</source>
+        <translation>bewegt die gemessenen Punkte, wie es %1 kann: damit gekoppelt, beim Nennwert gehalten</translation>
+    </message>
+    <message>
+        <source>coordinates in the fit</source>
+        <translation>Koordinaten in der Ausgleichung</translation>
+    </message>
+    <message>
+        <source>unknowns (rank)</source>
+        <translation>Unbekannte (Rang)</translation>
+    </message>
+    <message>
+        <source>condition of the fit</source>
+        <translation>Kondition der Ausgleichung</translation>
+    </message>
+    <message>
+        <source>smallest singular value</source>
+        <translation>kleinster Singulärwert</translation>
+    </message>
+    <message>
+        <source>residuals over what uncertainties explain</source>
+        <translation>Residuen, bezogen auf das, was Unsicherheiten erklären</translation>
+    </message>
+    <message>
+        <source>outlier</source>
+        <translation>Ausreißer</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>one ball is one point: it has no orientation</source>
+        <translation>eine Kugel ist ein Punkt: sie hat keine Orientierung</translation>
+    </message>
+    <message>
+        <source>places the base frame on axis 1: by definition, as nominal; it would need a measured base</source>
+        <translation>legt das Basissystem auf Achse 1: nach Definition wie der Nennwert; nötig wäre eine gemessene Basis</translation>
+    </message>
+    <message>
+        <source>places the frame of the last link, which no axis follows: by definition, as nominal</source>
+        <translation>legt das System des letzten Glieds fest, auf das keine Achse folgt: nach Definition wie der Nennwert</translation>
+    </message>
+    <message>
+        <source>the axis is parallel to the next: 0 by definition, or beta and d would describe the same</source>
+        <translation>die Achse ist parallel zur nächsten: 0 nach Definition, sonst beschrieben beta und d dasselbe</translation>
+    </message>
+    <message>
+        <source>reproduces</source>
+        <translation>stimmt überein</translation>
+    </message>
+    <message>
+        <source>inside rounding</source>
+        <translation>innerhalb der Rundung</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>weicht ab</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>geplant</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>gesamt</translation>
+    </message>
+    <message>
+        <source>standard deviation of the means of the groups</source>
+        <translation>Standardabweichung der Mittelwerte der Gruppen</translation>
+    </message>
+    <message>
+        <source>s_a, from the means of the groups</source>
+        <translation>s_a, aus den Mittelwerten der Gruppen</translation>
+    </message>
+    <message>
+        <source>s_b, within the groups</source>
+        <translation>s_b, innerhalb der Gruppen</translation>
+    </message>
+    <message>
+        <source>s_B, between the groups</source>
+        <translation>s_B, zwischen den Gruppen</translation>
+    </message>
+    <message>
+        <source>n_0, size of the groups</source>
+        <translation>n_0, Größe der Gruppen</translation>
+    </message>
+    <message>
+        <source>F = s_a²/s_b²</source>
+        <translation>F = s_a²/s_b²</translation>
+    </message>
+    <message>
+        <source>95 % quantile of F</source>
+        <translation>95-%-Quantil von F</translation>
+    </message>
+    <message>
+        <source>97.5 % quantile of F</source>
+        <translation>97,5-%-Quantil von F</translation>
+    </message>
+    <message>
+        <source>between the groups</source>
+        <translation>zwischen den Gruppen</translation>
+    </message>
+    <message>
+        <source>within the groups</source>
+        <translation>innerhalb der Gruppen</translation>
+    </message>
+    <message>
+        <source>chi-squared</source>
+        <translation>Chi-Quadrat</translation>
+    </message>
+    <message>
+        <source>its 95 % quantile</source>
+        <translation>dessen 95-%-Quantil</translation>
+    </message>
+    <message>
+        <source>standard deviation of the residuals</source>
+        <translation>Standardabweichung der Residuen</translation>
+    </message>
+    <message>
+        <source>coefficient of determination R²</source>
+        <translation>Bestimmtheitsmaß R²</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>residuals</source>
+        <translation>Residuen</translation>
+    </message>
+    <message>
+        <source>position %1, rotations about x, y, z: %2</source>
+        <translation>Position %1, Drehungen um x, y, z: %2</translation>
+    </message>
+    <message>
+        <source>1 further component</source>
+        <translation>1 weitere Komponente</translation>
+    </message>
+    <message>
+        <source>Shown for %1, the first of the %2 groups; the CSV table of budgets has every group.</source>
+        <translation>Gezeigt für %1, die erste der %2 Gruppen; die CSV-Tabelle der Budgets enthält jede Gruppe.</translation>
+    </message>
+    <message>
+        <source>Shown for %1: of the %2 groups it has the largest expanded uncertainties on average; the CSV table of budgets has every group.</source>
+        <translation>Gezeigt für %1: von den %2 Gruppen hat sie im Mittel die größten erweiterten Unsicherheiten; die CSV-Tabelle der Budgets enthält jede Gruppe.</translation>
+    </message>
+    <message>
+        <source>Shown for %1: of the %2 groups with the same quantities it has the largest expanded uncertainties on average; the CSV table of budgets has all %3 groups.</source>
+        <translation>Gezeigt für %1: von den %2 Gruppen mit denselben Größen hat sie im Mittel die größten erweiterten Unsicherheiten; die CSV-Tabelle der Budgets enthält alle %3 Gruppen.</translation>
+    </message>
+    <message>
+        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions. Validated: %1 of %2.</source>
+        <translation>Das Fortpflanzungsgesetz ist nach JCGM 101 Abschnitt 8 validiert, wo beide Enden seines Überdeckungsintervalls, y ± U, innerhalb der numerischen Toleranz δ bei denen der Fortpflanzung von Verteilungen liegen. Validiert: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Shape of the distributions by Monte Carlo</source>
+        <translation>Form der Verteilungen nach Monte Carlo</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, %2 of %3 rows; the annex has all of them.</source>
+        <translation>Ab „%1“ %2 von %3 Zeilen; der Anhang enthält alle.</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
+        <translation>Ab „%1“ %2 von %3 Zeilen; die CSV-Tabellen und auf Wunsch der Anhang enthalten alle.</translation>
+    </message>
+    <message>
+        <source>The annex has the charts.</source>
+        <translation>Der Anhang enthält die Diagramme.</translation>
+    </message>
+    <message>
+        <source>The CSV tables, and the annex on request, have what the charts show.</source>
+        <translation>Was die Diagramme zeigen, enthalten die CSV-Tabellen und auf Wunsch der Anhang.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and no chart; the annex has the rest.</source>
+        <translation>Gezeigt sind %1 von %2 Tabellen und kein Diagramm; der Anhang enthält die übrigen.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and no chart; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>Gezeigt sind %1 von %2 Tabellen und kein Diagramm; die CSV-Tabellen und auf Wunsch der Anhang enthalten die übrigen.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>Unbekannte</translation>
+    </message>
+    <message>
+        <source>coupled with</source>
+        <translation>gekoppelt mit</translation>
+    </message>
+    <message>
+        <source>Observations of %1</source>
+        <translation>Beobachtungen von %1</translation>
+    </message>
+    <message>
+        <source>mean + s</source>
+        <translation>Mittelwert + s</translation>
+    </message>
+    <message>
+        <source>mean − s</source>
+        <translation>Mittelwert − s</translation>
     </message>
 </context>
 <context>

@@ -3832,24 +3832,12 @@
         <translation>Fechas</translation>
     </message>
     <message>
-        <source>Received</source>
-        <translation>Recepción</translation>
-    </message>
-    <message>
         <source>ISO 8601: 2026-04-17.</source>
         <translation>ISO 8601: 2026-04-17.</translation>
     </message>
     <message>
-        <source>Calibrated</source>
-        <translation>Calibración</translation>
-    </message>
-    <message>
         <source>A date, or two of an interval: 2026-04-17/2026-04-18.</source>
         <translation>Una fecha, o dos de un intervalo: 2026-04-17/2026-04-18.</translation>
-    </message>
-    <message>
-        <source>Issued</source>
-        <translation>Emisión</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-20.</source>
@@ -11236,10 +11224,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Magnitudes intermedias</translation>
     </message>
     <message>
-        <source>position %1, α, β, γ = %2</source>
-        <translation>posición %1, α, β, γ = %2</translation>
-    </message>
-    <message>
         <source>Read from %1.</source>
         <translation>Leído de %1.</translation>
     </message>
@@ -11420,16 +11404,8 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Componentes por parte decreciente de la varianza; cᵢ en la unidad del mensurando por unidad de la componente.</translation>
     </message>
     <message>
-        <source>Shown in full for %1, which has the largest expanded uncertainties of the %2 groups; the CSV table of budgets has every group.</source>
-        <translation>Se muestra completo para %1, que tiene las mayores incertidumbres expandidas de los %2 grupos; la tabla CSV de balances contiene todos los grupos.</translation>
-    </message>
-    <message>
         <source>Contributions to the variance of %1.</source>
         <translation>Contribuciones a la varianza de %1.</translation>
-    </message>
-    <message>
-        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions: so for %1 of %2 quantities.</source>
-        <translation>La ley de propagación queda validada según JCGM 101, capítulo 8, donde ambos extremos de su intervalo de cobertura, y ± U, están dentro de la tolerancia numérica δ de los de la propagación de distribuciones: así para %1 de %2 magnitudes.</translation>
     </message>
     <message>
         <source>Estimates and standard uncertainties by both methods</source>
@@ -11586,14 +11562,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>In the annex, on request: %1.</source>
         <translation>En el anexo, si se pide: %1.</translation>
-    </message>
-    <message>
-        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the annex has all of them.</source>
-        <translation>Desde &apos;%1&apos;, que tiene las mayores incertidumbres expandidas, %2 de %3 filas; el anexo las contiene todas.</translation>
-    </message>
-    <message>
-        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
-        <translation>Desde &apos;%1&apos;, que tiene las mayores incertidumbres expandidas, %2 de %3 filas; las tablas CSV y, si se pide, el anexo las contienen todas.</translation>
     </message>
     <message>
         <source>The first %1 of %2 rows; the annex has all of them.</source>
@@ -12674,6 +12642,274 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
         <translation>los parámetros proceden de un análisis que se evalúa en cada prueba: su correlación no puede omitirse</translation>
+    </message>
+    <message>
+        <source>Date of receipt</source>
+        <translation>Fecha de recepción</translation>
+    </message>
+    <message>
+        <source>Date of calibration</source>
+        <translation>Fecha de calibración</translation>
+    </message>
+    <message>
+        <source>Date of issue</source>
+        <translation>Fecha de emisión</translation>
+    </message>
+    <message>
+        <source>To first order no input quantity influences %1 at these estimates: its uncertainty is of second order, as Monte Carlo shows</source>
+        <translation>En primer orden ninguna magnitud de entrada influye en %1 en estas estimaciones: su incertidumbre es de segundo orden, como muestra Monte Carlo</translation>
+    </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>Certificado de calibración</translation>
+    </message>
+    <message>
+        <source>not normal; k u fits as far as so few trials can tell</source>
+        <translation>no normal; k u es adecuado hasta donde pueden decirlo tan pocas pruebas</translation>
+    </message>
+    <message>
+        <source>measured artefact, Porath et al., Eq. 2</source>
+        <translation>artefacto medido, Porath et al., ec. 2</translation>
+    </message>
+    <message>
+        <source>not controlled</source>
+        <translation>no controlada</translation>
+    </message>
+    <message>
+        <source>outlier?</source>
+        <translation>¿valor atípico?</translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation>sin comprobar</translation>
+    </message>
+    <message>
+        <source>residuals larger than stated</source>
+        <translation>residuos mayores que lo declarado</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>concuerda</translation>
+    </message>
+    <message>
+        <source>along any axis</source>
+        <translation>a lo largo de cualquier eje</translation>
+    </message>
+    <message>
+        <source>distance: largest</source>
+        <translation>distancia: máxima</translation>
+    </message>
+    <message>
+        <source>distance: RP = mean + 3 s</source>
+        <translation>distancia: RP = media + 3 s</translation>
+    </message>
+    <message>
+        <source>does not move the measured points in any pose</source>
+        <translation>no mueve los puntos medidos en ninguna pose</translation>
+    </message>
+    <message>
+        <source>moves the measured points as %1 can: coupled with it, held at its nominal value</source>
+        <translation>mueve los puntos medidos como puede hacerlo %1: acoplado con ello, se mantiene en su valor nominal</translation>
+    </message>
+    <message>
+        <source>coordinates in the fit</source>
+        <translation>coordenadas en el ajuste</translation>
+    </message>
+    <message>
+        <source>unknowns (rank)</source>
+        <translation>incógnitas (rango)</translation>
+    </message>
+    <message>
+        <source>condition of the fit</source>
+        <translation>número de condición del ajuste</translation>
+    </message>
+    <message>
+        <source>smallest singular value</source>
+        <translation>menor valor singular</translation>
+    </message>
+    <message>
+        <source>residuals over what uncertainties explain</source>
+        <translation>residuos respecto a lo que explican las incertidumbres</translation>
+    </message>
+    <message>
+        <source>outlier</source>
+        <translation>valor atípico</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>herramienta</translation>
+    </message>
+    <message>
+        <source>one ball is one point: it has no orientation</source>
+        <translation>una bola es un punto: no tiene orientación</translation>
+    </message>
+    <message>
+        <source>places the base frame on axis 1: by definition, as nominal; it would need a measured base</source>
+        <translation>sitúa el sistema de la base en el eje 1: por definición, como el nominal; haría falta una base medida</translation>
+    </message>
+    <message>
+        <source>places the frame of the last link, which no axis follows: by definition, as nominal</source>
+        <translation>sitúa el sistema del último eslabón, al que no sigue ningún eje: por definición, como el nominal</translation>
+    </message>
+    <message>
+        <source>the axis is parallel to the next: 0 by definition, or beta and d would describe the same</source>
+        <translation>el eje es paralelo al siguiente: 0 por definición, o beta y d describirían lo mismo</translation>
+    </message>
+    <message>
+        <source>reproduces</source>
+        <translation>se reproduce</translation>
+    </message>
+    <message>
+        <source>inside rounding</source>
+        <translation>dentro del redondeo</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>difiere</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>planificado</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>total</translation>
+    </message>
+    <message>
+        <source>standard deviation of the means of the groups</source>
+        <translation>desviación típica de las medias de los grupos</translation>
+    </message>
+    <message>
+        <source>s_a, from the means of the groups</source>
+        <translation>s_a, de las medias de los grupos</translation>
+    </message>
+    <message>
+        <source>s_b, within the groups</source>
+        <translation>s_b, dentro de los grupos</translation>
+    </message>
+    <message>
+        <source>s_B, between the groups</source>
+        <translation>s_B, entre los grupos</translation>
+    </message>
+    <message>
+        <source>n_0, size of the groups</source>
+        <translation>n_0, tamaño de los grupos</translation>
+    </message>
+    <message>
+        <source>F = s_a²/s_b²</source>
+        <translation>F = s_a²/s_b²</translation>
+    </message>
+    <message>
+        <source>95 % quantile of F</source>
+        <translation>cuantil del 95 % de F</translation>
+    </message>
+    <message>
+        <source>97.5 % quantile of F</source>
+        <translation>cuantil del 97,5 % de F</translation>
+    </message>
+    <message>
+        <source>between the groups</source>
+        <translation>entre los grupos</translation>
+    </message>
+    <message>
+        <source>within the groups</source>
+        <translation>dentro de los grupos</translation>
+    </message>
+    <message>
+        <source>chi-squared</source>
+        <translation>chi cuadrado</translation>
+    </message>
+    <message>
+        <source>its 95 % quantile</source>
+        <translation>su cuantil del 95 %</translation>
+    </message>
+    <message>
+        <source>standard deviation of the residuals</source>
+        <translation>desviación típica de los residuos</translation>
+    </message>
+    <message>
+        <source>coefficient of determination R²</source>
+        <translation>coeficiente de determinación R²</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>curva</translation>
+    </message>
+    <message>
+        <source>residuals</source>
+        <translation>residuos</translation>
+    </message>
+    <message>
+        <source>position %1, rotations about x, y, z: %2</source>
+        <translation>posición %1, rotaciones alrededor de x, y, z: %2</translation>
+    </message>
+    <message>
+        <source>1 further component</source>
+        <translation>otra componente</translation>
+    </message>
+    <message>
+        <source>Shown for %1, the first of the %2 groups; the CSV table of budgets has every group.</source>
+        <translation>Se muestra para %1, el primero de los %2 grupos; la tabla CSV de balances contiene todos los grupos.</translation>
+    </message>
+    <message>
+        <source>Shown for %1: of the %2 groups it has the largest expanded uncertainties on average; the CSV table of budgets has every group.</source>
+        <translation>Se muestra para %1: de los %2 grupos tiene por término medio las mayores incertidumbres expandidas; la tabla CSV de balances contiene todos los grupos.</translation>
+    </message>
+    <message>
+        <source>Shown for %1: of the %2 groups with the same quantities it has the largest expanded uncertainties on average; the CSV table of budgets has all %3 groups.</source>
+        <translation>Se muestra para %1: de los %2 grupos con las mismas magnitudes tiene por término medio las mayores incertidumbres expandidas; la tabla CSV de balances contiene los %3 grupos.</translation>
+    </message>
+    <message>
+        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions. Validated: %1 of %2.</source>
+        <translation>La ley de propagación queda validada según JCGM 101, capítulo 8, donde ambos extremos de su intervalo de cobertura, y ± U, están dentro de la tolerancia numérica δ de los de la propagación de distribuciones. Validadas: %1 de %2.</translation>
+    </message>
+    <message>
+        <source>Shape of the distributions by Monte Carlo</source>
+        <translation>Forma de las distribuciones según Monte Carlo</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, %2 of %3 rows; the annex has all of them.</source>
+        <translation>Desde «%1», %2 de %3 filas; el anexo las contiene todas.</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
+        <translation>Desde «%1», %2 de %3 filas; las tablas CSV y, si se pide, el anexo las contienen todas.</translation>
+    </message>
+    <message>
+        <source>The annex has the charts.</source>
+        <translation>El anexo contiene los gráficos.</translation>
+    </message>
+    <message>
+        <source>The CSV tables, and the annex on request, have what the charts show.</source>
+        <translation>Las tablas CSV y, si se pide, el anexo contienen lo que muestran los gráficos.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and no chart; the annex has the rest.</source>
+        <translation>Se muestran %1 de %2 tablas y ningún gráfico; el anexo contiene el resto.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and no chart; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>Se muestran %1 de %2 tablas y ningún gráfico; las tablas CSV y, si se pide, el anexo contienen el resto.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>incógnita</translation>
+    </message>
+    <message>
+        <source>coupled with</source>
+        <translation>acoplada con</translation>
+    </message>
+    <message>
+        <source>Observations of %1</source>
+        <translation>Observaciones de %1</translation>
+    </message>
+    <message>
+        <source>mean + s</source>
+        <translation>media + s</translation>
+    </message>
+    <message>
+        <source>mean − s</source>
+        <translation>media − s</translation>
     </message>
 </context>
 <context>

@@ -3832,24 +3832,12 @@
         <translation>날짜</translation>
     </message>
     <message>
-        <source>Received</source>
-        <translation>접수일</translation>
-    </message>
-    <message>
         <source>ISO 8601: 2026-04-17.</source>
         <translation>ISO 8601: 2026-04-17.</translation>
     </message>
     <message>
-        <source>Calibrated</source>
-        <translation>교정일</translation>
-    </message>
-    <message>
         <source>A date, or two of an interval: 2026-04-17/2026-04-18.</source>
         <translation>날짜 하나, 또는 기간의 두 날짜: 2026-04-17/2026-04-18.</translation>
-    </message>
-    <message>
-        <source>Issued</source>
-        <translation>발행일</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-20.</source>
@@ -11236,10 +11224,6 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <translation>중간량</translation>
     </message>
     <message>
-        <source>position %1, α, β, γ = %2</source>
-        <translation>위치 %1, α, β, γ = %2</translation>
-    </message>
-    <message>
         <source>Read from %1.</source>
         <translation>%1에서 읽음.</translation>
     </message>
@@ -11420,16 +11404,8 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <translation>분산 비율이 큰 순서의 성분. cᵢ의 단위는 성분의 단위당 측정량의 단위.</translation>
     </message>
     <message>
-        <source>Shown in full for %1, which has the largest expanded uncertainties of the %2 groups; the CSV table of budgets has every group.</source>
-        <translation>그룹 %2개 중 확장불확도가 가장 큰 %1만 모두 표시합니다. 총괄표의 CSV 표에는 모든 그룹이 있습니다.</translation>
-    </message>
-    <message>
         <source>Contributions to the variance of %1.</source>
         <translation>%1의 분산에 대한 기여.</translation>
-    </message>
-    <message>
-        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions: so for %1 of %2 quantities.</source>
-        <translation>JCGM 101 8절에 따라 전파 법칙의 포함구간 y ± U의 양 끝이 분포 전파의 양 끝과 수치 허용오차 δ 이내이면 전파 법칙이 타당합니다. 양 %2개 중 %1개가 그렇습니다.</translation>
     </message>
     <message>
         <source>Estimates and standard uncertainties by both methods</source>
@@ -11586,14 +11562,6 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>In the annex, on request: %1.</source>
         <translation>부록(요청 시): %1.</translation>
-    </message>
-    <message>
-        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the annex has all of them.</source>
-        <translation>확장불확도가 가장 큰 &apos;%1&apos;부터 %3행 중 %2행. 부록에 모두 있습니다.</translation>
-    </message>
-    <message>
-        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
-        <translation>확장불확도가 가장 큰 &apos;%1&apos;부터 %3행 중 %2행. CSV 표와 요청 시 부록에 모두 있습니다.</translation>
     </message>
     <message>
         <source>The first %1 of %2 rows; the annex has all of them.</source>
@@ -12674,6 +12642,274 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
         <translation>매개변수는 매 시행에서 평가되는 분석에서 옵니다. 그 상관은 무시할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>Date of receipt</source>
+        <translation>접수일</translation>
+    </message>
+    <message>
+        <source>Date of calibration</source>
+        <translation>교정일</translation>
+    </message>
+    <message>
+        <source>Date of issue</source>
+        <translation>발행일</translation>
+    </message>
+    <message>
+        <source>To first order no input quantity influences %1 at these estimates: its uncertainty is of second order, as Monte Carlo shows</source>
+        <translation>이 추정값에서 1차로는 어떤 입력량도 %1에 영향을 주지 않습니다: 몬테카를로가 보여 주듯 불확도는 2차입니다</translation>
+    </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>교정 성적서</translation>
+    </message>
+    <message>
+        <source>not normal; k u fits as far as so few trials can tell</source>
+        <translation>정규가 아님. 이렇게 적은 시행으로 알 수 있는 한 k u는 맞음</translation>
+    </message>
+    <message>
+        <source>measured artefact, Porath et al., Eq. 2</source>
+        <translation>측정된 표준물, Porath et al., 식 2</translation>
+    </message>
+    <message>
+        <source>not controlled</source>
+        <translation>제어되지 않음</translation>
+    </message>
+    <message>
+        <source>outlier?</source>
+        <translation>이상값?</translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation>검정하지 않음</translation>
+    </message>
+    <message>
+        <source>residuals larger than stated</source>
+        <translation>잔차가 명시된 것보다 큼</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>일치</translation>
+    </message>
+    <message>
+        <source>along any axis</source>
+        <translation>어느 축 방향이든</translation>
+    </message>
+    <message>
+        <source>distance: largest</source>
+        <translation>거리: 최대</translation>
+    </message>
+    <message>
+        <source>distance: RP = mean + 3 s</source>
+        <translation>거리: RP = 평균 + 3 s</translation>
+    </message>
+    <message>
+        <source>does not move the measured points in any pose</source>
+        <translation>어느 자세에서도 측정점을 움직이지 않음</translation>
+    </message>
+    <message>
+        <source>moves the measured points as %1 can: coupled with it, held at its nominal value</source>
+        <translation>%1이(가) 할 수 있듯이 측정점을 움직임: 서로 결합되어 공칭값으로 고정</translation>
+    </message>
+    <message>
+        <source>coordinates in the fit</source>
+        <translation>맞춤에 쓰인 좌표</translation>
+    </message>
+    <message>
+        <source>unknowns (rank)</source>
+        <translation>미지수 (계수)</translation>
+    </message>
+    <message>
+        <source>condition of the fit</source>
+        <translation>맞춤의 조건수</translation>
+    </message>
+    <message>
+        <source>smallest singular value</source>
+        <translation>최소 특이값</translation>
+    </message>
+    <message>
+        <source>residuals over what uncertainties explain</source>
+        <translation>불확도가 설명하는 것 대비 잔차</translation>
+    </message>
+    <message>
+        <source>outlier</source>
+        <translation>이상값</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>공구</translation>
+    </message>
+    <message>
+        <source>one ball is one point: it has no orientation</source>
+        <translation>공 하나는 점 하나: 방향이 없음</translation>
+    </message>
+    <message>
+        <source>places the base frame on axis 1: by definition, as nominal; it would need a measured base</source>
+        <translation>베이스 좌표계를 축 1에 놓음: 정의에 따라 공칭값과 같음. 측정된 베이스가 필요함</translation>
+    </message>
+    <message>
+        <source>places the frame of the last link, which no axis follows: by definition, as nominal</source>
+        <translation>뒤따르는 축이 없는 마지막 링크의 좌표계를 놓음: 정의에 따라 공칭값과 같음</translation>
+    </message>
+    <message>
+        <source>the axis is parallel to the next: 0 by definition, or beta and d would describe the same</source>
+        <translation>축이 다음 축과 평행함: 정의에 따라 0. 그러지 않으면 beta와 d가 같은 것을 나타냄</translation>
+    </message>
+    <message>
+        <source>reproduces</source>
+        <translation>재현됨</translation>
+    </message>
+    <message>
+        <source>inside rounding</source>
+        <translation>반올림 이내</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>다름</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>계획</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>전체</translation>
+    </message>
+    <message>
+        <source>standard deviation of the means of the groups</source>
+        <translation>그룹 평균의 표준편차</translation>
+    </message>
+    <message>
+        <source>s_a, from the means of the groups</source>
+        <translation>s_a, 그룹 평균으로부터</translation>
+    </message>
+    <message>
+        <source>s_b, within the groups</source>
+        <translation>s_b, 그룹 내</translation>
+    </message>
+    <message>
+        <source>s_B, between the groups</source>
+        <translation>s_B, 그룹 간</translation>
+    </message>
+    <message>
+        <source>n_0, size of the groups</source>
+        <translation>n_0, 그룹의 크기</translation>
+    </message>
+    <message>
+        <source>F = s_a²/s_b²</source>
+        <translation>F = s_a²/s_b²</translation>
+    </message>
+    <message>
+        <source>95 % quantile of F</source>
+        <translation>F의 95 % 분위수</translation>
+    </message>
+    <message>
+        <source>97.5 % quantile of F</source>
+        <translation>F의 97.5 % 분위수</translation>
+    </message>
+    <message>
+        <source>between the groups</source>
+        <translation>그룹 간</translation>
+    </message>
+    <message>
+        <source>within the groups</source>
+        <translation>그룹 내</translation>
+    </message>
+    <message>
+        <source>chi-squared</source>
+        <translation>카이제곱</translation>
+    </message>
+    <message>
+        <source>its 95 % quantile</source>
+        <translation>그 95 % 분위수</translation>
+    </message>
+    <message>
+        <source>standard deviation of the residuals</source>
+        <translation>잔차의 표준편차</translation>
+    </message>
+    <message>
+        <source>coefficient of determination R²</source>
+        <translation>결정계수 R²</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>곡선</translation>
+    </message>
+    <message>
+        <source>residuals</source>
+        <translation>잔차</translation>
+    </message>
+    <message>
+        <source>position %1, rotations about x, y, z: %2</source>
+        <translation>위치 %1, x, y, z 둘레의 회전: %2</translation>
+    </message>
+    <message>
+        <source>1 further component</source>
+        <translation>나머지 성분 1개</translation>
+    </message>
+    <message>
+        <source>Shown for %1, the first of the %2 groups; the CSV table of budgets has every group.</source>
+        <translation>그룹 %2개 중 첫 번째인 %1만 표시합니다. 총괄표의 CSV 표에는 모든 그룹이 있습니다.</translation>
+    </message>
+    <message>
+        <source>Shown for %1: of the %2 groups it has the largest expanded uncertainties on average; the CSV table of budgets has every group.</source>
+        <translation>%1만 표시합니다: 그룹 %2개 중 확장불확도가 평균적으로 가장 큽니다. 총괄표의 CSV 표에는 모든 그룹이 있습니다.</translation>
+    </message>
+    <message>
+        <source>Shown for %1: of the %2 groups with the same quantities it has the largest expanded uncertainties on average; the CSV table of budgets has all %3 groups.</source>
+        <translation>%1만 표시합니다: 같은 양을 가진 그룹 %2개 중 확장불확도가 평균적으로 가장 큽니다. 총괄표의 CSV 표에는 그룹 %3개가 모두 있습니다.</translation>
+    </message>
+    <message>
+        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions. Validated: %1 of %2.</source>
+        <translation>JCGM 101 8절에 따라 전파 법칙의 포함구간 y ± U의 양 끝이 분포 전파의 양 끝과 수치 허용오차 δ 이내이면 전파 법칙이 타당합니다. 타당함: %2개 중 %1개.</translation>
+    </message>
+    <message>
+        <source>Shape of the distributions by Monte Carlo</source>
+        <translation>몬테카를로에 의한 분포의 모양</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, %2 of %3 rows; the annex has all of them.</source>
+        <translation>‘%1’부터 행 %3개 중 %2개. 부록에 모두 있습니다.</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
+        <translation>‘%1’부터 행 %3개 중 %2개. CSV 표와 요청 시 부록에 모두 있습니다.</translation>
+    </message>
+    <message>
+        <source>The annex has the charts.</source>
+        <translation>그래프는 부록에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The CSV tables, and the annex on request, have what the charts show.</source>
+        <translation>그래프의 내용은 CSV 표와 요청 시 부록에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and no chart; the annex has the rest.</source>
+        <translation>표 %2개 중 %1개를 표시하고 그래프는 없음. 나머지는 부록에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and no chart; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>표 %2개 중 %1개를 표시하고 그래프는 없음. 나머지는 CSV 표와 요청 시 부록에 있습니다.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>미지수</translation>
+    </message>
+    <message>
+        <source>coupled with</source>
+        <translation>결합된 미지수</translation>
+    </message>
+    <message>
+        <source>Observations of %1</source>
+        <translation>%1의 관측값</translation>
+    </message>
+    <message>
+        <source>mean + s</source>
+        <translation>평균 + s</translation>
+    </message>
+    <message>
+        <source>mean − s</source>
+        <translation>평균 − s</translation>
     </message>
 </context>
 <context>

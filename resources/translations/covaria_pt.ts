@@ -3832,24 +3832,12 @@
         <translation>Datas</translation>
     </message>
     <message>
-        <source>Received</source>
-        <translation>Recebido</translation>
-    </message>
-    <message>
         <source>ISO 8601: 2026-04-17.</source>
         <translation>ISO 8601: 2026-04-17.</translation>
     </message>
     <message>
-        <source>Calibrated</source>
-        <translation>Calibrado</translation>
-    </message>
-    <message>
         <source>A date, or two of an interval: 2026-04-17/2026-04-18.</source>
         <translation>Uma data, ou as duas de um intervalo: 2026-04-17/2026-04-18.</translation>
-    </message>
-    <message>
-        <source>Issued</source>
-        <translation>Emitido</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-20.</source>
@@ -11236,10 +11224,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Grandezas intermediárias</translation>
     </message>
     <message>
-        <source>position %1, α, β, γ = %2</source>
-        <translation>posição %1, α, β, γ = %2</translation>
-    </message>
-    <message>
         <source>Read from %1.</source>
         <translation>Lido de %1.</translation>
     </message>
@@ -11420,16 +11404,8 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Componentes por parcela decrescente da variância; cᵢ na unidade do mensurando por unidade da componente.</translation>
     </message>
     <message>
-        <source>Shown in full for %1, which has the largest expanded uncertainties of the %2 groups; the CSV table of budgets has every group.</source>
-        <translation>Mostrado por inteiro para %1, que tem as maiores incertezas expandidas dos %2 grupos; a tabela CSV dos balanços contém todos os grupos.</translation>
-    </message>
-    <message>
         <source>Contributions to the variance of %1.</source>
         <translation>Contribuições para a variância de %1.</translation>
-    </message>
-    <message>
-        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions: so for %1 of %2 quantities.</source>
-        <translation>A lei de propagação é validada segundo a JCGM 101, seção 8, onde os dois extremos de seu intervalo de abrangência, y ± U, estão dentro da tolerância numérica δ dos da propagação de distribuições: assim para %1 de %2 grandezas.</translation>
     </message>
     <message>
         <source>Estimates and standard uncertainties by both methods</source>
@@ -11586,14 +11562,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>In the annex, on request: %1.</source>
         <translation>No anexo, a pedido: %1.</translation>
-    </message>
-    <message>
-        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the annex has all of them.</source>
-        <translation>A partir de &apos;%1&apos;, que tem as maiores incertezas expandidas, %2 de %3 linhas; o anexo contém todas.</translation>
-    </message>
-    <message>
-        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
-        <translation>A partir de &apos;%1&apos;, que tem as maiores incertezas expandidas, %2 de %3 linhas; as tabelas CSV e, a pedido, o anexo contêm todas.</translation>
     </message>
     <message>
         <source>The first %1 of %2 rows; the annex has all of them.</source>
@@ -12674,6 +12642,274 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
         <translation>os parâmetros vêm de uma análise que é avaliada em cada ensaio: sua correlação não pode ser ignorada</translation>
+    </message>
+    <message>
+        <source>Date of receipt</source>
+        <translation>Data de recebimento</translation>
+    </message>
+    <message>
+        <source>Date of calibration</source>
+        <translation>Data de calibração</translation>
+    </message>
+    <message>
+        <source>Date of issue</source>
+        <translation>Data de emissão</translation>
+    </message>
+    <message>
+        <source>To first order no input quantity influences %1 at these estimates: its uncertainty is of second order, as Monte Carlo shows</source>
+        <translation>Em primeira ordem nenhuma grandeza de entrada influencia %1 nestas estimativas: sua incerteza é de segunda ordem, como mostra Monte Carlo</translation>
+    </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>Certificado de calibração</translation>
+    </message>
+    <message>
+        <source>not normal; k u fits as far as so few trials can tell</source>
+        <translation>não normal; k u serve até onde tão poucos ensaios podem dizer</translation>
+    </message>
+    <message>
+        <source>measured artefact, Porath et al., Eq. 2</source>
+        <translation>artefato medido, Porath et al., eq. 2</translation>
+    </message>
+    <message>
+        <source>not controlled</source>
+        <translation>não controlada</translation>
+    </message>
+    <message>
+        <source>outlier?</source>
+        <translation>valor atípico?</translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation>não testado</translation>
+    </message>
+    <message>
+        <source>residuals larger than stated</source>
+        <translation>resíduos maiores que o declarado</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>concorda</translation>
+    </message>
+    <message>
+        <source>along any axis</source>
+        <translation>ao longo de qualquer eixo</translation>
+    </message>
+    <message>
+        <source>distance: largest</source>
+        <translation>distância: maior</translation>
+    </message>
+    <message>
+        <source>distance: RP = mean + 3 s</source>
+        <translation>distância: RP = média + 3 s</translation>
+    </message>
+    <message>
+        <source>does not move the measured points in any pose</source>
+        <translation>não move os pontos medidos em nenhuma pose</translation>
+    </message>
+    <message>
+        <source>moves the measured points as %1 can: coupled with it, held at its nominal value</source>
+        <translation>move os pontos medidos como %1 pode: acoplado a isso, mantido em seu valor nominal</translation>
+    </message>
+    <message>
+        <source>coordinates in the fit</source>
+        <translation>coordenadas no ajuste</translation>
+    </message>
+    <message>
+        <source>unknowns (rank)</source>
+        <translation>incógnitas (posto)</translation>
+    </message>
+    <message>
+        <source>condition of the fit</source>
+        <translation>número de condição do ajuste</translation>
+    </message>
+    <message>
+        <source>smallest singular value</source>
+        <translation>menor valor singular</translation>
+    </message>
+    <message>
+        <source>residuals over what uncertainties explain</source>
+        <translation>resíduos em relação ao que as incertezas explicam</translation>
+    </message>
+    <message>
+        <source>outlier</source>
+        <translation>valor atípico</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>ferramenta</translation>
+    </message>
+    <message>
+        <source>one ball is one point: it has no orientation</source>
+        <translation>uma esfera é um ponto: não tem orientação</translation>
+    </message>
+    <message>
+        <source>places the base frame on axis 1: by definition, as nominal; it would need a measured base</source>
+        <translation>situa o referencial da base no eixo 1: por definição, como o nominal; seria necessária uma base medida</translation>
+    </message>
+    <message>
+        <source>places the frame of the last link, which no axis follows: by definition, as nominal</source>
+        <translation>situa o referencial do último elo, ao qual não segue nenhum eixo: por definição, como o nominal</translation>
+    </message>
+    <message>
+        <source>the axis is parallel to the next: 0 by definition, or beta and d would describe the same</source>
+        <translation>o eixo é paralelo ao seguinte: 0 por definição, ou beta e d descreveriam o mesmo</translation>
+    </message>
+    <message>
+        <source>reproduces</source>
+        <translation>reproduz-se</translation>
+    </message>
+    <message>
+        <source>inside rounding</source>
+        <translation>dentro do arredondamento</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>difere</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>planejado</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>total</translation>
+    </message>
+    <message>
+        <source>standard deviation of the means of the groups</source>
+        <translation>desvio-padrão das médias dos grupos</translation>
+    </message>
+    <message>
+        <source>s_a, from the means of the groups</source>
+        <translation>s_a, das médias dos grupos</translation>
+    </message>
+    <message>
+        <source>s_b, within the groups</source>
+        <translation>s_b, dentro dos grupos</translation>
+    </message>
+    <message>
+        <source>s_B, between the groups</source>
+        <translation>s_B, entre os grupos</translation>
+    </message>
+    <message>
+        <source>n_0, size of the groups</source>
+        <translation>n_0, tamanho dos grupos</translation>
+    </message>
+    <message>
+        <source>F = s_a²/s_b²</source>
+        <translation>F = s_a²/s_b²</translation>
+    </message>
+    <message>
+        <source>95 % quantile of F</source>
+        <translation>quantil de 95 % de F</translation>
+    </message>
+    <message>
+        <source>97.5 % quantile of F</source>
+        <translation>quantil de 97,5 % de F</translation>
+    </message>
+    <message>
+        <source>between the groups</source>
+        <translation>entre os grupos</translation>
+    </message>
+    <message>
+        <source>within the groups</source>
+        <translation>dentro dos grupos</translation>
+    </message>
+    <message>
+        <source>chi-squared</source>
+        <translation>qui-quadrado</translation>
+    </message>
+    <message>
+        <source>its 95 % quantile</source>
+        <translation>seu quantil de 95 %</translation>
+    </message>
+    <message>
+        <source>standard deviation of the residuals</source>
+        <translation>desvio-padrão dos resíduos</translation>
+    </message>
+    <message>
+        <source>coefficient of determination R²</source>
+        <translation>coeficiente de determinação R²</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>curva</translation>
+    </message>
+    <message>
+        <source>residuals</source>
+        <translation>resíduos</translation>
+    </message>
+    <message>
+        <source>position %1, rotations about x, y, z: %2</source>
+        <translation>posição %1, rotações em torno de x, y, z: %2</translation>
+    </message>
+    <message>
+        <source>1 further component</source>
+        <translation>mais 1 componente</translation>
+    </message>
+    <message>
+        <source>Shown for %1, the first of the %2 groups; the CSV table of budgets has every group.</source>
+        <translation>Mostrado para %1, o primeiro dos %2 grupos; a tabela CSV dos balanços contém todos os grupos.</translation>
+    </message>
+    <message>
+        <source>Shown for %1: of the %2 groups it has the largest expanded uncertainties on average; the CSV table of budgets has every group.</source>
+        <translation>Mostrado para %1: dos %2 grupos tem, em média, as maiores incertezas expandidas; a tabela CSV dos balanços contém todos os grupos.</translation>
+    </message>
+    <message>
+        <source>Shown for %1: of the %2 groups with the same quantities it has the largest expanded uncertainties on average; the CSV table of budgets has all %3 groups.</source>
+        <translation>Mostrado para %1: dos %2 grupos com as mesmas grandezas tem, em média, as maiores incertezas expandidas; a tabela CSV dos balanços contém todos os %3 grupos.</translation>
+    </message>
+    <message>
+        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions. Validated: %1 of %2.</source>
+        <translation>A lei de propagação é validada segundo a JCGM 101, seção 8, onde os dois extremos de seu intervalo de abrangência, y ± U, estão dentro da tolerância numérica δ dos da propagação de distribuições. Validadas: %1 de %2.</translation>
+    </message>
+    <message>
+        <source>Shape of the distributions by Monte Carlo</source>
+        <translation>Forma das distribuições por Monte Carlo</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, %2 of %3 rows; the annex has all of them.</source>
+        <translation>A partir de “%1”, %2 de %3 linhas; o anexo contém todas.</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
+        <translation>A partir de “%1”, %2 de %3 linhas; as tabelas CSV e, a pedido, o anexo contêm todas.</translation>
+    </message>
+    <message>
+        <source>The annex has the charts.</source>
+        <translation>O anexo contém os gráficos.</translation>
+    </message>
+    <message>
+        <source>The CSV tables, and the annex on request, have what the charts show.</source>
+        <translation>As tabelas CSV e, a pedido, o anexo contêm o que os gráficos mostram.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and no chart; the annex has the rest.</source>
+        <translation>São mostradas %1 de %2 tabelas e nenhum gráfico; o anexo contém o resto.</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and no chart; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>São mostradas %1 de %2 tabelas e nenhum gráfico; as tabelas CSV e, a pedido, o anexo contêm o resto.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>incógnita</translation>
+    </message>
+    <message>
+        <source>coupled with</source>
+        <translation>acoplada a</translation>
+    </message>
+    <message>
+        <source>Observations of %1</source>
+        <translation>Observações de %1</translation>
+    </message>
+    <message>
+        <source>mean + s</source>
+        <translation>média + s</translation>
+    </message>
+    <message>
+        <source>mean − s</source>
+        <translation>média − s</translation>
     </message>
 </context>
 <context>

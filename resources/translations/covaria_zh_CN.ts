@@ -3832,24 +3832,12 @@
         <translation>日期</translation>
     </message>
     <message>
-        <source>Received</source>
-        <translation>接收日期</translation>
-    </message>
-    <message>
         <source>ISO 8601: 2026-04-17.</source>
         <translation>ISO 8601：2026-04-17。</translation>
     </message>
     <message>
-        <source>Calibrated</source>
-        <translation>校准日期</translation>
-    </message>
-    <message>
         <source>A date, or two of an interval: 2026-04-17/2026-04-18.</source>
         <translation>一个日期，或表示期间的两个日期：2026-04-17/2026-04-18。</translation>
-    </message>
-    <message>
-        <source>Issued</source>
-        <translation>签发日期</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-20.</source>
@@ -11236,10 +11224,6 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <translation>中间量</translation>
     </message>
     <message>
-        <source>position %1, α, β, γ = %2</source>
-        <translation>位置 %1，α, β, γ = %2</translation>
-    </message>
-    <message>
         <source>Read from %1.</source>
         <translation>读自 %1。</translation>
     </message>
@@ -11420,16 +11404,8 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <translation>分量按方差占比递减；cᵢ 的单位为被测量的单位除以分量的单位。</translation>
     </message>
     <message>
-        <source>Shown in full for %1, which has the largest expanded uncertainties of the %2 groups; the CSV table of budgets has every group.</source>
-        <translation>仅对 %2 组中扩展不确定度最大的 %1 完整显示；预算的 CSV 表包含每一组。</translation>
-    </message>
-    <message>
         <source>Contributions to the variance of %1.</source>
         <translation>对 %1 的方差的贡献。</translation>
-    </message>
-    <message>
-        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions: so for %1 of %2 quantities.</source>
-        <translation>按 JCGM 101 第 8 章，当传播律的包含区间 y ± U 的两端与分布传播的两端之差在数值容差 δ 内时，传播律得到验证：%2 个量中有 %1 个如此。</translation>
     </message>
     <message>
         <source>Estimates and standard uncertainties by both methods</source>
@@ -11586,14 +11562,6 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>In the annex, on request: %1.</source>
         <translation>在附录中（按需）：%1。</translation>
-    </message>
-    <message>
-        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the annex has all of them.</source>
-        <translation>自扩展不确定度最大的 &apos;%1&apos; 起，%3 行中的 %2 行；附录列出全部。</translation>
-    </message>
-    <message>
-        <source>From &apos;%1&apos; on, which has the largest expanded uncertainties, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
-        <translation>自扩展不确定度最大的 &apos;%1&apos; 起，%3 行中的 %2 行；CSV 表以及按需的附录列出全部。</translation>
     </message>
     <message>
         <source>The first %1 of %2 rows; the annex has all of them.</source>
@@ -12674,6 +12642,274 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
         <translation>参数来自在每次试验中求值的分析：其相关性不能忽略</translation>
+    </message>
+    <message>
+        <source>Date of receipt</source>
+        <translation>接收日期</translation>
+    </message>
+    <message>
+        <source>Date of calibration</source>
+        <translation>校准日期</translation>
+    </message>
+    <message>
+        <source>Date of issue</source>
+        <translation>签发日期</translation>
+    </message>
+    <message>
+        <source>To first order no input quantity influences %1 at these estimates: its uncertainty is of second order, as Monte Carlo shows</source>
+        <translation>在这些估计值处，一阶上没有输入量影响 %1：其不确定度为二阶，如蒙特卡洛所示</translation>
+    </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>校准证书</translation>
+    </message>
+    <message>
+        <source>not normal; k u fits as far as so few trials can tell</source>
+        <translation>非正态；就如此少的试验而言 k u 适用</translation>
+    </message>
+    <message>
+        <source>measured artefact, Porath et al., Eq. 2</source>
+        <translation>测量的标准器，Porath et al.，式 2</translation>
+    </message>
+    <message>
+        <source>not controlled</source>
+        <translation>不受控</translation>
+    </message>
+    <message>
+        <source>outlier?</source>
+        <translation>离群值？</translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation>未检验</translation>
+    </message>
+    <message>
+        <source>residuals larger than stated</source>
+        <translation>残差大于所给不确定度</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>一致</translation>
+    </message>
+    <message>
+        <source>along any axis</source>
+        <translation>沿任一轴</translation>
+    </message>
+    <message>
+        <source>distance: largest</source>
+        <translation>距离：最大</translation>
+    </message>
+    <message>
+        <source>distance: RP = mean + 3 s</source>
+        <translation>距离：RP = 平均值 + 3 s</translation>
+    </message>
+    <message>
+        <source>does not move the measured points in any pose</source>
+        <translation>在任何位姿下都不移动被测点</translation>
+    </message>
+    <message>
+        <source>moves the measured points as %1 can: coupled with it, held at its nominal value</source>
+        <translation>移动被测点的方式与 %1 相同：与之耦合，保持标称值</translation>
+    </message>
+    <message>
+        <source>coordinates in the fit</source>
+        <translation>参与拟合的坐标</translation>
+    </message>
+    <message>
+        <source>unknowns (rank)</source>
+        <translation>未知数（秩）</translation>
+    </message>
+    <message>
+        <source>condition of the fit</source>
+        <translation>拟合的条件数</translation>
+    </message>
+    <message>
+        <source>smallest singular value</source>
+        <translation>最小奇异值</translation>
+    </message>
+    <message>
+        <source>residuals over what uncertainties explain</source>
+        <translation>残差与不确定度所能解释部分之比</translation>
+    </message>
+    <message>
+        <source>outlier</source>
+        <translation>离群值</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>one ball is one point: it has no orientation</source>
+        <translation>一个球就是一个点：没有姿态</translation>
+    </message>
+    <message>
+        <source>places the base frame on axis 1: by definition, as nominal; it would need a measured base</source>
+        <translation>将基坐标系放在轴 1 上：按定义取标称值；需要测量的基座</translation>
+    </message>
+    <message>
+        <source>places the frame of the last link, which no axis follows: by definition, as nominal</source>
+        <translation>确定最后一个连杆的坐标系，其后没有轴：按定义取标称值</translation>
+    </message>
+    <message>
+        <source>the axis is parallel to the next: 0 by definition, or beta and d would describe the same</source>
+        <translation>该轴与下一轴平行：按定义为 0，否则 beta 与 d 描述同一内容</translation>
+    </message>
+    <message>
+        <source>reproduces</source>
+        <translation>可复现</translation>
+    </message>
+    <message>
+        <source>inside rounding</source>
+        <translation>在修约之内</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>总计</translation>
+    </message>
+    <message>
+        <source>standard deviation of the means of the groups</source>
+        <translation>各组平均值的标准偏差</translation>
+    </message>
+    <message>
+        <source>s_a, from the means of the groups</source>
+        <translation>s_a，由各组平均值得到</translation>
+    </message>
+    <message>
+        <source>s_b, within the groups</source>
+        <translation>s_b，组内</translation>
+    </message>
+    <message>
+        <source>s_B, between the groups</source>
+        <translation>s_B，组间</translation>
+    </message>
+    <message>
+        <source>n_0, size of the groups</source>
+        <translation>n_0，组的大小</translation>
+    </message>
+    <message>
+        <source>F = s_a²/s_b²</source>
+        <translation>F = s_a²/s_b²</translation>
+    </message>
+    <message>
+        <source>95 % quantile of F</source>
+        <translation>F 的 95 % 分位数</translation>
+    </message>
+    <message>
+        <source>97.5 % quantile of F</source>
+        <translation>F 的 97.5 % 分位数</translation>
+    </message>
+    <message>
+        <source>between the groups</source>
+        <translation>组间</translation>
+    </message>
+    <message>
+        <source>within the groups</source>
+        <translation>组内</translation>
+    </message>
+    <message>
+        <source>chi-squared</source>
+        <translation>卡方</translation>
+    </message>
+    <message>
+        <source>its 95 % quantile</source>
+        <translation>其 95 % 分位数</translation>
+    </message>
+    <message>
+        <source>standard deviation of the residuals</source>
+        <translation>残差的标准偏差</translation>
+    </message>
+    <message>
+        <source>coefficient of determination R²</source>
+        <translation>决定系数 R²</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>position %1, rotations about x, y, z: %2</source>
+        <translation>位置 %1，绕 x, y, z 的转动：%2</translation>
+    </message>
+    <message>
+        <source>1 further component</source>
+        <translation>另外 1 个分量</translation>
+    </message>
+    <message>
+        <source>Shown for %1, the first of the %2 groups; the CSV table of budgets has every group.</source>
+        <translation>显示 %2 组中的第一组 %1；预算的 CSV 表包含每一组。</translation>
+    </message>
+    <message>
+        <source>Shown for %1: of the %2 groups it has the largest expanded uncertainties on average; the CSV table of budgets has every group.</source>
+        <translation>显示 %1：在 %2 组中其扩展不确定度平均而言最大；预算的 CSV 表包含每一组。</translation>
+    </message>
+    <message>
+        <source>Shown for %1: of the %2 groups with the same quantities it has the largest expanded uncertainties on average; the CSV table of budgets has all %3 groups.</source>
+        <translation>显示 %1：在具有相同量的 %2 组中其扩展不确定度平均而言最大；预算的 CSV 表包含全部 %3 组。</translation>
+    </message>
+    <message>
+        <source>The law of propagation is validated by JCGM 101 clause 8 where both ends of its coverage interval, y ± U, lie within the numerical tolerance δ of those of the propagation of distributions. Validated: %1 of %2.</source>
+        <translation>按 JCGM 101 第 8 章，当传播律的包含区间 y ± U 的两端与分布传播的两端之差在数值容差 δ 内时，传播律得到验证。已验证：%2 个中的 %1 个。</translation>
+    </message>
+    <message>
+        <source>Shape of the distributions by Monte Carlo</source>
+        <translation>蒙特卡洛所得分布的形状</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, %2 of %3 rows; the annex has all of them.</source>
+        <translation>自“%1”起，%3 行中的 %2 行；全部见附录。</translation>
+    </message>
+    <message>
+        <source>From &apos;%1&apos; on, %2 of %3 rows; the CSV tables, and the annex on request, have all of them.</source>
+        <translation>自“%1”起，%3 行中的 %2 行；全部见 CSV 表以及按需的附录。</translation>
+    </message>
+    <message>
+        <source>The annex has the charts.</source>
+        <translation>图见附录。</translation>
+    </message>
+    <message>
+        <source>The CSV tables, and the annex on request, have what the charts show.</source>
+        <translation>图中的内容见 CSV 表以及按需的附录。</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and no chart; the annex has the rest.</source>
+        <translation>显示 %2 个表中的 %1 个，不显示图；其余见附录。</translation>
+    </message>
+    <message>
+        <source>Shown are %1 of %2 tables and no chart; the CSV tables, and the annex on request, have the rest.</source>
+        <translation>显示 %2 个表中的 %1 个，不显示图；其余见 CSV 表以及按需的附录。</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知数</translation>
+    </message>
+    <message>
+        <source>coupled with</source>
+        <translation>与之耦合</translation>
+    </message>
+    <message>
+        <source>Observations of %1</source>
+        <translation>%1 的观测值</translation>
+    </message>
+    <message>
+        <source>mean + s</source>
+        <translation>平均值 + s</translation>
+    </message>
+    <message>
+        <source>mean − s</source>
+        <translation>平均值 − s</translation>
     </message>
 </context>
 <context>

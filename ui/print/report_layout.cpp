@@ -295,6 +295,26 @@ private:
     double width_;
 };
 
+constexpr std::size_t most_leading = 4;  // paragraphs
+
+bool is_words(const ReportBlock& block) {
+    return std::holds_alternative<ParagraphBlock>(block);
+}
+
+/// Whether a paragraph stays with what follows: one that leads from a heading to a table or chart, and one
+/// that stands before the signature, which is not alone on a page.
+bool leads(const std::vector<ReportBlock>& blocks, std::size_t at) {
+    if (!is_words(blocks[at])) return false;
+    std::size_t first = at, next = at + 1;
+    while (first > 0 && is_words(blocks[first - 1])) --first;
+    while (next < blocks.size() && is_words(blocks[next])) ++next;
+    if (next == blocks.size() || next - at > most_leading) return false;
+    if (std::holds_alternative<SignatureBlock>(blocks[next])) return true;
+    const bool shown =
+        std::holds_alternative<TableBlock>(blocks[next]) || std::holds_alternative<PlotBlock>(blocks[next]);
+    return shown && first > 0 && std::holds_alternative<HeadingBlock>(blocks[first - 1]);
+}
+
 }  // namespace
 
 std::vector<FlowItem> lay_out(const ReportDocument& document, const PageStyle& style,
@@ -306,7 +326,10 @@ std::vector<FlowItem> lay_out(const ReportDocument& document, const PageStyle& s
         while (i < document.blocks.size() && std::holds_alternative<PlotBlock>(document.blocks[i]))
             run.push_back(&std::get<PlotBlock>(document.blocks[i++]));
         layout.plots(run);
-        if (i < document.blocks.size()) std::visit(layout, document.blocks[i++]);
+        if (i == document.blocks.size()) break;
+        std::visit(layout, document.blocks[i]);
+        if (leads(document.blocks, i)) layout.items.back().keep_with_next = true;
+        ++i;
     }
     return std::move(layout.items);
 }

@@ -6,8 +6,9 @@ namespace covaria {
 
 DataTable variance_table(std::string id, std::string title, const Unit& unit, const VarianceSource& effect,
                          const VarianceSource& rest) {
-    const Unit square =
-        unit.text() == "1" ? unit : Unit::parse(unit.text() + "*" + unit.text()).value_or(Unit{});
+    const bool simple = unit.text().find_first_of("/*^ ") == std::string::npos;
+    const std::string times_itself = simple ? "^2" : "*" + unit.text();
+    const Unit square = unit.text() == "1" ? unit : Unit::parse(unit.text() + times_itself).value_or(Unit{});
     DataTable table{std::move(id),
                     std::move(title),
                     {{"source of variation"},

@@ -157,6 +157,8 @@ TEST(GroupedDigits, OnBothSidesOfThePoint) {
     EXPECT_EQ(grouped_digits("1234.5678"), "1234.5678");
     EXPECT_EQ(grouped_digits("12345.12345", {",", " "}), "12 345,123 45");
     EXPECT_EQ(grouped_digits("2.3e-05"), "2.3×10⁻⁵");
+    EXPECT_EQ(grouped_digits("-0.00035 rad", {",", " "}), "−0,000 35 rad") << "with its unit";
+    EXPECT_EQ(grouped_digits("1.15275e-05"), "1.152\u202f75×10⁻⁵");
     EXPECT_EQ(grouped_digits("∞"), "∞");
 }
 

@@ -104,6 +104,28 @@ TEST_F(PdfReport, EveryNumberOfEveryTableIsPrinted) {
     }
 }
 
+TEST_F(PdfReport, WordsStayWithTheTableTheyLeadTo) {
+    for (int before = 20; before < 70; ++before) {
+        ReportDocument document;
+        document.title = "Breaks";
+        for (int i = 0; i < before; ++i) document.blocks.push_back(ListBlock{{"filling"}});
+        document.blocks.push_back(HeadingBlock{2, "Heading"});
+        document.blocks.push_back(ParagraphBlock{"This leads to the table."});
+        TableBlock table;
+        table.table.title = "Caption of the table";
+        table.table.columns = {{"value"}};
+        table.table.rows = {{std::string("first")}, {std::string("second")}};
+        document.blocks.push_back(table);
+        document.blocks.push_back(ParagraphBlock{"Before the signature."});
+        document.blocks.push_back(SignatureBlock{"statement", "date", "name", "function", "The end."});
+        for (const std::string& page : pages_of(text_of(document, options()))) {
+            EXPECT_EQ(contains(page, "This leads"), contains(page, "Caption of the table")) << before;
+            EXPECT_EQ(contains(page, "Before the signature"), contains(page, "The end.")) << before;
+        }
+        before += 4;
+    }
+}
+
 /// A table of so many columns of numbers behind two of text.
 ReportDocument with_wide_table(int columns) {
     TableBlock block;
