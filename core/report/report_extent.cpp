@@ -134,7 +134,7 @@ std::size_t rows_in(const std::vector<std::vector<TableCell>>& rows) {
 /// Where the rows that are shown end: not within a group, unless it alone is far longer.
 std::size_t end_of(const std::vector<std::vector<TableCell>>& rows, std::size_t begin, std::size_t most) {
     const std::size_t end = begin + std::min(most, rows.size() - begin);
-    if (end == rows.size()) return end;
+    if (end == rows.size() || !is_subhead(rows[begin])) return end;
     for (std::size_t row = end; row > begin; --row)
         if (is_subhead(rows[row])) return row;
     for (std::size_t row = end; row <= std::min(rows.size(), begin + 2 * most); ++row)
@@ -189,12 +189,11 @@ private:
     void add_table(const TableBlock& table) {
         if (++tables_ > extent_.tables) return leave(table);
         const auto& rows = table.table.rows;
-        if (is_budget(table) || double(rows.size()) <= tolerated * double(extent_.rows)) {
-            out_.body.push_back(table);
-            return;
-        }
-        TableBlock part = table;
+        if (is_budget(table) || double(rows.size()) <= tolerated * double(extent_.rows))
+            return out_.body.push_back(table);
         const std::size_t begin = begin_of(table, group_), end = end_of(rows, begin, extent_.rows);
+        if (end - begin == rows.size()) return out_.body.push_back(table);
+        TableBlock part = table;
         part.table.rows.assign(rows.begin() + static_cast<std::ptrdiff_t>(begin),
                                rows.begin() + static_cast<std::ptrdiff_t>(end));
         part.table.notes.push_back(

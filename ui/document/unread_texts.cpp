@@ -60,11 +60,9 @@ void UnreadTexts::replace_under(const SetupAddress& entry, const std::string& pa
     if (before == texts) return;
     for (auto& moved : texts) {
         // Rows that come and go move it.
-        const auto same = std::find_if(before.begin(), before.end(), [&](const auto& known) {
-            return known.second == moved.second;
-        });
-        moved.second =
-            stamped(std::move(moved.second), same == before.end() ? nullptr : &same->second);
+        const auto same = std::find_if(before.begin(), before.end(),
+                                       [&](const auto& known) { return known.second == moved.second; });
+        moved.second = stamped(std::move(moved.second), same == before.end() ? nullptr : &same->second);
     }
     std::erase_if(texts_, [&](const auto& known) {
         return known.first.entry == entry && known.first.part.starts_with(part);

@@ -141,6 +141,23 @@ TEST(ReportExtent, TheRowsShownAreOfTheGroupWithTheLargestUncertainties) {
     }
 }
 
+TEST(ReportExtent, ATableThatIsCutSaysSoAndNoOther) {
+    Extent extent;
+    extent.rows = 6;
+    for (const bool groups : {false, true})
+        for (std::size_t rows = 1; rows < 40; ++rows) {
+            TableBlock table;
+            for (std::size_t row = 0; row < rows; ++row) {
+                if (groups && row % 4 == 0) table.table.rows.push_back({std::string("group")});
+                table.table.rows.push_back({1.0, 2.0});
+            }
+            const ShortenedChapter part = shorten({table}, extent, "", Elsewhere::files, {});
+            const auto& shown = std::get<TableBlock>(part.body.front()).table;
+            EXPECT_EQ(shown.notes.empty(), shown.rows.size() == table.table.rows.size()) << rows;
+            EXPECT_LE(shown.rows.size(), 12U) << rows << " rows" << (groups ? " in groups" : "");
+        }
+}
+
 TEST(ReportExtent, AHeadingGoesWithTheTablesThatWereUnderIt) {
     TableBlock table;
     table.table.rows = {{1.0, 2.0}, {2.0, 3.0}};

@@ -9,7 +9,6 @@
 #include "core/base/resource_path.h"
 #include "core/project/project_file.h"
 #include "tests/core/kinds/force/force_project.h"
-#include "tests/core/kinds/words_in.h"
 
 namespace covaria::force_sensor_test {
 namespace {
@@ -89,11 +88,11 @@ TEST(ForceSensor, StatesWhatOfThePrintedTablesReproduces) {
     std::map<std::string, std::string> summary, cells;
     std::string quantity;
     for (const auto& row : table.rows) {
-        const std::string name = test::words_in(row[0]), sensor = test::words_in(row[1]);
+        const std::string name = english_of(row[0]), sensor = english_of(row[1]);
         if (!name.empty())
             summary[quantity = name] = sensor;
         else
-            cells[quantity + ":" + sensor] = test::words_in(row[4]);
+            cells[quantity + ":" + sensor] = english_of(row[4]);
     }
     // Type B does not follow from the stated uncertainty of the machine, but for Fz.
     EXPECT_EQ(summary.at("u_B"), "1 of 6");
@@ -142,7 +141,7 @@ TEST(ForceSensor, GumBesideThePaper) {
     expect_rounds_to(numbers(table, 3), {.804, 1.138, 1.715, 1.608, 2.873, 1.015}, 1e-3, "largest only");
     expect_rounds_to(numbers(table, 4), {.147, .159, .129, .183, .178, .230}, 1e-3, "alone");
     expect_rounds_to(numbers(table, 7), {2.704, 2.117, 3.335, 4.592, 3.697, 2.269}, 1e-3, "worst case");
-    for (const auto& row : table.rows) EXPECT_EQ(test::words_in(row[8]), "yes");
+    for (const auto& row : table.rows) EXPECT_EQ(english_of(row[8]), "yes");
 }
 
 /// k u of the relative loads, in %.

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "tests/core/kinds/network/network_project.h"
-#include "tests/core/kinds/words_in.h"
 
 namespace covaria::network_project_test {
 namespace {
@@ -308,9 +307,9 @@ TEST(NetworkReadings, AnOutlierIsFound) {
             largest = i;
         }
     EXPECT_GT(std::abs(w), 3.29);
-    EXPECT_EQ(test::words_in(residuals.rows[largest][0]), "B");
-    EXPECT_EQ(test::words_in(residuals.rows[largest][1]), "C3");
-    EXPECT_EQ(test::words_in(residuals.rows[largest][7]), "outlier?");
+    EXPECT_EQ(english_of(residuals.rows[largest][0]), "B");
+    EXPECT_EQ(english_of(residuals.rows[largest][1]), "C3");
+    EXPECT_EQ(english_of(residuals.rows[largest][7]), "outlier?");
     double redundancy = 0.0;
     for (const auto& row : residuals.rows) redundancy += std::get<double>(row[5]);
     EXPECT_NEAR(redundancy, 27 - 9, 1e-6);

@@ -1,7 +1,6 @@
 // Calibrated lengths in the network of Galetto et al.: as checks, as constraints; large set-ups. Millimetres.
 #include "core/kinds/registries.h"
 #include "tests/core/kinds/network/network_project.h"
-#include "tests/core/kinds/words_in.h"
 
 namespace covaria::network_scale_bar_test {
 namespace {
@@ -74,7 +73,7 @@ TEST(NetworkScaleBar, GivenReadingsAreAdjustedWithIt) {
     const auto prepared = network.prepare("recommended");
     ASSERT_NE(prepared, nullptr) << network.words();
     const DataTable residuals = prepared->model->evaluation().back();
-    EXPECT_EQ(test::words_in(residuals.rows.back()[1]), "scale bar");
+    EXPECT_EQ(english_of(residuals.rows.back()[1]), "scale bar");
     EXPECT_EQ(residuals.rows.size(), 28u);
     EXPECT_NE(residuals.notes.front().english().find("19 degrees of freedom"), std::string::npos)
         << residuals.notes.front();

@@ -9,7 +9,6 @@
 #include "core/kinds/robot/serial_robot.h"
 #include "core/math/rotation.h"
 #include "tests/core/kinds/robot/robot_project.h"
-#include "tests/core/kinds/words_in.h"
 
 namespace covaria::robot_calibration_test {
 namespace {
@@ -75,7 +74,7 @@ DataTable table_called(const PreparedAnalysis& analysis, const std::string& id) 
 std::map<std::string, std::string> held_in(const PreparedAnalysis& analysis) {
     std::map<std::string, std::string> held;
     for (const auto& row : table_called(analysis, "not-identified").rows)
-        held[test::words_in(row[0])] = test::words_in(row[1]);
+        held[english_of(row[0])] = english_of(row[1]);
     return held;
 }
 
@@ -129,7 +128,7 @@ TEST(Calibration, MonteCarloAgreesWithItsCovariance) {
     const DataTable table = table_called(*robot.prepare(measured), "identified");
     for (const auto& row : table.rows)
         for (const OutputResult& y : r.outputs)
-            if (y.quantity.symbol == test::words_in(row[0])) {
+            if (y.quantity.symbol == english_of(row[0])) {
                 EXPECT_NEAR(std::get<Quantity>(row[4]).value,
                             y.quantity.unit.interval_from_si(y.first_order.standard_uncertainty),
                             1e-6 * std::get<Quantity>(row[4]).value);
@@ -228,7 +227,7 @@ TEST(Calibration, AnOutlierIsNamed) {
     EXPECT_TRUE(says(robot, "times as large as the uncertainties of points and readings explain"));
     std::size_t outliers = 0;
     for (const auto& r : table_called(*prepared, "residuals").rows)
-        outliers += test::words_in(r.back()) == "outlier";
+        outliers += english_of(r.back()) == "outlier";
     EXPECT_GE(outliers, 1u);
     row[1] = std::string("check");
     ASSERT_NE(robot.prepare(measured), nullptr);

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "tests/core/kinds/robot/robot_project.h"
-#include "tests/core/kinds/words_in.h"
 
 namespace covaria::robot_circle_points_test {
 namespace {
@@ -168,7 +167,7 @@ TEST(CirclePoints, WhatCannotBeIdentifiedIsNamed) {
     ASSERT_NE(prepared, nullptr);
     std::set<std::string> names;
     const DataTable missing = prepared->model->evaluation().at(2);
-    for (const auto& row : missing.rows) names.insert(test::words_in(row[0]));
+    for (const auto& row : missing.rows) names.insert(english_of(row[0]));
     EXPECT_EQ(names,
               (std::set<std::string>{"theta_1", "d_1", "d_2", "theta_6", "d_6", "a_6", "alpha_6", "tool"}));
 }
