@@ -139,6 +139,8 @@ void say_parts_of_project(TextList& list) {
             list.say_word("Parameter of a distribution", parameter.title);
     }
     list.say("Examples of statements in the cell of a budget; the notations stay", statement_examples());
+    for (const std::string& word : statement_words())
+        list.say_word("Word of a statement, as it is typed: one word", word);
     for (const LibraryItem& item : load_library().items)
         if (!item.own) list.say("Collection of the library", item.collection);
     for (const Reader& reader : reader_registry()) list.say("Format of a file that is read", reader.title);

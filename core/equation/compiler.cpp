@@ -269,7 +269,17 @@ private:
         if (!wanted.unit && coherent.empty())
             refuse(place, tell<"'%1' is %2, which has no unit of its own">(wanted.name, kind_words(kind)));
         compiled_.program.outputs.push_back(defined->second);
-        compiled_.output_units.push_back(wanted.unit ? *wanted.unit : Unit::parse(coherent).value_or(Unit{}));
+        compiled_.output_units.push_back(wanted.unit ? *wanted.unit : unit_of_inputs(kind, coherent));
+    }
+
+    /// Temperatures keep the coherent unit: one in degC may be a difference.
+    Unit unit_of_inputs(const Kind& kind, const std::string& coherent) const {
+        const Unit otherwise = Unit::parse(coherent).value_or(Unit{});
+        if (kind.is_number() || otherwise.dimension() == Unit::of("K").dimension()) return otherwise;
+        const auto same = std::find_if(symbols_.begin(), symbols_.end(), [&](const KnownSymbol& known) {
+            return known.unit.dimension() == otherwise.dimension();
+        });
+        return same == symbols_.end() ? otherwise : same->unit;
     }
 
     const ParsedText& parsed_;

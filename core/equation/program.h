@@ -71,7 +71,8 @@ struct WantedOutput {
 
 struct Compiled {
     Program program;
-    std::vector<Unit> output_units;  ///< as wanted, else the coherent SI unit
+    std::vector<Unit>
+        output_units;  ///< as wanted, else of the first quantity of that dimension, else coherent
 };
 
 /// Orders the statements, checks the dimensions and compiles. Plane angle counts as a number here (the radian

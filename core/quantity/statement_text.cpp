@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <vector>
 
 namespace covaria {
 
@@ -139,6 +138,31 @@ private:
     std::size_t at_ = 0, given_ = 0;
     std::vector<Token> all_;
 };
+
+/// The first word may be shortened to three letters; the others stand between spaces.
+std::string in_english(std::string_view text, const WordOf& word) {
+    const std::string typed = lower(text.substr(std::min(text.find_first_not_of(' '), text.size())));
+    const std::string first = typed.substr(0, typed.find_first_of(" \t0123456789.,+-=\xc2"));
+    std::string english(text), found;
+    std::size_t length = 0;
+    for (const std::string& known : statement_words()) {
+        const std::string other = lower(word(known));
+        if (typed.starts_with(other) && other.size() > length) {
+            length = other.size();
+            found = known;
+        }
+        if (length == 0 && first.size() >= 3 && other.starts_with(first)) {
+            length = first.size();
+            found = known;
+        }
+        const std::string between = " " + other + " ";
+        if (const std::size_t at = lower(english).find(between); at != std::string::npos)
+            english.replace(at, between.size(), " " + known + " ");
+    }
+    if (found.empty()) return english;
+    const std::size_t begin = english.find_first_not_of(' ');
+    return english.replace(begin, length, found + " ");
+}
 
 /// A figure and the words behind it: its unit, if it has one.
 struct Figure {
@@ -330,18 +354,31 @@ private:
 }  // namespace
 
 Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, std::optional<double> value,
-                                      bool decimal_comma) {
-    return StatementReader(text, unit, value, decimal_comma).run();
+                                      bool decimal_comma, const WordOf& word) {
+    return StatementReader(word ? in_english(text, word) : std::string(text), unit, value, decimal_comma)
+        .run();
+}
+
+std::vector<std::string> statement_words() {
+    std::vector<std::string> words;
+    for (const Notation& notation : notations())
+        for (const std::string_view word : {notation.words.front(), notation.second})
+            if (word.size() > 1 && word != "MPE") words.emplace_back(word);
+    return words;
 }
 
 std::string statement_text(const TypedStatement& statement, const Unit& unit,
-                           const std::function<std::string(double)>& number) {
+                           const std::function<std::string(double)>& number, const WordOf& word) {
+    const auto say = [&](std::string_view english) {
+        const bool has_forms = word && english.size() > 1 && english != "MPE";
+        return has_forms ? word(std::string(english)) : std::string(english);
+    };
     for (const Notation& notation : notations()) {
         if (notation.kind != statement.kind) continue;
         const auto in_unit = [&](double figure, const Unit& of) {
             return number(figure) + (of.text() == "1" ? "" : " " + of.display());
         };
-        std::string text(notation.words.front());
+        std::string text = say(notation.words.front());
         const bool limits = notation.kind == "limits";
         if (statement.a) {
             text += ' ';
@@ -350,9 +387,9 @@ std::string statement_text(const TypedStatement& statement, const Unit& unit,
                 notation.has_unit && !limits ? in_unit(*statement.a, unit.interval()) : number(*statement.a);
         }
         if (!statement.b) return text;
-        if (limits) return text + " to " + in_unit(*statement.b, unit);
+        if (limits) return text + " " + say("to") + " " + in_unit(*statement.b, unit);
         if (notation.second == "+") return text + " + " + number(*statement.b) + " %";
-        text += ", " + std::string(notation.second) + " ";
+        text += ", " + say(notation.second) + " ";
         if (notation.second == "k") return text + "= " + number(*statement.b);
         if (notation.second == "p") return text + "= " + number(*statement.b) + " %";
         return text + (notation.second == "inexactness" ? in_unit(*statement.b, unit.interval())

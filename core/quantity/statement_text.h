@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
@@ -21,15 +22,22 @@ struct TypedStatement {
     bool operator==(const TypedStatement&) const = default;
 };
 
+/// A word of the program ("rectangular", "to") in the language of who reads; without: English.
+using WordOf = std::function<std::string(const std::string& english)>;
+
 /// `unit`: of the row. A figure without a unit is in it; "%" and "ppm" of a quantity that has a unit are
 /// parts of its `value`. A bare figure is a standard uncertainty. With `decimal_comma` "0,5" is a half.
-/// Errors: words that are not known, a missing or superfluous figure, a unit of another dimension.
+/// English words are read beside those of `word`, whose first letters are enough. Errors: words that are not
+/// known, a missing or superfluous figure, a unit of another dimension.
 Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, std::optional<double> value,
-                                      bool decimal_comma = false);
+                                      bool decimal_comma = false, const WordOf& word = {});
 
 /// "U = 0.3 µm, k = 2"; empty for a kind that is not about figures or words of its own. `number` writes one.
 std::string statement_text(const TypedStatement& statement, const Unit& unit,
-                           const std::function<std::string(double)>& number);
+                           const std::function<std::string(double)>& number, const WordOf& word = {});
+
+/// The words of statements that have another form in another language.
+std::vector<std::string> statement_words();
 
 /// Some statements and what they mean, one a line: for help.
 std::string statement_examples();

@@ -1548,10 +1548,6 @@
         <translation>Eine Gleichung je Zeile: y = x_1*x_2 + 3 [mm]. Namen ohne Gleichung sind Eingangsgrößen. &apos;solve y = 1: y^2 = x&apos; findet y in jedem Versuch, ausgehend von seinem Startwert. &apos;#&apos; beginnt einen Kommentar.</translation>
     </message>
     <message>
-        <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in SI units.</source>
-        <translation>Was ausgegeben wird und in welcher Einheit. Ohne Zeilen: jeder Name, den eine Gleichung definiert und keine andere verwendet, in SI-Einheiten.</translation>
-    </message>
-    <message>
         <source>symbol</source>
         <translation>Symbol</translation>
     </message>
@@ -4421,10 +4417,10 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm: Standardunsicherheit
 2 ppm: Standardunsicherheit, ein Teil des Wertes
-U = 0.3 um, k = 2 (oder p = 95 %): Kalibrierschein
-rectangular 0.5 (oder rect, ±): Grenzen um den Wert; ebenso triangular, arcsine
-limits 19.5 to 20.5: sie liefern den Wert
-resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+U = 0,3 um, k = 2 (oder p = 95 %): Kalibrierschein
+rechteckig 0,5 (oder recht, ±): Grenzen um den Wert; ebenso dreieckig, Arkussinus
+Grenzen 19,5 bis 20,5: sie liefern den Wert
+Auflösung 0,01, MPE 3 + 0,1 %, Beobachtungen, Zählereignisse 12, Konstante
 nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
@@ -6973,7 +6969,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</source>
-        <translation>&apos;%1&apos; ist keine Angabe einer Unsicherheit. Zum Beispiel: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</translation>
+        <translation>&apos;%1&apos; ist keine Angabe einer Unsicherheit. Zum Beispiel: 75 nm; U = 0,3 um, k = 2; rechteckig 0,5; Auflösung 0,01; Konstante</translation>
     </message>
     <message>
         <source>%1 has %2 figure</source>
@@ -12914,6 +12910,30 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>mean − s</source>
         <translation>Mittelwert − s</translation>
+    </message>
+    <message>
+        <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in the unit of the first quantity of the same dimension, else in SI units.</source>
+        <translation>Was berichtet wird und in welcher Einheit. Ohne Zeilen: jeder Name, den eine Gleichung definiert und keine andere benutzt, in der Einheit der ersten Größe gleicher Dimension, sonst in SI-Einheiten.</translation>
+    </message>
+    <message>
+        <source>arcsine</source>
+        <translation>Arkussinus</translation>
+    </message>
+    <message>
+        <source>curvilinear</source>
+        <translation>krummlinig</translation>
+    </message>
+    <message>
+        <source>inexactness</source>
+        <translation>Ungenauigkeit</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>pooled</source>
+        <translation>gepoolt</translation>
     </message>
 </context>
 <context>

@@ -1548,10 +1548,6 @@
         <translation>Una ecuación por línea: y = x_1*x_2 + 3 [mm]. Los nombres sin ecuación son magnitudes de entrada. &apos;solve y = 1: y^2 = x&apos; halla y en cada prueba, desde su valor inicial. &apos;#&apos; inicia un comentario.</translation>
     </message>
     <message>
-        <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in SI units.</source>
-        <translation>Qué se comunica y en qué unidad. Sin filas: todos los nombres que una ecuación define y ninguna otra usa, en unidades SI.</translation>
-    </message>
-    <message>
         <source>symbol</source>
         <translation>símbolo</translation>
     </message>
@@ -4421,10 +4417,10 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm: incertidumbre típica
 2 ppm: incertidumbre típica, una fracción del valor
-U = 0.3 um, k = 2 (o p = 95 %): certificado
-rectangular 0.5 (o rect, ±): límites en torno al valor; lo mismo triangular, arcsine
-limits 19.5 to 20.5: dan el valor
-resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+U = 0,3 um, k = 2 (o p = 95 %): certificado
+rectangular 0,5 (o rect, ±): límites en torno al valor; lo mismo triangular, arcoseno
+límites 19,5 hasta 20,5: dan el valor
+resolución 0,01, MPE 3 + 0,1 %, observaciones, recuentos 12, constante
 nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
@@ -6973,7 +6969,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</source>
-        <translation>&apos;%1&apos; no es una forma de indicar una incertidumbre. Por ejemplo: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</translation>
+        <translation>&apos;%1&apos; no es una forma de indicar una incertidumbre. Por ejemplo: 75 nm; U = 0,3 um, k = 2; rectangular 0,5; resolución 0,01; constante</translation>
     </message>
     <message>
         <source>%1 has %2 figure</source>
@@ -12914,6 +12910,30 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>mean − s</source>
         <translation>media − s</translation>
+    </message>
+    <message>
+        <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in the unit of the first quantity of the same dimension, else in SI units.</source>
+        <translation>Lo que se informa y en qué unidad. Sin filas: cada nombre que define una ecuación y que no usa ninguna otra, en la unidad de la primera magnitud de la misma dimensión y, si no hay ninguna, en unidades SI.</translation>
+    </message>
+    <message>
+        <source>arcsine</source>
+        <translation>arcoseno</translation>
+    </message>
+    <message>
+        <source>curvilinear</source>
+        <translation>curvilíneo</translation>
+    </message>
+    <message>
+        <source>inexactness</source>
+        <translation>inexactitud</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>límites</translation>
+    </message>
+    <message>
+        <source>pooled</source>
+        <translation>agrupada</translation>
     </message>
 </context>
 <context>

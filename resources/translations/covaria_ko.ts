@@ -1548,10 +1548,6 @@
         <translation>한 줄에 방정식 하나: y = x_1*x_2 + 3 [mm]. 방정식이 없는 이름은 입력량입니다. &apos;solve y = 1: y^2 = x&apos;는 매 시행에서 시작값으로부터 y를 구합니다. &apos;#&apos;은 주석의 시작입니다.</translation>
     </message>
     <message>
-        <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in SI units.</source>
-        <translation>무엇을 어떤 단위로 보고하는지. 행이 없으면, 방정식이 정의하고 다른 방정식이 쓰지 않는 모든 이름을 SI 단위로 보고합니다.</translation>
-    </message>
-    <message>
         <source>symbol</source>
         <translation>기호</translation>
     </message>
@@ -4422,9 +4418,9 @@ nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm: 표준불확도
 2 ppm: 표준불확도, 값에 대한 비
 U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
-rectangular 0.5 (또는 rect, ±): 값을 중심으로 한 한계. triangular, arcsine도 같음
-limits 19.5 to 20.5: 한계가 값을 줌
-resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+직사각형 0.5 (또는 rect, ±): 값을 중심으로 한 한계. 삼각형, 아크사인도 같음
+한계 19.5 까지 20.5: 한계가 값을 줌
+분해능 0.01, MPE 3 + 0.1 %, 관측값, 계수 횟수 12, 상수
 이들 뒤의 nu 18: 자유도</translation>
     </message>
     <message>
@@ -6973,7 +6969,7 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
     <message>
         <source>&apos;%1&apos; is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</source>
-        <translation>&apos;%1&apos;은(는) 불확도를 표기하는 방법이 아닙니다. 예: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</translation>
+        <translation>&apos;%1&apos;은(는) 불확도를 표기하는 방법이 아닙니다. 예: 75 nm; U = 0.3 um, k = 2; 직사각형 0.5; 분해능 0.01; 상수</translation>
     </message>
     <message>
         <source>%1 has %2 figure</source>
@@ -12914,6 +12910,30 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>mean − s</source>
         <translation>평균 − s</translation>
+    </message>
+    <message>
+        <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in the unit of the first quantity of the same dimension, else in SI units.</source>
+        <translation>무엇을 어떤 단위로 보고하는지. 행이 없으면: 한 방정식이 정의하고 다른 방정식이 쓰지 않는 모든 이름을, 같은 차원의 첫 번째 양의 단위로, 없으면 SI 단위로.</translation>
+    </message>
+    <message>
+        <source>arcsine</source>
+        <translation>아크사인</translation>
+    </message>
+    <message>
+        <source>curvilinear</source>
+        <translation>곡선사다리꼴</translation>
+    </message>
+    <message>
+        <source>inexactness</source>
+        <translation>부정확도</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>한계</translation>
+    </message>
+    <message>
+        <source>pooled</source>
+        <translation>합동</translation>
     </message>
 </context>
 <context>

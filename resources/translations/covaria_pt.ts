@@ -1548,10 +1548,6 @@
         <translation>Uma equação por linha: y = x_1*x_2 + 3 [mm]. Nomes sem equação são grandezas de entrada. &apos;solve y = 1: y^2 = x&apos; acha y em cada ensaio, a partir de seu valor inicial. &apos;#&apos; inicia um comentário.</translation>
     </message>
     <message>
-        <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in SI units.</source>
-        <translation>O que se relata, e em que unidade. Sem linhas: todo nome que uma equação define e nenhuma outra usa, em unidades SI.</translation>
-    </message>
-    <message>
         <source>symbol</source>
         <translation>símbolo</translation>
     </message>
@@ -4421,10 +4417,10 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm: incerteza-padrão
 2 ppm: incerteza-padrão, uma parte do valor
-U = 0.3 um, k = 2 (ou p = 95 %): certificado
-rectangular 0.5 (ou rect, ±): limites em torno do valor; do mesmo modo triangular, arcsine
-limits 19.5 to 20.5: dão o valor
-resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+U = 0,3 um, k = 2 (ou p = 95 %): certificado
+retangular 0,5 (ou ret, ±): limites em torno do valor; do mesmo modo triangular, arco-seno
+limites 19,5 até 20,5: dão o valor
+resolução 0,01, MPE 3 + 0,1 %, observações, contagens 12, constante
 nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
@@ -6973,7 +6969,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</source>
-        <translation>&apos;%1&apos; não é uma forma de declarar uma incerteza. Por exemplo: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</translation>
+        <translation>&apos;%1&apos; não é uma forma de declarar uma incerteza. Por exemplo: 75 nm; U = 0,3 um, k = 2; retangular 0,5; resolução 0,01; constante</translation>
     </message>
     <message>
         <source>%1 has %2 figure</source>
@@ -12914,6 +12910,30 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>mean − s</source>
         <translation>média − s</translation>
+    </message>
+    <message>
+        <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in the unit of the first quantity of the same dimension, else in SI units.</source>
+        <translation>O que é relatado e em que unidade. Sem linhas: cada nome que uma equação define e que nenhuma outra usa, na unidade da primeira grandeza da mesma dimensão e, se não houver, em unidades SI.</translation>
+    </message>
+    <message>
+        <source>arcsine</source>
+        <translation>arco-seno</translation>
+    </message>
+    <message>
+        <source>curvilinear</source>
+        <translation>curvilíneo</translation>
+    </message>
+    <message>
+        <source>inexactness</source>
+        <translation>inexatidão</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>limites</translation>
+    </message>
+    <message>
+        <source>pooled</source>
+        <translation>agrupada</translation>
     </message>
 </context>
 <context>

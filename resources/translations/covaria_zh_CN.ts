@@ -1548,10 +1548,6 @@
         <translation>每行一个方程：y = x_1*x_2 + 3 [mm]。没有方程的名称为输入量。&apos;solve y = 1: y^2 = x&apos; 在每次试验中从其初值起求解 y。&apos;#&apos; 后为注释。</translation>
     </message>
     <message>
-        <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in SI units.</source>
-        <translation>报告哪些量、用什么单位。没有行时：由方程定义且未被其他方程使用的每个名称，以 SI 单位表示。</translation>
-    </message>
-    <message>
         <source>symbol</source>
         <translation>符号</translation>
     </message>
@@ -4422,9 +4418,9 @@ nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm：标准不确定度
 2 ppm：标准不确定度，为值的一部分
 U = 0.3 um, k = 2（或 p = 95 %）：证书
-rectangular 0.5（或 rect、±）：值两侧的界限；triangular、arcsine 同理
-limits 19.5 to 20.5：由界限给出值
-resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
+矩形 0.5（或 rect、±）：值两侧的界限；三角、反正弦 同理
+界限 19.5 至 20.5：由界限给出值
+分辨力 0.01、MPE 3 + 0.1 %、观测值、计数 12、常量
 以上任一项之后加 nu 18：自由度</translation>
     </message>
     <message>
@@ -6973,7 +6969,7 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
     <message>
         <source>&apos;%1&apos; is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</source>
-        <translation>&apos;%1&apos; 不是表述不确定度的方式。例如：75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</translation>
+        <translation>&apos;%1&apos; 不是表述不确定度的方式。例如：75 nm; U = 0.3 um, k = 2; 矩形 0.5; 分辨力 0.01; 常量</translation>
     </message>
     <message>
         <source>%1 has %2 figure</source>
@@ -12914,6 +12910,30 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>mean − s</source>
         <translation>平均值 − s</translation>
+    </message>
+    <message>
+        <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in the unit of the first quantity of the same dimension, else in SI units.</source>
+        <translation>报告什么以及用什么单位。没有行时:由方程定义且未被其他方程使用的每个名称,采用第一个同量纲的量的单位,否则采用 SI 单位。</translation>
+    </message>
+    <message>
+        <source>arcsine</source>
+        <translation>反正弦</translation>
+    </message>
+    <message>
+        <source>curvilinear</source>
+        <translation>曲线梯形</translation>
+    </message>
+    <message>
+        <source>inexactness</source>
+        <translation>不精确度</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>界限</translation>
+    </message>
+    <message>
+        <source>pooled</source>
+        <translation>合并</translation>
     </message>
 </context>
 <context>

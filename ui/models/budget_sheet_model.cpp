@@ -175,10 +175,11 @@ QString BudgetSheetModel::stated_words(int row, bool typeset) const {
     const std::string* kind = std::get_if<std::string>(&cell);
     if (!kind) return {};
     const TypedStatement statement{*kind, number_at(row, "a"), number_at(row, "b"), std::nullopt};
-    return to_qt(statement_text(statement, unit_of(row), [typeset](double value) {
+    const auto number = [typeset](double value) {
         const QString typed = number_text(value, QLocale());
         return to_std(typeset && typed.contains('e') ? localized(format_typed(value)) : typed);
-    }));
+    };
+    return to_qt(statement_text(statement, unit_of(row), number, core_words));
 }
 
 QVariant BudgetSheetModel::of_sheet(int row, int section, int role) const {
@@ -291,7 +292,7 @@ Qt::ItemFlags BudgetSheetModel::flags(const QModelIndex& index) const {
 
 BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QString& text) const {
     const auto read = read_statement(to_std(text), unit_of(row), number_at(row, "value"),
-                                     QLocale().decimalPoint() == QLatin1String(","));
+                                     QLocale().decimalPoint() == QLatin1String(","), core_words);
     Cells cells;
     if (!read) {
         cells[column("statement")] = {text, to_qt(read.error().message)};

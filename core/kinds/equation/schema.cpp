@@ -95,7 +95,8 @@ void add_equations(Fields<Stated>& fields) {
              {.default_value = std::string("y = x_1 + x_2"), .several_lines = true})
         .table(&Stated::outputs, "outputs", "Results",
                "What is reported, and in which unit. Without rows: every name that an equation defines "
-               "and no other one uses, in SI units.",
+               "and no other one uses, in the unit of the first quantity of the same dimension, else in SI "
+               "units.",
                output_columns(), maybe);
 }
 

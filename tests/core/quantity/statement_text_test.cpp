@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <charconv>
+#include <map>
 
 #include "core/quantity/statement.h"
 
@@ -51,6 +52,47 @@ TEST(StatementText, IsReadAsPeopleNoteIt) {
     EXPECT_EQ(typed("obs"), (TypedStatement{"observations"}));
     EXPECT_EQ(typed("Constant"), (TypedStatement{"constant"}));
     EXPECT_EQ(read_statement("rect 0,5", nm, {}, true).value(), (TypedStatement{"rectangular", 0.5}));
+}
+
+/// As in German; "exp" is the beginning of an English and of a German word.
+std::string in_german(const std::string& english) {
+    static const std::map<std::string, std::string> words{{"rectangular", "rechteckig"},
+                                                          {"limits", "Grenzen"},
+                                                          {"to", "bis"},
+                                                          {"trapezoidal", "trapezförmig"},
+                                                          {"ratio", "Verhältnis"},
+                                                          {"resolution", "Auflösung"},
+                                                          {"exponential", "exponentiell"},
+                                                          {"counts", "Zahl der Ereignisse"}};
+    const auto known = words.find(english);
+    return known == words.end() ? english : known->second;
+}
+
+TEST(StatementText, WordsOfAnotherLanguageAreReadBesideTheEnglishOnes) {
+    const auto german = [](std::string_view text) {
+        return read_statement(text, nm, {}, true, in_german).value_or(TypedStatement{"refused"});
+    };
+    EXPECT_EQ(german("rechteckig 0,5"), (TypedStatement{"rectangular", 0.5}));
+    EXPECT_EQ(german("Recht ± 0,5"), (TypedStatement{"rectangular", 0.5}));
+    EXPECT_EQ(german("rechteck±0,5 µm"), (TypedStatement{"rectangular", 500.0}));
+    EXPECT_EQ(german("rect 0,5"), (TypedStatement{"rectangular", 0.5}));
+    EXPECT_EQ(german(" Grenzen -1 bis 2"), (TypedStatement{"limits", -1.0, 2.0}));
+    EXPECT_EQ(german("limits -1 to 2"), (TypedStatement{"limits", -1.0, 2.0}));
+    EXPECT_EQ(german("-1 bis 2"), (TypedStatement{"limits", -1.0, 2.0}));
+    EXPECT_EQ(german("trapezförmig ± 1, Verhältnis 0,5"), (TypedStatement{"trapezoidal", 1.0, 0.5}));
+    EXPECT_EQ(german("Zahl der Ereignisse 12"), (TypedStatement{"counts", 12.0}));
+    EXPECT_EQ(german("exp"), (TypedStatement{"exponential"}));
+    EXPECT_EQ(german("75 nm"), (TypedStatement{"standard", 75.0}));
+    EXPECT_EQ(german("U = 75 nm, k = 3"), (TypedStatement{"certificate-k", 75.0, 3.0}));
+    EXPECT_EQ(german("quadratisch 3"), TypedStatement{"refused"});
+    // What is written is read again.
+    for (const TypedStatement& statement :
+         {TypedStatement{"rectangular", 0.5}, TypedStatement{"limits", -1.0, 2.0},
+          TypedStatement{"trapezoidal", 1.0, 0.5}, TypedStatement{"resolution", 0.1},
+          TypedStatement{"counts", 12.0}, TypedStatement{"exponential"}})
+        EXPECT_EQ(german(statement_text(statement, nm, plain, in_german)), statement);
+    EXPECT_EQ(statement_text(TypedStatement{"limits", -1.0, 2.0}, nm, plain, in_german),
+              "Grenzen -1 bis 2 nm");
 }
 
 TEST(StatementText, PartsOfTheValue) {

@@ -95,9 +95,23 @@ TEST(EquationModel, SeveralComponentsOfOneQuantityAddUp) {
                                  quantity("x", none, "um", "standard", 4.0)};
     const auto result = first_order(setup_of("y = 2*x", rows));
     EXPECT_NEAR(result.outputs[0].standard_uncertainty, 2 * 5e-6, 1e-15);
-    EXPECT_EQ(result.outputs[0].quantity.unit.text(), "m");
+    EXPECT_EQ(result.outputs[0].quantity.unit.text(), "mm");
     EXPECT_EQ(result.inputs->components.size(), 2u);
     EXPECT_EQ(result.inputs->components[1].id, "x.2");
+}
+
+TEST(EquationModel, AResultIsInTheUnitOfTheFirstQuantityOfItsDimension) {
+    const auto rows = std::vector<Row>{
+        quantity("t", 20.0, "degC", "standard", 0.1), quantity("t_0", 68.0, "degC", "standard", 0.1),
+        quantity("a", 0.5, "mrad", "standard", 0.01), quantity("d", 215.0, "nm", "standard", 3.0),
+        quantity("L", 50.0, "mm", "standard", 0.003)};
+    const auto unit = [&](const std::string& equation) {
+        return first_order(setup_of(equation, rows)).outputs[0].quantity.unit.text();
+    };
+    EXPECT_EQ(unit("y = L + d + 0*(t - t_0)/1[K]*L*a"), "nm");
+    EXPECT_EQ(unit("y = L*d + 0*(t - t_0)/1[K]*L^2*a"), "m^2");
+    EXPECT_EQ(unit("y = L/d + 0*(t - t_0)/1[K]*a"), "1");
+    EXPECT_EQ(unit("y = t - t_0 + 0[K]*a*L/d"), "K");
 }
 
 TEST(EquationModel, RelativeUncertaintyOfUGivesDegreesOfFreedom) {
