@@ -84,6 +84,15 @@ ComposedModel::ComposedModel(std::vector<ChainPart> parts)
         for (UsedOutput& used : used_[p]) used.estimate = rows[first_row_[p] + used.output];
 }
 
+std::vector<DataTable> ComposedModel::evaluation() const {
+    std::vector<DataTable> tables = last().model->evaluation();
+    if (tables.empty()) return tables;
+    tables.front().notes.push_back(tell<"From the set-up as it is stated. Values and uncertainties that "
+                                        "other analyses give (%1 quantities) "
+                                        "are in the results, not here.">(parts_.back().links.size()));
+    return tables;
+}
+
 void ComposedModel::place_inputs() {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
         std::vector<Place> places;

@@ -55,7 +55,8 @@ public:
     bool sensitivities(std::span<const double> x, SensitivityRows& rows) const override;
     Layout layout(std::span<const double> x) const override;
     std::vector<ModelEquation> formulas() const override { return last().model->formulas(); }
-    std::vector<DataTable> evaluation() const override { return last().model->evaluation(); }
+    /// Of its set-up as it is stated, which the first table says.
+    std::vector<DataTable> evaluation() const override;
     std::vector<PlotSpecification> figures() const override { return last().model->figures(); }
 
     const std::vector<ChainPart>& parts() const { return parts_; }

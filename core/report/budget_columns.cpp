@@ -1,6 +1,7 @@
 // The uncertainty budget.
 #include <memory>
 
+#include "core/report/component_labels.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
 
@@ -60,10 +61,25 @@ std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::siz
     return places;
 }
 
+std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std::size_t output) {
+    const double combined = result.outputs[output].first_order.standard_uncertainty;
+    std::vector<BudgetPlace> places = budget_places(result, output);
+    std::erase_if(places, [&](const BudgetPlace& place) {
+        const BudgetRow& row = result.budget.rows[output][place.row];
+        return row.contribution < 1e-9 * combined &&
+               !(row.one_at_a_time && *row.one_at_a_time > 1e-9 * combined);
+    });
+    return places;
+}
+
 Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
                    const DocumentLanguage& language) {
     const std::optional<Unit> unit = common_unit(result, at);
     const auto places = std::make_shared<const std::vector<BudgetPlace>>(std::move(at));
+    std::vector<BudgetRow> rows;
+    for (const auto& [output, row] : *places) rows.push_back(result.budget.rows[output][row]);
+    const auto labels =
+        std::make_shared<const std::vector<Text>>(component_labels(result.budget, rows, language));
     Table table{"budget", "Uncertainty budgets", places->size()};
     using L = const BudgetLine&;
     const auto add = [&](const char* key, auto get) -> Column& {
@@ -74,8 +90,11 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
     add("output unit", [](L l) -> Cell { return l.output.unit; });
     add("quantity", [](L l) -> Cell { return l.component.quantities; })
         .print("Symbol")
-        .window("Input quantity")
+        .window("Quantities", "Input quantities that the component is part of")
         .of_symbols();
+    table.add("label", [labels](std::size_t i) -> Cell { return (*labels)[i]; })
+        .window("Input quantity", "Quantity or component of uncertainty, as at the bars of the chart")
+        .not_in_files();
     add("component", [](L l) -> Cell { return l.component.name; }).window("Component of uncertainty");
     add("component in words",
         [](L l) -> Cell {

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <map>
 
+#include "core/report/component_labels.h"
 #include "core/report/plot_words.h"
 #include "core/report/plots.h"
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
+#include "core/report/result_columns.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -15,49 +17,28 @@ namespace {
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
 
-/// Labels that several bars have get what their component is of, from its id: "elevation, base 1.tracker".
-std::vector<Text> told_apart(std::vector<Text> labels, const UncertaintyBudget& budget,
-                             const std::vector<BudgetRow>& rows) {
-    std::map<Text, int> uses;
-    for (const Text& label : labels) ++uses[label];
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        const std::string& id = budget.components[rows[i].component].id;
-        if (uses[labels[i]] > 1) labels[i] += Text(", ") + symbols_text(id.substr(0, id.rfind('.')));
-    }
-    return labels;
-}
-
-/// "b₁ₓ" if that names the component among those shown, else "b₁ₓ, calibration"; the name alone where several
-/// quantities share the component.
-std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,
-                                   const DocumentLanguage& in) {
-    std::map<std::vector<std::string>, int> uses;
-    for (const BudgetRow& row : rows) ++uses[budget.components[row.component].quantities];
-    std::vector<Text> labels;
-    for (const BudgetRow& row : rows) {
-        const BudgetComponent& component = budget.components[row.component];
-        if (component.quantities.size() != 1) {
-            labels.push_back(component.name.empty() ? symbols_text(component.id)
-                                                    : running_text(in.say(component.name)));
-            continue;
-        }
-        const Text symbol = symbol_text(component.quantities.front());
-        const bool twice = uses[component.quantities] > 1 && !component.name.empty();
-        labels.push_back(twice ? symbol + ", " + running_text(in.say(component.name)) : symbol);
-    }
-    return told_apart(std::move(labels), budget, rows);
-}
-
 struct Bars {
     std::vector<Text> labels;
     std::vector<double> share;  ///< in %
     std::vector<double> alone;  ///< in %, one at a time; empty if not evaluated
 };
 
+/// Those below a twentieth of a per cent at the end are one bar, where they are several.
+std::size_t bars_to_show(const std::vector<BudgetRow>& rows, std::size_t most) {
+    const auto last = std::find_if(rows.rbegin(), rows.rend(), [](const BudgetRow& row) {
+        return std::abs(row.share) >= 5e-4 || row.one_at_a_time;
+    });
+    const auto seen = std::max<std::size_t>(1, static_cast<std::size_t>(rows.rend() - last));
+    const std::size_t shown = seen + 1 >= rows.size() ? rows.size() : seen;
+    return shown <= most && (shown == rows.size() || shown < most) ? shown : most - 1;
+}
+
 Bars bars_of(const UncertaintyResult& result, std::size_t output, std::size_t most,
              const DocumentLanguage& language) {
-    const std::vector<BudgetRow>& all = result.budget.rows[output];
-    const std::size_t shown = all.size() <= most ? all.size() : most - 1;
+    std::vector<BudgetRow> all;
+    for (const BudgetPlace& place : places_that_count(result, output))
+        all.push_back(result.budget.rows[output][place.row]);
+    const std::size_t shown = bars_to_show(all, most);
     const std::vector<BudgetRow> rows(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(shown));
     const double u = result.outputs[output].standard_uncertainty;
     Bars bars;

@@ -180,7 +180,6 @@ private:
         using T = const MonteCarloOutput&;
         using C = CoverageInterval;
         using M = MonteCarloOutput;
-        const char* symmetric = "Limit of the probabilistically symmetric coverage interval";
         const char* shortest = "Limit of the shortest coverage interval";
         table_.add("mean", value(trials([](T t) { return t.mean; })))
             .print("mean Monte Carlo")
@@ -191,10 +190,10 @@ private:
         table_.add("standard error of mean", interval(trials([](T t) { return t.standard_error_of_mean; })));
         table_.add("standard error of u",
                    interval(trials([](T t) { return t.standard_error_of_uncertainty; })));
-        add_limit("interval low", &C::low, &M::symmetric).window("Low", symmetric);
-        add_limit("interval high", &C::high, &M::symmetric).window("High", symmetric);
-        add_limit("shortest low", &C::low, &M::shortest).window("Low", shortest);
-        add_limit("shortest high", &C::high, &M::shortest).window("High", shortest);
+        add_limit("interval low", &C::low, &M::symmetric);
+        add_limit("interval high", &C::high, &M::symmetric);
+        add_limit("shortest low", &C::low, &M::shortest).window("Lower limit", shortest);
+        add_limit("shortest high", &C::high, &M::shortest).window("Upper limit", shortest);
         table_.add("skewness", pure(trials([](T t) { return moment(t, t.skewness); })))
             .print("skewness")
             .round({.decimals = 3});
@@ -237,8 +236,11 @@ private:
                      return std::string(o.monte_carlo ? "symmetric" : "first-order");
                  }))
             .not_in_files();
-        table_.add("stated low", value(stated(&C::low))).not_in_files();
-        table_.add("stated high", value(stated(&C::high))).not_in_files();
+        const char* interval =
+            "Limit of the coverage interval: of Monte Carlo, else of the law of propagation";
+        for (const auto& [key, title, side] : {std::tuple("stated low", "Lower limit", &C::low),
+                                               std::tuple("stated high", "Upper limit", &C::high)})
+            table_.add(key, value(stated(side))).window(title, interval).match("U").not_in_files();
     }
 
     void add_first_order() {

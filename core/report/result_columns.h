@@ -31,6 +31,8 @@ struct BudgetPlace {
 Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> places,
                    const DocumentLanguage& language = {});
 std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::size_t output);
+/// Without components whose contribution is only rounding of a sensitivity coefficient of zero.
+std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std::size_t output);
 
 /// A row about quantities with equal components, or about one share of a quantity.
 struct InputRow {

@@ -13,18 +13,6 @@
 namespace covaria::report_parts {
 namespace {
 
-/// Without components whose contribution is only rounding of a sensitivity coefficient of zero.
-std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std::size_t output) {
-    const double combined = result.outputs[output].first_order.standard_uncertainty;
-    std::vector<BudgetPlace> places = budget_places(result, output);
-    std::erase_if(places, [&](const BudgetPlace& place) {
-        const BudgetRow& row = result.budget.rows[output][place.row];
-        return row.contribution < 1e-9 * combined &&
-               !(row.one_at_a_time && *row.one_at_a_time > 1e-9 * combined);
-    });
-    return places;
-}
-
 class BudgetBlock {
 public:
     BudgetBlock(const EvaluatedAnalysis& evaluated, std::size_t output, std::size_t most_rows,

@@ -16,6 +16,7 @@ std::string joined(const Symbols& symbols) {
 TableCell file_cell(const Cell& cell, const DisplayUnits& units) {
     if (const auto* text = std::get_if<std::string>(&cell)) return *text;
     if (const auto* message = std::get_if<Message>(&cell)) return message->english();
+    if (const auto* text = std::get_if<Text>(&cell)) return to_unicode(*text);
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return joined(*symbols);
     if (const auto* unit = std::get_if<Unit>(&cell)) return units.of(*unit).text();
     if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? answer->yes : answer->no;
@@ -96,7 +97,9 @@ Text head_shown(const Text& title, const Column& column, const TableView& view) 
 
 Text cell_shown(const Table& table, const Column& column, std::size_t row, const TableView& view) {
     const Cell cell = column.cell(row);
-    if (const auto number = number_in(cell, view.units)) {
+    if (auto number = number_in(cell, view.units)) {
+        const Measured& measured = std::get<Measured>(cell);
+        if (measured.per == Unit{}) number = without_residue(*number, measured.in(view.units).unit);
         NumberRule rule = column.rule;
         if (view.digits > 0 && !rule.typed) rule.digits = view.digits;
         return grouped_digits(format_by(rule, *number, matched_to(table, column, row, view.units)),
@@ -107,6 +110,7 @@ Text cell_shown(const Table& table, const Column& column, std::size_t row, const
     if (const auto* answer = std::get_if<Answer>(&cell))
         return view.language.say_declared(answer->is ? "yes" : "no");
     if (const auto* message = std::get_if<Message>(&cell)) return view.language.say(*message);
+    if (const auto* text = std::get_if<Text>(&cell)) return *text;
     const auto* words = std::get_if<std::string>(&cell);
     if (!words) return {};
     return column.own_words ? view.language.say_title(*words) : Text(*words);

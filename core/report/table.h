@@ -35,7 +35,7 @@ struct Answer {
     std::string yes = "yes", no = "no";  ///< in files
 };
 /// What a cell says. A unit is shown as the view's choice for it.
-using Cell = std::variant<std::monostate, std::string, Message, Symbols, Unit, Answer, Measured>;
+using Cell = std::variant<std::monostate, std::string, Message, Symbols, Text, Unit, Answer, Measured>;
 
 /// How the numbers of a column are rounded for people.
 struct NumberRule {

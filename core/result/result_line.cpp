@@ -83,8 +83,10 @@ void state_expanded_uncertainty(OutputResult& output, const UncertaintyResult& r
 
 double expanded_with(const OutputResult& output, const ContributorResult::Uncertainties& part,
                      std::size_t index) {
-    return part.monte_carlo.empty() ? output.first_order.coverage_factor * part.first_order[index]
-                                    : output.coverage_factor * part.monte_carlo[index];
+    if (!part.monte_carlo.empty()) return output.coverage_factor * part.monte_carlo[index];
+    const double u = output.first_order.standard_uncertainty;
+    return u > 0.0 ? output.expanded_uncertainty * (part.first_order[index] / u)
+                   : output.first_order.coverage_factor * part.first_order[index];
 }
 
 }  // namespace covaria

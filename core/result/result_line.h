@@ -30,8 +30,9 @@ CoverageInterval coverage_interval_of(const OutputResult& output, const Uncertai
 /// "trials", "student-t", "normal": by what a probability of conformance was computed.
 std::string distribution_key(RequirementResult::Distribution distribution);
 
-/// Expanded uncertainty with everything of a contributor held (or of it alone): with the coverage factor
-/// that the result line of the same method has.
+/// Expanded uncertainty with everything of a contributor held (or of it alone): by Monte Carlo with the
+/// coverage factor of the result line; by the law of propagation the part of U that u has, so that it
+/// compares with a U of Monte Carlo.
 double expanded_with(const OutputResult& output, const ContributorResult::Uncertainties& part,
                      std::size_t index);
 

@@ -149,20 +149,29 @@ std::string format_degrees_of_freedom(double nu) {
     return format_trimmed(shown_degrees_of_freedom(nu), unmatched_digits);
 }
 
+double without_residue(double shown, const Unit& unit) {
+    static const Dimension length = Unit::of("m").dimension(), angle = Unit::of("rad").dimension();
+    const bool is_measured = unit.dimension() == length || unit.dimension() == angle;
+    return is_measured && std::abs(unit.interval_to_si(shown)) < 1e-15 ? 0.0 : shown;
+}
+
 std::string unit_of_cell(const Quantity& quantity, const TableColumn& column) {
     const std::string unit = quantity.unit.text() == "1" ? "" : quantity.unit.display();
     return unit.empty() || quantity.unit == column.unit ? "" : "\u00a0" + unit;
 }
 
 std::string format_cell(const TableCell& cell, const TableColumn& column) {
-    const auto number = [&column](double value) {
+    const auto number = [&column](double value, const Unit& unit) {
+        value = without_residue(value, unit);
         if (column.decimals >= 0) return format_decimals(value, column.decimals);
         if (column.digits > 0) return format_significant(value, column.digits);
         return format_typed(value);
     };
-    if (const auto* value = std::get_if<double>(&cell)) return number(column.unit.from_si(*value));
+    if (const auto* value = std::get_if<double>(&cell))
+        return number(column.unit.from_si(*value), column.unit);
     const auto* quantity = std::get_if<Quantity>(&cell);
-    return quantity ? number(quantity->value) + unit_of_cell(*quantity, column) : english_of(cell);
+    return quantity ? number(quantity->value, quantity->unit) + unit_of_cell(*quantity, column)
+                    : english_of(cell);
 }
 
 std::string format_exact(double value) {

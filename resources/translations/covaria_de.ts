@@ -4124,18 +4124,6 @@
         <translation>Erweiterte Unsicherheit. U = k u mit k der t-Verteilung für die effektiven Freiheitsgrade.</translation>
     </message>
     <message>
-        <source>Low</source>
-        <translation>Untere</translation>
-    </message>
-    <message>
-        <source>Limit of the probabilistically symmetric coverage interval</source>
-        <translation>Grenze des probabilistisch symmetrischen Überdeckungsintervalls</translation>
-    </message>
-    <message>
-        <source>High</source>
-        <translation>Obere</translation>
-    </message>
-    <message>
         <source>Limit of the shortest coverage interval</source>
         <translation>Grenze des kürzesten Überdeckungsintervalls</translation>
     </message>
@@ -12935,6 +12923,22 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>pooled</source>
         <translation>gepoolt</translation>
     </message>
+    <message>
+        <source>From the set-up as it is stated. Values and uncertainties that other analyses give (%1 quantities) are in the results, not here.</source>
+        <translation>Aus dem Aufbau, wie er angegeben ist. Werte und Unsicherheiten, die andere Analysen liefern (%1 Größen), stehen in den Ergebnissen, nicht hier.</translation>
+    </message>
+    <message>
+        <source>Limit of the coverage interval: of Monte Carlo, else of the law of propagation</source>
+        <translation>Grenze des Überdeckungsintervalls: nach Monte Carlo, sonst nach dem Fortpflanzungsgesetz</translation>
+    </message>
+    <message>
+        <source>Input quantities that the component is part of</source>
+        <translation>Eingangsgrößen, zu denen die Komponente gehört</translation>
+    </message>
+    <message>
+        <source>Quantity or component of uncertainty, as at the bars of the chart</source>
+        <translation>Größe oder Unsicherheitskomponente, wie an den Balken des Diagramms</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -15492,6 +15496,10 @@ Gewählt: %2</translation>
     <message>
         <source>Change evaluation options</source>
         <translation>Auswertungsoptionen ändern</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
 </context>
 <context>

@@ -4124,18 +4124,6 @@
         <translation>Incertidumbre expandida. U = k u con k de la distribución t para los grados de libertad efectivos.</translation>
     </message>
     <message>
-        <source>Low</source>
-        <translation>Inferior</translation>
-    </message>
-    <message>
-        <source>Limit of the probabilistically symmetric coverage interval</source>
-        <translation>Límite del intervalo de cobertura probabilísticamente simétrico</translation>
-    </message>
-    <message>
-        <source>High</source>
-        <translation>Superior</translation>
-    </message>
-    <message>
         <source>Limit of the shortest coverage interval</source>
         <translation>Límite del intervalo de cobertura más corto</translation>
     </message>
@@ -12935,6 +12923,22 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>pooled</source>
         <translation>agrupada</translation>
     </message>
+    <message>
+        <source>From the set-up as it is stated. Values and uncertainties that other analyses give (%1 quantities) are in the results, not here.</source>
+        <translation>A partir de la configuración tal como está indicada. Los valores e incertidumbres que dan otros análisis (%1 magnitudes) están en los resultados, no aquí.</translation>
+    </message>
+    <message>
+        <source>Limit of the coverage interval: of Monte Carlo, else of the law of propagation</source>
+        <translation>Límite del intervalo de cobertura: de Monte Carlo y, si no, de la ley de propagación</translation>
+    </message>
+    <message>
+        <source>Input quantities that the component is part of</source>
+        <translation>Magnitudes de entrada de las que forma parte la componente</translation>
+    </message>
+    <message>
+        <source>Quantity or component of uncertainty, as at the bars of the chart</source>
+        <translation>Magnitud o componente de incertidumbre, como en las barras del gráfico</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -15492,6 +15496,10 @@ Elegido: %2</translation>
     <message>
         <source>Change evaluation options</source>
         <translation>Modificar opciones de evaluación</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automático</translation>
     </message>
 </context>
 <context>

@@ -4124,18 +4124,6 @@
         <translation>확장불확도. U = k u, k는 유효자유도에 대한 t 분포의 값.</translation>
     </message>
     <message>
-        <source>Low</source>
-        <translation>하한</translation>
-    </message>
-    <message>
-        <source>Limit of the probabilistically symmetric coverage interval</source>
-        <translation>확률적 대칭 포함구간의 한계</translation>
-    </message>
-    <message>
-        <source>High</source>
-        <translation>상한</translation>
-    </message>
-    <message>
         <source>Limit of the shortest coverage interval</source>
         <translation>최단 포함구간의 한계</translation>
     </message>
@@ -12935,6 +12923,22 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>pooled</source>
         <translation>합동</translation>
     </message>
+    <message>
+        <source>From the set-up as it is stated. Values and uncertainties that other analyses give (%1 quantities) are in the results, not here.</source>
+        <translation>기재된 설정에 따른 것입니다. 다른 분석이 주는 값과 불확도(%1개 양)는 결과에 있으며 여기에는 없습니다.</translation>
+    </message>
+    <message>
+        <source>Limit of the coverage interval: of Monte Carlo, else of the law of propagation</source>
+        <translation>포함구간의 한계: 몬테카를로에 따르고, 없으면 전파법칙에 따름</translation>
+    </message>
+    <message>
+        <source>Input quantities that the component is part of</source>
+        <translation>성분이 속하는 입력량</translation>
+    </message>
+    <message>
+        <source>Quantity or component of uncertainty, as at the bars of the chart</source>
+        <translation>양 또는 불확도 성분. 그래프 막대의 이름과 같음</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -15489,6 +15493,10 @@ Chosen: %2</source>
     <message>
         <source>Change evaluation options</source>
         <translation>평가 옵션 변경</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>자동</translation>
     </message>
 </context>
 <context>

@@ -4124,18 +4124,6 @@
         <translation>Incerteza expandida. U = k u com k da distribuição t para os graus de liberdade efetivos.</translation>
     </message>
     <message>
-        <source>Low</source>
-        <translation>Inferior</translation>
-    </message>
-    <message>
-        <source>Limit of the probabilistically symmetric coverage interval</source>
-        <translation>Limite do intervalo de abrangência probabilisticamente simétrico</translation>
-    </message>
-    <message>
-        <source>High</source>
-        <translation>Superior</translation>
-    </message>
-    <message>
         <source>Limit of the shortest coverage interval</source>
         <translation>Limite do intervalo de abrangência mais curto</translation>
     </message>
@@ -12935,6 +12923,22 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>pooled</source>
         <translation>agrupada</translation>
     </message>
+    <message>
+        <source>From the set-up as it is stated. Values and uncertainties that other analyses give (%1 quantities) are in the results, not here.</source>
+        <translation>A partir da configuração como está indicada. Valores e incertezas dados por outras análises (%1 grandezas) estão nos resultados, não aqui.</translation>
+    </message>
+    <message>
+        <source>Limit of the coverage interval: of Monte Carlo, else of the law of propagation</source>
+        <translation>Limite do intervalo de abrangência: de Monte Carlo e, se não houver, da lei de propagação</translation>
+    </message>
+    <message>
+        <source>Input quantities that the component is part of</source>
+        <translation>Grandezas de entrada de que a componente faz parte</translation>
+    </message>
+    <message>
+        <source>Quantity or component of uncertainty, as at the bars of the chart</source>
+        <translation>Grandeza ou componente de incerteza, como nas barras do gráfico</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -15492,6 +15496,10 @@ Escolhido: %2</translation>
     <message>
         <source>Change evaluation options</source>
         <translation>Alterar opções de avaliação</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automático</translation>
     </message>
 </context>
 <context>

@@ -4124,18 +4124,6 @@
         <translation>扩展不确定度。U = k u，k 取有效自由度的 t 分布。</translation>
     </message>
     <message>
-        <source>Low</source>
-        <translation>下端</translation>
-    </message>
-    <message>
-        <source>Limit of the probabilistically symmetric coverage interval</source>
-        <translation>概率对称包含区间的界限</translation>
-    </message>
-    <message>
-        <source>High</source>
-        <translation>上端</translation>
-    </message>
-    <message>
         <source>Limit of the shortest coverage interval</source>
         <translation>最短包含区间的界限</translation>
     </message>
@@ -12935,6 +12923,22 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>pooled</source>
         <translation>合并</translation>
     </message>
+    <message>
+        <source>From the set-up as it is stated. Values and uncertainties that other analyses give (%1 quantities) are in the results, not here.</source>
+        <translation>依据所陈述的设置。由其他分析给出的值和不确定度(%1 个量)体现在结果中,不在此处。</translation>
+    </message>
+    <message>
+        <source>Limit of the coverage interval: of Monte Carlo, else of the law of propagation</source>
+        <translation>包含区间的界限:由蒙特卡洛法得出,否则由传播律得出</translation>
+    </message>
+    <message>
+        <source>Input quantities that the component is part of</source>
+        <translation>该分量所属的输入量</translation>
+    </message>
+    <message>
+        <source>Quantity or component of uncertainty, as at the bars of the chart</source>
+        <translation>量或不确定度分量,与图中各条的名称相同</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -15489,6 +15493,10 @@ Chosen: %2</source>
     <message>
         <source>Change evaluation options</source>
         <translation>更改评定选项</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自动</translation>
     </message>
 </context>
 <context>

@@ -200,7 +200,7 @@ TEST(CommandLine, DesignOfATargetThatCannotBeMetIsStatusThree) {
           [{"target": "/inputs/t/estimate", "from": -3, "to": 3, "unit": "rad"}]}]}]})JSON");
     const Outcome found = run_program({"design", file});
     EXPECT_EQ(found.status, 3) << found.err;
-    EXPECT_NE(found.out.find("the target of U(y) is not met: the best design found reaches 0.001960 m"),
+    EXPECT_NE(found.out.find("the target of U(y) is not met: the best design found reaches 1.960 mm"),
               std::string::npos)
         << found.out;
 }

@@ -47,7 +47,8 @@ Result<Unit> parse_unit(const QString& text) {
 }
 
 Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& unit, const QLocale& locale) {
-    const QString trimmed = text.trimmed();
+    static const QRegularExpression group(QStringLiteral("(?<=\\d)[\u00a0\u202f\u2009](?=\\d)"));
+    const QString trimmed = text.trimmed().remove(group);
     if (trimmed.isEmpty()) return std::optional<Quantity>{};
     static const QRegularExpression pattern(QStringLiteral(
         "^([+\\-−]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+\\-−]?\\d+|×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?)\\s*(\\S.*)?$"));

@@ -119,7 +119,7 @@ OptionsForm::Row OptionsForm::quantity_row(const OptionField& field) {
     edit->set_integer(is_whole(field.member));
     edit->set_range(range_of(field));
     edit->set_optional(may_be_absent(field));
-    if (field.none_at_zero) edit->setPlaceholderText(tr("none"));
+    if (may_be_absent(field)) edit->setPlaceholderText(field.none_at_zero ? tr("none") : tr("automatic"));
     edit->set_help(core_text(field.help));
     layout_->addRow(core_text(field.title), edit);
     edit->set_place(document_.unread(), place_of(field));

@@ -7,6 +7,7 @@
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
 #include "ui/forms/complaint.h"
+#include "ui/models/number_words.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -119,9 +120,23 @@ void QuantityEdit::set_quantity(const std::optional<Quantity>& quantity) {
     complain({});
 }
 
+/// A large number of trials is read in groups, and edited as it is typed.
 void QuantityEdit::show_quantity() {
-    setText(quantity_ ? quantity_text(*quantity_, locale()) : QString());
+    if (integer_ && quantity_ && !hasFocus())
+        setText(to_qt(grouped_digits(format_typed(quantity_->value), user_numbers())));
+    else
+        setText(quantity_ ? quantity_text(*quantity_, locale()) : QString());
     setModified(false);
+}
+
+void QuantityEdit::focusInEvent(QFocusEvent* event) {
+    if (!isModified()) show_quantity();
+    QLineEdit::focusInEvent(event);
+}
+
+void QuantityEdit::focusOutEvent(QFocusEvent* event) {
+    QLineEdit::focusOutEvent(event);
+    if (!isModified() && own_complaint_.isEmpty()) show_quantity();
 }
 
 void QuantityEdit::commit() {

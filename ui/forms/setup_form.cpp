@@ -1,6 +1,8 @@
 // Rows of label and editor; sections and rows hide where their fields are not used.
 #include "ui/forms/setup_form.h"
 
+#include <utility>
+
 #include "ui/document/missing_fields.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
@@ -56,7 +58,13 @@ void SetupForm::add_field(const FieldSpec& field) {
     title->setToolTip(help_text(field));
     title->setBuddy(editor);
     set_help_place(*editor, help_anchor(document_.project(), address_, field.key));
-    if (editor->is_wide()) {
+    if (editor->is_wide() && !sections_.empty() && sections_.back() &&
+        sections_.back()->text() == title->text()) {
+        sections_.back()->setToolTip(title->toolTip());
+        sections_.back()->setBuddy(editor);
+        delete std::exchange(title, nullptr);  // the heading says it
+        layout_->addRow(editor);
+    } else if (editor->is_wide()) {
         title->setWordWrap(false);
         title->setMinimumWidth(0);
         title->setMaximumWidth(QWIDGETSIZE_MAX);

@@ -93,6 +93,7 @@ QSize SpreadsheetView::minimumSizeHint() const {
 
 void SpreadsheetView::resizeEvent(QResizeEvent* event) {
     QTableView::resizeEvent(event);
+    give_way();
     updateGeometry();
 }
 
@@ -110,6 +111,21 @@ void SpreadsheetView::fit_columns(int first, int last) {
                 std::max(wanted, itemDelegate()->sizeHint(option, model_.index(row, column)).width() + 1);
         if (wanted > columnWidth(column)) setColumnWidth(column, std::min(wanted, widest_column));
     }
+    fitting_ = false;
+    give_way();
+}
+
+/// The second column, where it has names, leaves room for the numbers as far as names are still told apart.
+void SpreadsheetView::give_way() {
+    constexpr int names = 1, least = 110;
+    if (model_.columnCount() <= names || given_widths_.contains(names)) return;
+    const int room = viewport()->width() - (horizontalHeader()->length() - columnWidth(names));
+    const int whole = std::max(sizeHintForColumn(names), horizontalHeader()->sectionSizeHint(names));
+    const bool has_numbers =
+        model_.index(0, names).data(Qt::TextAlignmentRole).toInt() & static_cast<int>(Qt::AlignRight);
+    if (whole < least || has_numbers) return;
+    fitting_ = true;
+    setColumnWidth(names, std::clamp(room, least, std::min(whole, widest_column)));
     fitting_ = false;
 }
 

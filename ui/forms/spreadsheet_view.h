@@ -46,6 +46,7 @@ private:
     void remove_rows();
     void update_actions();
     void fit_columns(int first, int last);
+    void give_way();
     void move_down();
     void go_to(const QModelIndex& cell);
 

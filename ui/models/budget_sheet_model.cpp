@@ -184,7 +184,6 @@ QString BudgetSheetModel::stated_words(int row, bool typeset) const {
 
 QVariant BudgetSheetModel::of_sheet(int row, int section, int role) const {
     const QModelIndex cell = sheet_.index(row, column_of(section));
-    const bool words = role == Qt::DisplayRole || role == Qt::EditRole;
     if (section == symbol && (role == typeset_role || role == Qt::DisplayRole)) {
         const Text text = symbol_text(to_std(cell.data(Qt::EditRole).toString()));
         return role == typeset_role ? QVariant::fromValue(text) : QVariant(to_qt(to_unicode(text)));
@@ -194,11 +193,6 @@ QVariant BudgetSheetModel::of_sheet(int row, int section, int role) const {
     if (section == nu && role == Qt::DisplayRole && cell.data(role).toString().isEmpty())
         return computed(row, section, role);
     if (section == stated) return stated_cell(row, role);
-    if (words && section == unit && role == Qt::DisplayRole) {
-        const QString text = cell.data(role).toString();
-        const auto read = Unit::parse(to_std(text));
-        return read && !text.isEmpty() ? to_qt(read->display()) : text;
-    }
     return cell.data(role);
 }
 

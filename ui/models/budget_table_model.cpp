@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/report/result_columns.h"
 #include "ui/models/roles.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -12,23 +12,33 @@ namespace covaria::ui {
 void BudgetTableModel::set_result(std::shared_ptr<const UncertaintyResult> result, std::size_t output,
                                   bool current) {
     result_ = std::move(result);
-    output_ = output;
-    if (!result_ || output_ >= result_->budget.rows.size()) return set_contents({}, {}, {}, current);
-    std::vector<std::string> keys = {"quantity",         "u", "unit", "sensitivity", "contribution",
-                                     "share of variance"};
-    const std::vector<BudgetRow>& rows = result_->budget.rows[output_];
+    places_ = result_ ? places_that_count(*result_, output) : std::vector<BudgetPlace>();
+    if (places_.empty()) return set_contents({}, {}, {}, current);
+    std::vector<std::string> keys = {
+        "label", "u", "unit", "sensitivity", "contribution", "share of variance"};
+    const std::vector<BudgetRow>& rows = result_->budget.rows[output];
     if (std::any_of(rows.begin(), rows.end(), [](const BudgetRow& row) { return row.one_at_a_time; }))
         keys.emplace_back("one at a time");
-    keys.insert(keys.end(), {"degrees of freedom", "type", "distribution", "component", "origin"});
-    set_contents(result_, budget_table(*result_, budget_places(*result_, output_)), std::move(keys), current);
+    keys.insert(keys.end(), {"degrees of freedom", "type", "distribution", "component"});
+    const auto of_several = [this](const BudgetRow& row) {
+        return result_->budget.components[row.component].quantities.size() > 1;
+    };
+    if (std::any_of(rows.begin(), rows.end(), of_several)) keys.emplace_back("quantity");
+    keys.emplace_back("origin");
+    set_contents(result_, budget_table(*result_, places_, language_of_window()), std::move(keys), current);
+}
+
+const BudgetComponent* BudgetTableModel::component(int row) const {
+    if (row < 0 || row >= int(places_.size())) return nullptr;
+    const BudgetPlace& place = places_[static_cast<std::size_t>(row)];
+    return &result_->budget.components[result_->budget.rows[place.output][place.row].component];
 }
 
 QVariant BudgetTableModel::extra(std::size_t row, std::size_t, int role) const {
-    const BudgetComponent& component =
-        result_->budget.components[result_->budget.rows[output_][row].component];
-    if (role == id_role) return to_qt(component.id);
-    if (role == group_role) return to_qt(component.group);
-    if (role == Qt::ToolTipRole) return to_qt(component.origin);
+    const BudgetComponent& of = *component(int(row));
+    if (role == id_role) return to_qt(of.id);
+    if (role == group_role) return to_qt(of.group);
+    if (role == Qt::ToolTipRole) return to_qt(of.origin);
     return {};
 }
 

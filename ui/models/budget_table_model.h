@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "core/report/result_columns.h"
 #include "core/result/uncertainty_result.h"
 #include "ui/models/column_table_model.h"
 
@@ -14,13 +16,15 @@ public:
     using ColumnTableModel::ColumnTableModel;
     /// A null result, or an output it does not have, empties the table.
     void set_result(std::shared_ptr<const UncertaintyResult> result, std::size_t output, bool current);
+    /// Null for a row that is not there.
+    const BudgetComponent* component(int row) const;
 
 protected:
     QVariant extra(std::size_t row, std::size_t column, int role) const override;
 
 private:
     std::shared_ptr<const UncertaintyResult> result_;
-    std::size_t output_ = 0;
+    std::vector<BudgetPlace> places_;
 };
 
 }  // namespace covaria::ui

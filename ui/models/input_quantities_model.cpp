@@ -101,6 +101,19 @@ QString InputQuantitiesModel::estimate_text(int row) const {
     return number_text(QString::number(value, 'g', 12).toDouble(), QLocale());
 }
 
+/// As it was typed, where its uncertainty does not leave fewer digits.
+QString InputQuantitiesModel::shown_estimate(int row) const {
+    const InputEdit edit = find_input_edit(document_.project(), analysis_->id, quantity(row).symbol);
+    const Unit& unit = quantity(row).unit;
+    if (edit.estimate)
+        return to_qt(grouped_digits(format_typed(converted(edit.estimate->value, edit.estimate->unit, unit)),
+                                    user_numbers()));
+    const double value = without_residue(unit.from_si(estimate(row)), unit);
+    const std::string typed = format_typed(value),
+                      matched = format_to_match(value, unit.interval_from_si(standard_uncertainty(row)));
+    return to_qt(grouped_digits(typed.size() <= matched.size() ? typed : matched, user_numbers()));
+}
+
 QString InputQuantitiesModel::components_text(int row) const {
     if (is_linked(row)) return linked_text(row);
     QStringList parts;
@@ -180,6 +193,7 @@ QVariant InputQuantitiesModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const int row = index.row();
     const bool numeric = index.column() == estimate_column || index.column() == uncertainty_column;
+    if (role == Qt::DisplayRole && index.column() == estimate_column) return shown_estimate(row);
     if (role == Qt::DisplayRole || role == Qt::EditRole) return text(row, index.column());
     if (role == typeset_role && index.column() == symbol_column)
         return QVariant::fromValue(typeset(row, index.column()));

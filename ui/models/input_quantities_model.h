@@ -56,6 +56,7 @@ private:
     Text typeset(int row, int column) const;
     Text typeset_linked(int row, int column) const;
     QString estimate_text(int row) const;
+    QString shown_estimate(int row) const;
     QString components_text(int row) const;
     QVariant sort_value(int row, int column) const;
     QVariant row_data(int row, int role) const;

@@ -70,7 +70,7 @@ std::vector<std::string> ResultTableModel::keys() const {
     keys.insert(keys.end(), {"k", "nu_eff"});
     const bool symmetric = interval_ == Interval::symmetric;
     keys.insert(keys.end(),
-                {symmetric ? "interval low" : "shortest low", symmetric ? "interval high" : "shortest high"});
+                {symmetric ? "stated low" : "shortest low", symmetric ? "stated high" : "shortest high"});
     constexpr std::size_t most = 6;  // a network of many instruments would fill the table
     if (result_->contributors.size() <= most)
         for (std::string& key : contributor_keys(*result_)) keys.push_back(std::move(key));

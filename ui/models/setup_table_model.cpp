@@ -78,6 +78,23 @@ QString SetupTableModel::complaint(const CellPosition& at) const {
     return {};
 }
 
+namespace {
+
+/// What is read otherwise than it is typed: "5e-07", "50000623", "ohm"; empty for the rest.
+QString shown_text(const ColumnSpec& column, const SetupCell& cell) {
+    if (const double* number = std::get_if<double>(&cell)) {
+        const std::string typed = format_shortest(*number);
+        const bool has_power = typed.find('e') != std::string::npos;
+        return to_qt(grouped_digits(has_power ? format_typed(*number) : typed, user_numbers()));
+    }
+    const std::string* text = std::get_if<std::string>(&cell);
+    if (!text || text->empty() || column.key != "unit") return {};
+    const Result<Unit> unit = Unit::parse(*text);
+    return unit ? to_qt(unit->display()) : QString();
+}
+
+}  // namespace
+
 QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const CellPosition at{index.row(), index.column()};
@@ -87,13 +104,15 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
     const auto rejected = rejected_.find(at);
     switch (role) {
         case Qt::DisplayRole:
-            // "5e-07" is for editing.
-            if (const double* number = std::get_if<double>(&cell);
-                number && rejected == rejected_.end() && cell_text(spec, cell, QLocale()).contains('e'))
-                return localized(format_typed(*number));
+            if (rejected == rejected_.end() && !shown_text(spec, cell).isEmpty())
+                return shown_text(spec, cell);
             [[fallthrough]];
         case Qt::EditRole:
             return rejected != rejected_.end() ? rejected->second.text : cell_text(spec, cell, QLocale());
+        case exact_role:  // spreadsheets read no "5×10⁻⁷"
+            if (const double* number = std::get_if<double>(&cell); number && rejected == rejected_.end())
+                return *number;
+            return {};
         case typeset_role:  // "theta" is a name in every other column
             if (const auto* name = std::get_if<std::string>(&cell);
                 name && names_quantities(spec) && rejected == rejected_.end())

@@ -200,10 +200,13 @@ QString BudgetPage::lines_of(const UncertaintyResult& result) const {
             break;
         }
         const std::string symbol = to_html(symbol_text(output.quantity.symbol));
-        std::string words = "<b>" + symbol + "</b> = " + escape_html(value_statement(output, true, in));
+        const std::string words = "<b>" + symbol + "</b> = " + escape_html(value_statement(output, true, in));
+        QString line = to_qt(words);
         if (output.expanded_uncertainty != 0.0)  // else exact
-            words += ", " + to_html(running_text(coverage_statement(output, result, in)));
-        lines << to_qt(words);
+            line +=
+                QStringLiteral(", ") + to_qt(to_html(running_text(coverage_statement(output, result, in))))
+                                           .replace(QStringLiteral(" = "), QStringLiteral("\u00a0=\u00a0"));
+        lines << line;
     }
     return lines.join(QStringLiteral("<br>"));
 }

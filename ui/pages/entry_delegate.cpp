@@ -95,7 +95,7 @@ void EntryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIn
     const int size = option->fontMetrics.height() + 1;
     option->decorationSize = {size, size};
     const bool is_state =
-        index.data(state_role).isValid() && index.column() == ProjectTreeModel::state_column;
+        !index.data(severity_role).isValid() && index.column() == ProjectTreeModel::state_column;
     if (is_state && (option->state & QStyle::State_Selected)) option->icon = on_disc(option->icon, *option);
     // The state's words are in the tooltip and in the status bar; the name needs the room.
     if (is_state) option->text.clear();

@@ -13,6 +13,7 @@
 #include "ui/pages/entry_delegate.h"
 #include "ui/pages/library_menu.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/follow_font.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 
@@ -58,7 +59,8 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
     setModel(&model_);  // tells of the current entry at once, so the actions must be there
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    header()->setSectionResizeMode(1, QHeaderView::Fixed);  // a mark; its words are in the tooltip
+    follow_font(*this, [this] { header()->resizeSection(1, fontMetrics().height() + 14); });
     expandAll();
     connect(duplicate_action, &QAction::triggered, this, &ProjectPane::duplicate_selected);
     connect(rename_action, &QAction::triggered, this, [this] { edit(currentIndex().siblingAtColumn(0)); });
@@ -159,9 +161,7 @@ int ProjectPane::wanted_width() const {
         take(above, 1);
         for (int row = 0; row < model_.rowCount(above); ++row) take(model_.index(row, 0, above), 2);
     }
-    const int states =  // as the head makes the column, with or without states
-        std::max({sizeHintForColumn(1), header()->sectionSizeHint(1), header()->minimumSectionSize()});
-    return names + states + 2 * frameWidth() + 12;
+    return names + header()->sectionSize(1) + 2 * frameWidth() + 12;
 }
 
 void ProjectPane::follow_selection() {

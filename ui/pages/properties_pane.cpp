@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/document/setup_address.h"
 #include "ui/forms/certificate_form.h"
@@ -92,7 +93,12 @@ void PropertiesPane::start_help() {
     const QWidget* focused = QApplication::focusWidget();
     const QWidget* page = tabs_->currentWidget();
     if (!page || (focused && page->isAncestorOf(focused))) return;
-    help_->start_over(page->findChild<QuantityEdit*>() || page->findChild<SpreadsheetView*>());
+    const auto shows = [page](const auto& editors) {
+        return std::any_of(editors.begin(), editors.end(),
+                           [page](const QWidget* editor) { return editor->isVisibleTo(page); });
+    };
+    help_->start_over(shows(page->findChildren<QuantityEdit*>()) ||
+                      shows(page->findChildren<SpreadsheetView*>()));
 }
 
 void PropertiesPane::start_over() {

@@ -225,21 +225,17 @@ QWidget* ResultsPane::make_budget_tab() {
 void ResultsPane::show_contributions(std::size_t output) {
     PlotSpecification plot = contribution_plot(*result_, output, language_of_window());
     // Where there are fewer than rows, the last is that of all others.
-    const std::size_t bars = plot.y.categories.size(), rows = result_->budget.rows[output].size();
-    contributions_->set_clickable_bars(int(bars) - int(bars < rows));
+    const int bars = int(plot.y.categories.size());
+    contributions_->set_clickable_bars(bars - int(bars < budget_model_.rowCount()));
     show_chart(*contributions_, std::move(plot));
 }
 
 /// Of a row of the budget shown; the bars stand in the same order.
 void ResultsPane::go_to_source(int row) {
-    const auto output = static_cast<std::size_t>(std::max(0, selection_.output()));
     const auto& prepared = runner_.status(selection_.analysis()).prepared;
-    if (!result_ || !prepared || row < 0 || output >= result_->budget.rows.size() ||
-        row >= int(result_->budget.rows[output].size()))
-        return;
-    const BudgetRow& chosen = result_->budget.rows[output][static_cast<std::size_t>(row)];
-    const QString place =
-        place_of_component(document_.project(), *prepared, result_->budget.components[chosen.component]);
+    const BudgetComponent* component = budget_model_.component(row);
+    if (!prepared || !component) return;
+    const QString place = place_of_component(document_.project(), *prepared, *component);
     if (!place.isEmpty()) emit place_wanted(place);
 }
 
@@ -364,6 +360,7 @@ void ResultsPane::refresh_outputs() {
 void ResultsPane::show_group(const QString& group) {
     result_model_.set_group(to_std(shown_group()));
     correlation_model_.set_result(result_, to_std(group), current_);
+    correlation_->setVisible(correlation_model_.rowCount() > 1);
     refresh_outputs();
     const bool shown = selection_.output() >= 0 && output_->findData(selection_.output()) >= 0;
     if (!shown && output_->count() > 0) selection_.select_output(output_->itemData(0).toInt());

@@ -52,6 +52,7 @@ SortableTable::SortableTable(ColumnTableModel& model, const QString& name, QWidg
     connect(head, &QWidget::customContextMenuRequested, this, &SortableTable::show_header_menu);
     connect(head, &QHeaderView::sectionResized, this,
             [this](int column, int, int width) { remember_width(column, width); });
+    connect(head, &QHeaderView::sortIndicatorChanged, this, &SortableTable::fit_columns);
     connect(&proxy_, &QAbstractItemModel::modelReset, this, &SortableTable::apply_columns);
     connect(&proxy_, &QAbstractItemModel::dataChanged, this, &SortableTable::fit_columns);
     follow_font(*this, [this] { fit_columns(); });

@@ -115,22 +115,21 @@ void TypesetHeader::paintSection(QPainter* painter, const QRect& rect, int secti
     initStyleOption(&option);
     initStyleOptionForIndex(&option, section);
     option.rect = rect;
-    const int margin = style()->pixelMetric(QStyle::PM_HeaderMargin, &option, this);
-    const QRect area =
-        style()->subElementRect(QStyle::SE_HeaderLabel, &option, this).adjusted(margin, 0, -margin, 0);
+    const QRect area = style()->subElementRect(QStyle::SE_HeaderLabel, &option, this);
     painter->save();
     painter->setPen(option.palette.color(QPalette::ButtonText));
     draw_typeset(*painter, text, font(), area, option.textAlignment);
     painter->restore();
 }
 
+/// Room for the mark of sorting has the section that is sorted by, not every one.
 QSize TypesetHeader::sectionSizeFromContents(int section) const {
-    QSize size = QHeaderView::sectionSizeFromContents(section);
-    const Text text = text_of(section);
-    if (!text.has_scripts() || orientation() == Qt::Vertical) return size;
-    const int mark = isSortIndicatorShown() ? style()->pixelMetric(QStyle::PM_HeaderMarkSize) : 0;
-    const int margins = 4 * style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, this);
-    return {int(std::ceil(text_width(text, font()))) + mark + margins, size.height()};
+    const QSize size = QHeaderView::sectionSizeFromContents(section);
+    const bool sorted = isSortIndicatorShown() && sortIndicatorSection() == section;
+    const int margin = style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, this);
+    const int mark = sorted ? style()->pixelMetric(QStyle::PM_HeaderMarkSize) + margin : 0;
+    const int width = int(std::ceil(text_width(text_of(section), font()))) + 1;
+    return {width + 2 * margin + mark, size.height()};
 }
 
 TypesetComboBox::TypesetComboBox(QWidget* parent) : QComboBox(parent) {

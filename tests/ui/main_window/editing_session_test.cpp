@@ -52,7 +52,7 @@ TEST_F(EditingSession, AFourthBasePointIsTypedIn) {
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     }
     EXPECT_EQ(cell("base_points", 3, 0), QStringLiteral("b4"));
-    EXPECT_EQ(cell("base_points", 3, 2), QStringLiteral("-100"));
+    EXPECT_EQ(cell("base_points", 3, 2), QStringLiteral("−100"));
     const QString warning = problems().join(QLatin1Char('\n'));
     EXPECT_TRUE(warning.contains(QStringLiteral("b4"))) << warning.toStdString();
     EXPECT_TRUE(warning.contains(QStringLiteral("least squares"))) << warning.toStdString();
@@ -71,7 +71,7 @@ TEST_F(EditingSession, ATableIsPastedFromAGermanSpreadsheet) {
     select(SetupOwner::analysis, window_->document().project().analyses.front().id);
     paste("poses", 0, 0, QStringLiteral("Pose A\t-120,5\t1e2\t1235\t0\t0\t0,25\r\nPose B\t0,125\t2\t3\r\n"));
     EXPECT_EQ(cell("poses", 0, 0), QStringLiteral("Pose A"));
-    EXPECT_EQ(cell("poses", 0, 1), QStringLiteral("-120,5"));
+    EXPECT_EQ(cell("poses", 0, 1), QStringLiteral("−120,5"));
     EXPECT_EQ(cell("poses", 0, 6), QStringLiteral("0,25"));
     EXPECT_EQ(cell("poses", 1, 1), QStringLiteral("0,125"));
     EXPECT_EQ(sheet("poses")->model()->rowCount(), 13);

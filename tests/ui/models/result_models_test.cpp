@@ -78,12 +78,12 @@ TEST(ResultTableModel, RoundsByTheUncertaintyInTheUnitOfTheQuantity) {
     EXPECT_EQ(cell(model, 0, "k"), "2.26");
     EXPECT_EQ(cell(model, 0, "U"), "0.0099");
     EXPECT_EQ(cell(model, 0, "Unit"), "mm");
-    EXPECT_EQ(cell(model, 0, "Low"), "1023.4480");
-    EXPECT_EQ(cell(model, 1, "Low"), "") << "without Monte Carlo there is no interval";
+    EXPECT_EQ(cell(model, 0, "Lower limit"), "1023.4480");
+    EXPECT_EQ(cell(model, 1, "Lower limit"), "28.6466") << "0.5 rad - 2.26 u, by the law of propagation";
     EXPECT_EQ(cell(model, 0, "First order validated"), "yes");
     EXPECT_EQ(model.index(0, 0).data(group_role).toString(), "pose 1");
     model.set_interval(ResultTableModel::Interval::shortest);
-    EXPECT_EQ(cell(model, 0, "Low"), "1023.4470");
+    EXPECT_EQ(cell(model, 0, "Lower limit"), "1023.4470");
 }
 
 TEST(ResultTableModel, UnitsDigitsAndGroupCanBeChosen) {

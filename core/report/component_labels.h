@@ -1,0 +1,17 @@
+// Short names of the rows of a budget that tell them apart: in tables of the window and at the bars of
+// charts.
+#pragma once
+
+#include <vector>
+
+#include "core/result/uncertainty_result.h"
+#include "core/text/document_language.h"
+
+namespace covaria {
+
+/// "b₁ₓ" if that names the component among these rows, else "b₁ₓ, calibration"; the name alone where several
+/// quantities share the component, after what it is of: "b₁: Laser tracker, azimuth".
+std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,
+                                   const DocumentLanguage& in);
+
+}  // namespace covaria
