@@ -13350,6 +13350,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
 | Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
 | Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |
 | F6, Shift+F6 | next, previous pane |
+| F11 | the budget or the scene alone, and back |
 | Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the table at once |
 | Ctrl+R in a budget | correlation coefficient of the two rows that are selected |
 | F5, Ctrl+F5, Esc | run this analysis, run all, stop |
@@ -13371,6 +13372,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
 | Strg+N, Strg+O, Strg+S | neu, öffnen, speichern |
 | Strg+Z; Strg+Umschalt+Z oder Strg+Y | rückgängig; wiederholen |
 | F6, Umschalt+F6 | nächster, voriger Bereich |
+| F11 | das Budget oder die Szene allein, und zurück |
 | Tab, Umschalt+Tab in einer Tabelle | nächste, vorige Zelle, und hinter der letzten weiter; mit Strg sofort aus der Tabelle |
 | Strg+R in einem Budget | Korrelationskoeffizient der beiden gewählten Zeilen |
 | F5, Strg+F5, Esc | diese Analyse rechnen, alle rechnen, anhalten |
@@ -15481,6 +15483,17 @@ Gewählt: %2</translation>
     <message>
         <source>Appear in the report</source>
         <translation>Im Bericht zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::OnlyMiddle</name>
+    <message>
+        <source>Only the &amp;Middle</source>
+        <translation>Nur die &amp;Mitte</translation>
+    </message>
+    <message>
+        <source>The budget or the scene alone; once more, and the panes stand as they did</source>
+        <translation>Das Budget oder die Szene allein; noch einmal, und die Bereiche stehen wie zuvor</translation>
     </message>
 </context>
 <context>

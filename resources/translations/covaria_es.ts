@@ -13350,6 +13350,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
 | Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
 | Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |
 | F6, Shift+F6 | next, previous pane |
+| F11 | the budget or the scene alone, and back |
 | Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the table at once |
 | Ctrl+R in a budget | correlation coefficient of the two rows that are selected |
 | F5, Ctrl+F5, Esc | run this analysis, run all, stop |
@@ -13371,6 +13372,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
 | Ctrl+N, Ctrl+O, Ctrl+S | nuevo, abrir, guardar |
 | Ctrl+Z; Ctrl+Mayús+Z o Ctrl+Y | deshacer; rehacer |
 | F6, Mayús+F6 | panel siguiente, anterior |
+| F11 | solo el balance o la escena, y vuelta |
 | Tab, Mayús+Tab en una tabla | celda siguiente, anterior, y más allá de la última; con Ctrl, fuera de la tabla enseguida |
 | Ctrl+R en un presupuesto | coeficiente de correlación de las dos filas seleccionadas |
 | F5, Ctrl+F5, Esc | calcular este análisis, calcular todos, detener |
@@ -15481,6 +15483,17 @@ Elegido: %2</translation>
     <message>
         <source>Appear in the report</source>
         <translation>Aparecer en el informe</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::OnlyMiddle</name>
+    <message>
+        <source>Only the &amp;Middle</source>
+        <translation>Solo el &amp;centro</translation>
+    </message>
+    <message>
+        <source>The budget or the scene alone; once more, and the panes stand as they did</source>
+        <translation>Solo el balance o la escena; otra vez, y los paneles quedan como estaban</translation>
     </message>
 </context>
 <context>

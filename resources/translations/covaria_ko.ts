@@ -13350,6 +13350,7 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
 | Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
 | Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |
 | F6, Shift+F6 | next, previous pane |
+| F11 | the budget or the scene alone, and back |
 | Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the table at once |
 | Ctrl+R in a budget | correlation coefficient of the two rows that are selected |
 | F5, Ctrl+F5, Esc | run this analysis, run all, stop |
@@ -13371,6 +13372,7 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
 | Ctrl+N, Ctrl+O, Ctrl+S | 새로 만들기, 열기, 저장 |
 | Ctrl+Z; Ctrl+Shift+Z 또는 Ctrl+Y | 실행 취소; 다시 실행 |
 | F6, Shift+F6 | 다음 창, 이전 창 |
+| F11 | 불확도 총괄표 또는 장면만 보기, 다시 누르면 돌아옴 |
 | 표에서 Tab, Shift+Tab | 다음, 이전 셀, 마지막 셀 다음으로 계속; Ctrl과 함께 바로 표 밖으로 |
 | 예산에서 Ctrl+R | 선택한 두 행의 상관 계수 |
 | F5, Ctrl+F5, Esc | 이 분석 실행, 모두 실행, 중지 |
@@ -15478,6 +15480,17 @@ Chosen: %2</source>
     <message>
         <source>Appear in the report</source>
         <translation>보고서에 표시</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::OnlyMiddle</name>
+    <message>
+        <source>Only the &amp;Middle</source>
+        <translation>가운데만(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The budget or the scene alone; once more, and the panes stand as they did</source>
+        <translation>불확도 총괄표 또는 장면만; 다시 누르면 창들이 이전대로 돌아옴</translation>
     </message>
 </context>
 <context>

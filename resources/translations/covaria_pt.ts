@@ -13350,6 +13350,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
 | Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
 | Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |
 | F6, Shift+F6 | next, previous pane |
+| F11 | the budget or the scene alone, and back |
 | Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the table at once |
 | Ctrl+R in a budget | correlation coefficient of the two rows that are selected |
 | F5, Ctrl+F5, Esc | run this analysis, run all, stop |
@@ -13371,6 +13372,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
 | Ctrl+N, Ctrl+O, Ctrl+S | novo, abrir, salvar |
 | Ctrl+Z; Ctrl+Shift+Z ou Ctrl+Y | desfazer; refazer |
 | F6, Shift+F6 | próximo painel, painel anterior |
+| F11 | só o balanço ou a cena, e de volta |
 | Tab, Shift+Tab numa tabela | célula seguinte, anterior, e para além da última; com Ctrl, logo para fora da tabela |
 | Ctrl+R num orçamento | coeficiente de correlação das duas linhas selecionadas |
 | F5, Ctrl+F5, Esc | calcular esta análise, calcular todas, parar |
@@ -15481,6 +15483,17 @@ Escolhido: %2</translation>
     <message>
         <source>Appear in the report</source>
         <translation>Aparecem no relatório</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::OnlyMiddle</name>
+    <message>
+        <source>Only the &amp;Middle</source>
+        <translation>Só o &amp;centro</translation>
+    </message>
+    <message>
+        <source>The budget or the scene alone; once more, and the panes stand as they did</source>
+        <translation>Só o balanço ou a cena; mais uma vez, e os painéis ficam como estavam</translation>
     </message>
 </context>
 <context>

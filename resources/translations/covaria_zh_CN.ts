@@ -13350,6 +13350,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
 | Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
 | Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |
 | F6, Shift+F6 | next, previous pane |
+| F11 | the budget or the scene alone, and back |
 | Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the table at once |
 | Ctrl+R in a budget | correlation coefficient of the two rows that are selected |
 | F5, Ctrl+F5, Esc | run this analysis, run all, stop |
@@ -13371,6 +13372,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
 | Ctrl+N, Ctrl+O, Ctrl+S | 新建、打开、保存 |
 | Ctrl+Z；Ctrl+Shift+Z 或 Ctrl+Y | 撤销；重做 |
 | F6、Shift+F6 | 下一窗格、上一窗格 |
+| F11 | 仅显示预算或场景,再按返回 |
 | 表格中的 Tab、Shift+Tab | 下一单元格、上一单元格，到最后一格后继续向外；加 Ctrl 立即离开表格 |
 | 预算中的 Ctrl+R | 所选两行的相关系数 |
 | F5, Ctrl+F5, Esc | 运行此分析、运行全部、停止 |
@@ -15478,6 +15480,17 @@ Chosen: %2</source>
     <message>
         <source>Appear in the report</source>
         <translation>列入报告</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::OnlyMiddle</name>
+    <message>
+        <source>Only the &amp;Middle</source>
+        <translation>仅中间区域(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The budget or the scene alone; once more, and the panes stand as they did</source>
+        <translation>仅显示预算或场景;再按一次恢复各窗格</translation>
     </message>
 </context>
 <context>

@@ -29,6 +29,7 @@ QString keys_text() {
         "| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |\n"
         "| Ctrl+Z; Ctrl+Shift+Z or Ctrl+Y | undo; redo |\n"
         "| F6, Shift+F6 | next, previous pane |\n"
+        "| F11 | the budget or the scene alone, and back |\n"
         "| Tab, Shift+Tab in a table | next, previous cell, and on behind the last one; with Ctrl out of the "
         "table at once |\n"
         "| Ctrl+R in a budget | correlation coefficient of the two rows that are selected |\n"

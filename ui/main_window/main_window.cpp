@@ -20,6 +20,7 @@
 #include "ui/main_window/first_steps_guide.h"
 #include "ui/main_window/help_actions.h"
 #include "ui/main_window/import_actions.h"
+#include "ui/main_window/only_middle.h"
 #include "ui/main_window/pane_keys.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/run_actions.h"
@@ -267,8 +268,10 @@ void MainWindow::make_view_menu() {
     }
     menu->addSeparator();
     (new PaneKeys(*this, [this] { return panes(); }))->add_to(*menu);
+    auto* middle = new OnlyMiddle(*this, docks_);
     menu->addSeparator();
-    project_actions_ << menu->addAction(tr("&Reset Layout"), this, &MainWindow::arrange);
+    menu->addAction(middle);
+    project_actions_ << middle << menu->addAction(tr("&Reset Layout"), this, &MainWindow::arrange);
     menu->addSeparator();
     menu->addAction(icon(QStringLiteral("start")), tr("Start Page"), this,
                     [this] { pages_->setCurrentWidget(start_); });

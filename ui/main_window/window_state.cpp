@@ -3,6 +3,8 @@
 #include <QMainWindow>
 #include <QSettings>
 
+#include "ui/main_window/only_middle.h"
+
 namespace covaria::ui {
 
 namespace {
@@ -16,7 +18,8 @@ bool restore_window(QMainWindow& window) {
     return window.restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), state_version);
 }
 
-void remember_window(const QMainWindow& window) {
+void remember_window(QMainWindow& window) {
+    if (auto* middle = window.findChild<OnlyMiddle*>()) middle->setChecked(false);
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), window.saveGeometry());
     settings.setValue(QStringLiteral("window/state"), window.saveState(state_version));

@@ -7,6 +7,6 @@ namespace covaria::ui {
 
 /// False: nothing was remembered.
 bool restore_window(QMainWindow& window);
-void remember_window(const QMainWindow& window);
+void remember_window(QMainWindow& window);
 
 }  // namespace covaria::ui

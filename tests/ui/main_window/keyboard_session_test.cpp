@@ -54,6 +54,29 @@ TEST_F(KeyboardSession, F6GoesThroughAllPanesAndBack) {
     EXPECT_EQ(visited.join(' ').toStdString(), "properties results scene project");
 }
 
+TEST_F(KeyboardSession, F11LeavesTheMiddleAloneAndBringsThePanesBack) {
+    open(project_copy());
+    wait_until_idle();
+    const int tree = window_->project_pane().width(), scene = window_->scene().width();
+    press_keys(Qt::Key_F11);
+    EXPECT_FALSE(window_->project_pane().isVisible());
+    EXPECT_FALSE(window_->properties().isVisible());
+    EXPECT_FALSE(window_->results().isVisible());
+    EXPECT_GT(window_->scene().width(), window_->width() - 20);
+    press_keys(Qt::Key_F11);
+    EXPECT_TRUE(window_->properties().isVisible());
+    EXPECT_EQ(window_->project_pane().width(), tree);
+    EXPECT_EQ(window_->scene().width(), scene);
+
+    // A pane that is shown ends it, and what it had put away is not forced back.
+    press_keys(Qt::Key_F11);
+    trigger(QStringLiteral("Properties"));
+    EXPECT_TRUE(window_->properties().isVisible());
+    EXPECT_FALSE(window_->results().isVisible());
+    press_keys(Qt::Key_F11);
+    EXPECT_FALSE(window_->properties().isVisible());
+}
+
 TEST_F(KeyboardSession, WhatIsAddedTakesTheKeyboard) {
     add_equation();
     auto* equations = window_->properties().findChild<QPlainTextEdit*>(QStringLiteral("equations"));
