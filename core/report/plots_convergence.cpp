@@ -10,6 +10,10 @@ namespace covaria {
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
 
+namespace {
+constexpr int digits_of_u = 3;
+}
+
 PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output,
                                    const DisplayUnits& units, const DocumentLanguage& language) {
     const PlottedOutput y(result, output, units, language);
@@ -44,10 +48,12 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
         high.y.push_back(shown + 2.0 * error);
     }
     plot.series = {std::move(running), std::move(low), std::move(high)};
-    if (std::isfinite(mc.standard_uncertainty))
+    if (std::isfinite(mc.standard_uncertainty)) {
+        plot.y.written_out = y.writes_out_uncertainty(mc.standard_uncertainty, digits_of_u);
         plot.marks.push_back(
-            {language.say(plot_words::final_u, {y.uncertainty_text(mc.standard_uncertainty, 3)}),
+            {language.say(plot_words::final_u, {y.uncertainty_text(mc.standard_uncertainty, digits_of_u)}),
              y.interval(mc.standard_uncertainty), true, SeriesRole::emphasis});
+    }
     return plot;
 }
 

@@ -20,6 +20,7 @@ constexpr std::array<SeriesRole, 6> family = {SeriesRole::family_1, SeriesRole::
                                               SeriesRole::family_3, SeriesRole::family_4,
                                               SeriesRole::family_5, SeriesRole::family_6};
 constexpr double wide_range = 30.0;  // highest by lowest value, from which an axis is logarithmic
+constexpr int value_digits = 6;
 
 Text with_unit(const Text& words, const Unit& unit) {
     return unit == Unit{} ? words : words + (" (" + unit.display() + ")");
@@ -29,9 +30,9 @@ double shown(const StudyResult& study, const StudyQuantity& quantity, std::size_
     return quantity.unit.interval_from_si(value_at(study, quantity, point));
 }
 
-/// Six significant digits: 500, 1500.25; no tails of a logarithmic spacing.
+/// 500, 1500.25; no tails of a logarithmic spacing.
 std::string value_text(double value, const NumberLocale& numbers) {
-    return grouped_digits(format_trimmed(value, 6), numbers);
+    return grouped_digits(format_trimmed(value, value_digits), numbers);
 }
 
 /// Runs of points with values; only the first has the name.
@@ -73,6 +74,7 @@ void choose_y_range(PlotSpecification& plot) {
 void mark_present(PlotSpecification& plot, const StudyAxisValues& axis, const DocumentLanguage& language) {
     const auto [low, high] = std::minmax(axis.values.front(), axis.values.back());
     if (axis.present < low || axis.present > high) return;
+    plot.x.written_out = format_trimmed(axis.present, value_digits).find('e') == std::string::npos;
     plot.marks.push_back({language.say(plot_words::as_set_up, {value_text(axis.present, language.numbers())}),
                           axis.present, false, SeriesRole::reference});
 }

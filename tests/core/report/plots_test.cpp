@@ -28,6 +28,8 @@ TEST(HistogramPlot, IsTheDensityInDisplayUnits) {
     EXPECT_EQ(to_unicode(plot.title), "Distribution of x (pose 7)");
     EXPECT_EQ(to_unicode(plot.x.title), "x (mm)");
     EXPECT_EQ(to_unicode(plot.y.title), "probability density (1/mm)");
+    EXPECT_EQ(to_unicode(plot.y.short_title), "density (1/mm)");
+    EXPECT_TRUE(plot.x.written_out) << "as the labels of its marks";
     const PlotSeries& bars = plot.series.at(0);
     EXPECT_EQ(bars.kind, SeriesKind::bars);
     EXPECT_NEAR(area_of(bars), 1.0, 1e-5);
