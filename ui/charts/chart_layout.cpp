@@ -21,7 +21,7 @@ double widest(const Ticks& ticks, const QFont& font) {
     return width;
 }
 
-/// The title, else its short form, else the words cut off before the unit ("Wahrscheinl… (1/mm)").
+/// The title, else its short form, else the words shortened before the unit ("Wahrsch…dichte (1/mm)").
 Text fitting_title(const PlotAxis& axis, int exponent, const QFont& font, double room) {
     const Text title = title_with_exponent(axis.title, exponent);
     if (text_width(title, font) <= room) return title;

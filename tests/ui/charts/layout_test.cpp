@@ -60,7 +60,7 @@ TEST(ChartLayout, ShortensTheTitleOfAnAxisAndKeepsANoun) {
     plot.y.title = "Anteil an der Varianz der Ausgangsgröße (%)";
     plot.y.short_title = {};
     EXPECT_TRUE(title({600, 220}).starts_with("Anteil")) << title({600, 220});
-    EXPECT_TRUE(title({600, 220}).ends_with("… (%)")) << title({600, 220});
+    EXPECT_TRUE(title({600, 220}).ends_with(" (%)")) << title({600, 220});
 }
 
 TEST(ChartLayout, KeepsLongNamesInside) {
