@@ -36,7 +36,8 @@ std::string DocumentLanguage::say(const Phrase& phrase, std::initializer_list<st
 }
 
 std::string DocumentLanguage::say(const Message& message) const {
-    return message.in([this](const std::string& english) { return say_declared(english); });
+    return message.in([this](const std::string& english) { return say_declared(english); },
+                      [this](const std::string& plain) { return grouped_digits(plain, numbers_); });
 }
 
 Text DocumentLanguage::say_text(const Phrase& phrase, std::initializer_list<Text> arguments) const {
