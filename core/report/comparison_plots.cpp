@@ -95,7 +95,7 @@ PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::s
     const ComparedOutput& at = comparison.outputs[output];
     const OutputResult* either = comparison.output_after(at);
     if (!either) either = comparison.output_before(at);
-    const Text label = report_parts::output_text(either->quantity);
+    const Text label = report_parts::output_text(either->quantity, language);
     const std::string id =
         "budget-changes-" + report_parts::id_part(either->quantity.symbol + " " + either->quantity.group);
     if (!at.in_both())

@@ -1,6 +1,7 @@
 // How the standard uncertainty of an output settles as trials accumulate.
 #include <cmath>
 
+#include "core/base/own_names.h"
 #include "core/report/plot_words.h"
 #include "core/report/plots.h"
 #include "core/report/plots_parts.h"
@@ -23,7 +24,7 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
     const MonteCarloOutput& mc = *y.trials();
     PlotSpecification plot;
     plot.id = id;
-    const Text u = "u(" + y.symbol() + ")", group = y.output().quantity.group;
+    const Text u = "u(" + y.symbol() + ")", group = language.say(said_name(y.output().quantity.group));
     plot.title = language.say_text(plot_words::against_trials, {group.empty() ? u : u + ", " + group});
     if (!result.stabilised) plot.title = language.say_text(plot_words::not_stabilised, {plot.title});
     plot.x.title = language.say(plot_words::trials);

@@ -32,7 +32,7 @@ Text PlottedOutput::symbol() const {
 }
 
 Text PlottedOutput::label() const {
-    return report_parts::output_text(output_.quantity);
+    return report_parts::output_text(output_.quantity, language_);
 }
 
 std::string PlottedOutput::id(const std::string& chart) const {
