@@ -32,7 +32,13 @@ Message Message::of_words(const char* english, std::vector<Message> arguments) {
 
 Message Message::declared(std::string_view english) {
     Message message(english);
-    message.declared_ = true;
+    message.kind_ = Kind::declared;
+    return message;
+}
+
+Message Message::number(std::string plain) {
+    Message message(std::move(plain));
+    message.kind_ = Kind::number;
     return message;
 }
 
@@ -40,11 +46,14 @@ std::string Message::english() const {
     return in([](const std::string& text) { return text; });
 }
 
-std::string Message::in(const Words& translate) const {
-    std::string text = known_ ? translate(known_) : declared_ && !text_.empty() ? translate(text_) : text_;
+std::string Message::in(const Words& translate, const Numbers& write) const {
+    if (kind_ == Kind::number) return write ? write(text_) : text_;
+    std::string text = known_                                      ? translate(known_)
+                       : kind_ == Kind::declared && !text_.empty() ? translate(text_)
+                                                                   : text_;
     if (arguments_.empty()) return text;
     std::vector<std::string> arguments;
-    for (const Message& argument : arguments_) arguments.push_back(argument.in(translate));
+    for (const Message& argument : arguments_) arguments.push_back(argument.in(translate, write));
     return fill_placeholders<std::string>(text, arguments);
 }
 

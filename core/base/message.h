@@ -19,6 +19,8 @@ class Message {
 public:
     /// The translation of an English text; the text itself where there is none.
     using Words = std::function<std::string(const std::string& english)>;
+    /// How a plain number is written: "−2,3×10⁻⁵".
+    using Numbers = std::function<std::string(const std::string& plain)>;
 
     Message() = default;
     /// As it is in every language: names that people gave, numbers, words of other programs.
@@ -37,9 +39,11 @@ public:
     static Message of_words(const char* english, std::vector<Message> arguments);
     /// What a registry declares: the title of a field.
     static Message declared(std::string_view english);
+    /// A plain number ("-2.3e-05"), which is written as its reader writes numbers.
+    static Message number(std::string plain);
 
-    std::string english() const;
-    std::string in(const Words& translate) const;
+    std::string english() const;  ///< numbers plain
+    std::string in(const Words& translate, const Numbers& write = {}) const;
     bool empty() const { return !known_ && text_.empty(); }
 
     Message& operator+=(Message more);
@@ -54,7 +58,7 @@ private:
     const char* known_ = nullptr;  ///< of `tell`; else:
     std::string text_;
     std::vector<Message> arguments_;
-    bool declared_ = false;  ///< the text has a translation
+    enum class Kind { as_it_is, declared, number } kind_ = Kind::as_it_is;  ///< of the text
 };
 
 namespace detail {

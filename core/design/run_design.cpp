@@ -68,9 +68,7 @@ private:
         const Design& design = design_.design;
         for (std::size_t i = 0; i < design_.numbers.axes.size(); ++i) {
             const StudyAxis& axis = design_.numbers.axes[i];
-            Text title = design_.numbers.targets[i].title;
-            if (axis.change == StudyChange::factor) title += ", factor";
-            if (axis.change == StudyChange::added) title += ", added";
+            const TypesetMessage title = changed_title(design_.numbers.targets[i], axis.change);
             result_.values.push_back(
                 {title, axis.unit, axis.from, axis.to, design_.present[i], chosen_.values[i], 0.0, {}});
             if (i < design.variables.size()) result_.values.back().tolerance = design.variables[i].tolerance;
@@ -118,9 +116,9 @@ private:
     /// With its number, from 1, where others are called the same.
     std::string name_of_row(std::size_t row) const {
         const SetupTable& table = design_.table->rows;
-        const std::string words = row_words(table, row);
+        const std::string words = row_words(table, row).english();
         for (std::size_t other = 0; other < table.rows.size(); ++other)
-            if (other != row && row_words(table, other) == words)
+            if (other != row && row_words(table, other).english() == words)
                 return words + " (row " + std::to_string(row + 1) + ")";
         return words;
     }

@@ -128,7 +128,7 @@ private:
         if (target && target->whole)
             error(below + reduced_number_fields().place(&StudyAxis::target),
                   tell<"'%1' takes whole numbers: a study shows what each of them gives">(
-                      to_unicode(target->title)));
+                      target->title.message()));
         for (std::size_t j = 0; j < i; ++j)
             if (design.variables[j].number.asset == variable.number.asset &&
                 design.variables[j].number.target == variable.number.target)

@@ -59,7 +59,7 @@ public:
             std::abs(axis.to - axis.from) + 1.0 < static_cast<double>(axis.values))
             problems_.error(path + at(&StudyAxis::values),
                             tell<"'%1' takes whole numbers: there are fewer than %2 between the ends">(
-                                to_unicode(target->title), axis.values));
+                                target->title.message(), axis.values));
     }
 
 private:
@@ -119,8 +119,7 @@ private:
         if (axis.change == StudyChange::added && axis.unit.has_offset())
             return problems_.error(path + at(&StudyAxis::unit),
                                    tell<"a difference of temperatures is given in K">());
-        const Message objection =
-            unit_objection(to_unicode(target.title), {axis.from, axis.unit}, target.unit);
+        const Message objection = unit_objection(target.title.message(), {axis.from, axis.unit}, target.unit);
         if (!objection.empty() && std::isfinite(axis.from))
             problems_.error(path + at(&StudyAxis::unit), objection);
     }

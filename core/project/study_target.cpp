@@ -67,6 +67,11 @@ private:
                     "/target");
     }
 
+    /// Of an asset after its name.
+    Message titled(Message title) const {
+        return prefix_.empty() ? title : tell<"%1: %2">(prefix_, std::move(title));
+    }
+
     Result<StudyTarget> in_setup() {
         const SetupSchema* schema = schema_of(analysis_);
         setup_ = &analysis_.setup;
@@ -78,7 +83,7 @@ private:
             schema = schema_of(*asset);
             setup_ = &asset->setup;
             target_.asset = static_cast<std::size_t>(asset - project_.assets.data());
-            prefix_ = (asset->name.empty() ? asset->id : asset->name) + ": ";
+            prefix_ = asset->name.empty() ? asset->id : asset->name;
         }
         if (!schema) return no(tell<"the set-up has no schema">());
         const FieldSpec* field = schema->find(tokens_[1]);
@@ -102,7 +107,7 @@ private:
         target_.whole = field.kind == FieldKind::integer;
         target_.unit = number ? number->unit : field.unit;
         target_.current = number ? number->value : 0.0;
-        target_.title = prefix_ + field.title;
+        target_.title = titled(Message::declared(field.title));
         if (!number && axis_.change != StudyChange::value)
             return no(
                 tell<"'%1' is not given, so there is nothing to change">(Message::declared(field.title)));
@@ -122,7 +127,7 @@ private:
         target_.column = *index + (angle ? 3 : 0);
         target_.unit = angle ? pose->angle_unit : pose->length_unit;
         target_.current = angle ? pose->angles[*index] : pose->position[*index];
-        target_.title = prefix_ + field.title + ", " + names[target_.column];
+        target_.title = titled(tell<"%1, %2">(Message::declared(field.title), names[target_.column]));
         return target_;
     }
 
@@ -166,13 +171,15 @@ private:
         target_.kind = StudyTarget::Kind::cell;
         target_.row = *row;
         target_.current = number ? *number : 0.0;
-        target_.title = prefix_ + field.title + ", " + row_words(table, *row) + ": " + name;
+        target_.title = titled(tell<"%1, %2: %3">(Message::declared(field.title), row_words(table, *row),
+                                                  Message::declared(name)));
         return target_;
     }
 
     Result<StudyTarget> of_column(const FieldSpec& field, const SetupTable& table, const std::string& name) {
         target_.kind = StudyTarget::Kind::column;
-        target_.title = prefix_ + field.title + ", all rows: " + name;
+        target_.title =
+            titled(tell<"%1, all rows: %2">(Message::declared(field.title), Message::declared(name)));
         for (std::size_t row = 0; row < table.rows.size(); ++row)
             if (const double* number = number_at(table, row, target_.column)) {
                 target_.current = *number;
@@ -189,7 +196,9 @@ private:
             return no(tell<"of an input quantity, \"estimate\" or \"components\" can be varied">());
         target_.kind = estimate ? StudyTarget::Kind::estimate : StudyTarget::Kind::components;
         target_.key = tokens_[1];
-        target_.title = symbol_text(tokens_[1]) + (estimate ? ": estimate" : ": uncertainty");
+        const Text symbol = symbol_text(tokens_[1]);
+        target_.title = estimate ? TypesetMessage::of<"%1: estimate">(symbol)
+                                 : TypesetMessage::of<"%1: uncertainty">(symbol);
         if (!estimate) target_.current = 1.0;
         if (!inputs_) return target_;
         target_.index = inputs_->find(target_.key);
@@ -208,7 +217,7 @@ private:
     Result<StudyTarget> component() {
         target_.kind = StudyTarget::Kind::component;
         target_.key = tokens_[1];
-        target_.title = tokens_[1] + ": uncertainty";
+        target_.title = tell<"%1: uncertainty">(tokens_[1]);
         target_.current = 1.0;
         if (!inputs_) return target_;
         std::vector<std::string> ids;
@@ -233,10 +242,16 @@ private:
 
 }  // namespace
 
-std::string row_words(const SetupTable& table, std::size_t row) {
+Message row_words(const SetupTable& table, std::size_t row) {
     for (const SetupCell& cell : table.rows[row])
         if (const auto* text = std::get_if<std::string>(&cell); text && !text->empty()) return *text;
-    return "row " + std::to_string(row + 1);
+    return tell<"row %1">(row + 1);
+}
+
+TypesetMessage changed_title(const StudyTarget& target, StudyChange change) {
+    if (change == StudyChange::factor) return target.title.within<"%1, factor">();
+    if (change == StudyChange::added) return target.title.within<"%1, added">();
+    return target.title;
 }
 
 Result<StudyTarget> find_study_target(const Project& project, const AnalysisEntry& analysis,

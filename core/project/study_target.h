@@ -9,7 +9,7 @@
 #include "core/model/output_quantity.h"
 #include "core/project/project.h"
 #include "core/quantity/input_quantity.h"
-#include "core/text/text.h"
+#include "core/text/typeset_message.h"
 
 namespace covaria {
 
@@ -21,15 +21,18 @@ struct StudyTarget {
     std::size_t asset = analysis;  ///< index in Project::assets
     std::string key = {};          ///< of the field; symbol of the quantity; id of the component
     std::size_t row = 0;
-    std::size_t column = 0;  ///< of the table's schema; coordinate 0 ... 5 of a pose
-    std::size_t index = 0;   ///< of the quantity or component
-    bool whole = false;      ///< a whole number
-    Unit unit = {};          ///< in which the project gives the number
-    Text title = {};         ///< "Targets, B: x"
-    double current = 0.0;    ///< in `unit`; of a column that of its first row with a number
+    std::size_t column = 0;     ///< of the table's schema; coordinate 0 ... 5 of a pose
+    std::size_t index = 0;      ///< of the quantity or component
+    bool whole = false;         ///< a whole number
+    Unit unit = {};             ///< in which the project gives the number
+    TypesetMessage title = {};  ///< "Targets, B: x"
+    double current = 0.0;       ///< in `unit`; of a column that of its first row with a number
 
     bool in_setup() const { return kind <= Kind::column; }
 };
+
+/// The title of a target with what is done to it: "Targets, B: x, factor".
+TypesetMessage changed_title(const StudyTarget& target, StudyChange change);
 
 /// Error (path "/asset" or "/target") when there is no such number. `inputs`: of the analysis, edits applied;
 /// null when they are not known.
@@ -37,7 +40,7 @@ Result<StudyTarget> find_study_target(const Project& project, const AnalysisEntr
                                       const InputSet* inputs, const StudyAxis& axis);
 
 /// What stands first in a row of a table: a name or a reference; else its number ("row 3").
-std::string row_words(const SetupTable& table, std::size_t row);
+Message row_words(const SetupTable& table, std::size_t row);
 
 /// Writes the varied number(s) into `varied`, which is the set-up `base` otherwise. `value` in the axis'
 /// unit.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/own_names.h"
 #include "core/math/normal_quantile.h"
 #include "core/propagation/adaptive.h"
 #include "core/propagation/numerical_tolerance.h"
@@ -23,8 +24,8 @@ double end_point_variance(double probability) {
 
 Message AdaptiveForecast::words() const {
     const std::string unit = output.unit.display();
-    const Message name =
-        output.group.empty() ? Message(output.symbol) : tell<"%1 of %2">(output.symbol, output.group);
+    const Message name = output.group.empty() ? Message(output.symbol)
+                                              : tell<"%1 of %2">(output.symbol, said_name(output.group));
     return tell<"a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)">(
         format_short(output.unit.interval_from_si(tolerance), 2), unit, name,
         format_short(output.unit.interval_from_si(u), 2), format_short(trials, 2), format_short(batches, 2));

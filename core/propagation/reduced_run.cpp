@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "core/base/own_names.h"
 #include "core/propagation/adaptive.h"
 #include "core/propagation/linear_parts.h"
 #include "core/propagation/parallel_blocks.h"
@@ -237,7 +238,8 @@ std::vector<Message> ReducedRun::without_control() const {
         reason = plain_because_[j];
         const OutputQuantity& output = source_.model->outputs()[j];
         if (!list.empty()) list += ", ";
-        list += output.group.empty() ? Message(output.symbol) : tell<"%1 of %2">(output.symbol, output.group);
+        list += output.group.empty() ? Message(output.symbol)
+                                     : tell<"%1 of %2">(output.symbol, said_name(output.group));
     }
     std::vector<Message> words;
     for (const auto& [key, of] : outputs) words.push_back(of.second + " (" + of.first + ")");

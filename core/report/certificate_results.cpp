@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/own_names.h"
 #include "core/report/certificate_parts.h"
 #include "core/report/result_statement.h"
 #include "core/result/representation.h"
@@ -47,7 +48,7 @@ std::string symbol_in_text(const std::string& symbol) {
 /// "Length of the gauge block (pose 7)", or the symbol alone.
 std::string name_of_result(const OutputQuantity& quantity, const DocumentLanguage& in) {
     const std::string name = quantity.name.empty() ? symbol_in_text(quantity.symbol) : in.say(quantity.name);
-    return quantity.group.empty() ? name : name + " (" + quantity.group + ")";
+    return quantity.group.empty() ? name : name + " (" + in.say(said_name(quantity.group)) + ")";
 }
 
 void add_lines(Blocks& blocks, const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
@@ -83,7 +84,7 @@ void add_coverage_notes(TableBuilder& table, const UncertaintyResult& result,
         const std::string interval = skewed_interval(result.outputs[i], result, in);
         if (!interval.empty())
             intervals.push_back(
-                in.say(words::in_interval, {output_label(result.outputs[i].quantity), interval}));
+                in.say(words::in_interval, {in.say(output_label(result.outputs[i].quantity)), interval}));
     }
     const std::string from = probability_text(least, in), to = probability_text(most, in);
     const std::string k =
@@ -112,7 +113,7 @@ void add_table(Blocks& blocks, const UncertaintyResult& result, const std::vecto
     for (const std::size_t i : outputs) {
         const OutputResult& output = result.outputs[i];
         std::vector<TableCell> row;
-        if (groups) row.emplace_back(output.quantity.group);
+        if (groups) row.emplace_back(in.say(said_name(output.quantity.group)));
         row.emplace_back(output.quantity.symbol);
         row.emplace_back(value_statement(output, true, in));
         row.emplace_back(k_text(output, result, in));

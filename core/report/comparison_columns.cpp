@@ -1,5 +1,6 @@
 // Results beside each other, and the difference of their budgets.
 #include "core/report/comparison_columns.h"
+#include "core/base/own_names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ public:
     Table make() {
         table_.rows = outputs_->size();
         using P = const OutputPair&;
-        add("group", [](P p) -> Cell { return p.quantity().group; }).window("Group");
+        add("group", [](P p) -> Cell { return said_name(p.quantity().group); }).window("Group");
         add("symbol", [](P p) -> Cell { return Symbols{p.quantity().symbol}; })
             .print("Quantity")
             .window("Symbol")

@@ -72,7 +72,8 @@ PlotSpecification compared_distributions_plot(const ResultComparison& comparison
         plot.id = y.id("compared");
         plot.title = language.say_text(plot_words::distributions, {y.label()});
         plot.x.title = y.with_unit(y.symbol());
-        plot.y.title = y.density_title();
+        plot.x.written_out = y.writes_out_result(y.output().estimate);
+        y.set_density_axis(plot.y);
         PlotSeries line = density_line(y);
         if (line.x.empty()) return;
         line.name = words + ": " + line.name;
@@ -94,7 +95,7 @@ PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::s
     const ComparedOutput& at = comparison.outputs[output];
     const OutputResult* either = comparison.output_after(at);
     if (!either) either = comparison.output_before(at);
-    const Text label = report_parts::output_text(either->quantity);
+    const Text label = report_parts::output_text(either->quantity, language);
     const std::string id =
         "budget-changes-" + report_parts::id_part(either->quantity.symbol + " " + either->quantity.group);
     if (!at.in_both())

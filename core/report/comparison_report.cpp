@@ -100,10 +100,10 @@ private:
         const Table all = compared_results_table(comparison_, shown_);
         TableBuilder table("compared-results-" + analysis_.id, tell<"Results before and after">(), in_);
         table.columns(all, keys);
-        std::string group;
+        Message group;
         for (std::size_t row = 0; row < shown_.size(); ++row) {
-            const std::string of = std::get<std::string>(all.cell(row, "group"));
-            if (of != group) table.subhead(of);
+            const Message of = std::get<Message>(all.cell(row, "group"));
+            if (!(of == group)) table.subhead(of);
             group = of;
             table.row(print_row(all, keys, row, in_));
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/own_names.h"
 #include "core/report/plot_words.h"
 #include "core/text/symbol.h"
 
@@ -37,7 +38,8 @@ PlotSpecification outputs_plot(const DesignResult& result, const DocumentLanguag
     const bool targets = !result.goals.empty() && result.goals.front().target;
     plot.y.title = language.say(targets ? plot_words::relative_to_target : plot_words::relative_to_present);
     for (const DesignGoal& goal : result.goals) {
-        Text name = goal.output.group.empty() ? Text() : Text(goal.output.group + ": ");
+        Text name =
+            goal.output.group.empty() ? Text() : Text(language.say(said_name(goal.output.group)) + ": ");
         name += symbol_text(goal.output.symbol);
         plot.x.categories.push_back(std::move(name));
     }

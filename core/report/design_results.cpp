@@ -73,7 +73,7 @@ DataTable values_table(const DesignResult& result) {
     const bool priced = result.cost.has_value();
     if (priced) table.columns.push_back({"cost", {}, false, 0});
     for (const DesignValue& value : result.values) {
-        table.rows.push_back({to_unicode(value.title), value.unit.text(), value.from, value.to, value.before,
+        table.rows.push_back({value.title.message(), value.unit.text(), value.from, value.to, value.before,
                               value.chosen, value.tolerance});
         if (priced) table.rows.back().push_back(number_cell(value.cost));
     }
@@ -155,7 +155,7 @@ bool says_something(const DataTable& table, std::size_t column) {
         if (const auto* text = std::get_if<std::string>(&cell))
             return (*text != "no" || table.id == "outputs") && !text->empty() && *text != "1";
         if (const auto* number = std::get_if<double>(&cell)) return *number != 0.0;
-        return std::holds_alternative<Quantity>(cell);
+        return std::holds_alternative<Quantity>(cell) || std::holds_alternative<Message>(cell);
     });
 }
 
@@ -237,7 +237,7 @@ void write_values(std::ostringstream& out, const DesignResult& result) {
     std::vector<std::vector<std::string>> rows{{"", "before", "chosen", "", "allowed"}};
     if (result.cost) rows.front().push_back("cost");
     for (const DesignValue& value : result.values) {
-        rows.push_back({to_unicode(value.title), format_significant(value.before, 6),
+        rows.push_back({value.title.message().english(), format_significant(value.before, 6),
                         format_significant(value.chosen, 6), value.unit == Unit{} ? "" : value.unit.text(),
                         format_short(value.from, 6) + " to " + format_short(value.to, 6)});
         if (value.cost) rows.back().push_back(format_significant(*value.cost, 4));

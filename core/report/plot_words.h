@@ -17,6 +17,8 @@ inline const Phrase same_in_every_trial{
 inline const Phrase distribution{"Distribution of %1"};
 inline const Phrase density{"probability density"};
 inline const Phrase density_per{"probability density (1/%1)"};
+inline const Phrase short_density{"density"};
+inline const Phrase short_density_per{"density (1/%1)"};
 inline const Phrase normal_of_moments{"normal, same mean and u"};
 inline const Phrase normal_of_interval{"normal, same interval"};
 inline const Phrase normal_of_first_order{"normal, first order"};
@@ -25,6 +27,7 @@ inline const Phrase mean{"mean %1"};
 inline const Phrase normal_quantiles{"Normal quantiles of %1"};
 inline const Phrase standard_quantile{"quantile of the standard normal distribution"};
 inline const Phrase quantile{"quantile of %1"};
+inline const Phrase short_quantile{"quantile"};
 
 // Contributions, correlation, convergence
 inline const Phrase nothing_influences{

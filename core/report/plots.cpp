@@ -101,6 +101,7 @@ void add_interval(PlotSpecification& plot, const PlottedOutput& y, double probab
     plot.marks.push_back({y.language().say(plot_words::mean, {y.result_text(mc.mean)}), y.value(mc.mean),
                           false, SeriesRole::emphasis});
     plot.marks.push_back({y.result_text(mc.symmetric.high), high, false, SeriesRole::reference});
+    plot.x.written_out = y.writes_out_result(mc.mean);
 }
 
 }  // namespace
@@ -143,7 +144,7 @@ PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t ou
     plot.id = id;
     plot.title = language.say_text(plot_words::distribution, {y.label()});
     plot.x.title = y.with_unit(y.symbol());
-    plot.y.title = y.density_title();
+    y.set_density_axis(plot.y);
     plot.series.push_back(histogram_bars(y));
     set_range(plot.x, plot.series.front(), y);
     add_normal_curves(plot, y);
@@ -165,6 +166,8 @@ PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::siz
     plot.title = language.say_text(plot_words::normal_quantiles, {y.label()});
     plot.x.title = language.say(plot_words::standard_quantile);
     plot.y.title = y.with_unit(language.say_text(plot_words::quantile, {y.symbol()}));
+    plot.y.short_title = y.with_unit(language.say(plot_words::short_quantile));
+    plot.y.written_out = y.writes_out_result(mc.mean);  // as the distribution beside it
     PlotSeries points{
         language.say(plot_words::monte_carlo), SeriesKind::points, SeriesRole::monte_carlo, {}, {}, {}, 0.0};
     for (std::size_t i = 0; i < n; ++i) {

@@ -24,8 +24,10 @@ PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::siz
 /// The largest contributions to an output (at most `rows`, the rest summed).
 PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t output,
                                     const DocumentLanguage& language = {}, std::size_t rows = 12);
-/// Correlation matrix of a group's outputs (empty group: all).
-PlotSpecification correlation_plot(const UncertaintyResult& result, const std::string& group,
+/// Outputs of a group (empty: all), which the matrix and its chart show.
+std::vector<std::size_t> outputs_to_correlate(const UncertaintyResult& result, const std::string& group);
+/// Correlation matrix of these outputs.
+PlotSpecification correlation_plot(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
                                    const DocumentLanguage& language = {});
 /// Running u (and mean) against trials with two standard errors.
 PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output,

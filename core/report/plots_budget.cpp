@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/own_names.h"
 #include "core/report/component_labels.h"
 #include "core/report/plot_words.h"
 #include "core/report/plots.h"
@@ -72,16 +73,6 @@ std::vector<double> counted(std::size_t n) {
     return positions;
 }
 
-std::vector<std::size_t> outputs_to_correlate(const UncertaintyResult& result, const std::string& group) {
-    std::vector<std::size_t> all, measurands;
-    for (std::size_t i = 0; i < result.outputs.size(); ++i) {
-        if (!group.empty() && result.outputs[i].quantity.group != group) continue;
-        all.push_back(i);
-        if (report_parts::is_measurand(result.outputs[i])) measurands.push_back(i);
-    }
-    return measurands.empty() ? all : measurands;
-}
-
 }  // namespace
 
 PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t output,
@@ -96,8 +87,9 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
     Bars bars = bars_of(result, output, std::max<std::size_t>(rows, 2), language);
     PlotSpecification plot;
     plot.id = id;
-    plot.title = language.say_text(plot_words::contributions, {y.symbol()}) +
-                 (y.output().quantity.group.empty() ? "" : ", " + y.output().quantity.group);
+    plot.title =
+        language.say_text(plot_words::contributions, {y.symbol()}) +
+        (y.output().quantity.group.empty() ? "" : ", " + language.say(said_name(y.output().quantity.group)));
     plot.horizontal_bars = true;
     plot.x.title = language.say(plot_words::share);
     plot.y.categories = bars.labels;
@@ -115,19 +107,31 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
     return plot;
 }
 
-PlotSpecification correlation_plot(const UncertaintyResult& result, const std::string& group,
+std::vector<std::size_t> outputs_to_correlate(const UncertaintyResult& result, const std::string& group) {
+    std::vector<std::size_t> outputs;
+    for (std::size_t i = 0; i < result.outputs.size(); ++i)
+        if (group.empty() || result.outputs[i].quantity.group == group) outputs.push_back(i);
+    return outputs;
+}
+
+PlotSpecification correlation_plot(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
                                    const DocumentLanguage& language) {
+    const auto group_of = [&](std::size_t i) { return result.outputs[i].quantity.group; };
+    const bool one_group = std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
+        return group_of(i) == group_of(outputs.front());
+    });
+    const std::string group = outputs.empty() || !one_group ? "" : group_of(outputs.front());
     const std::string id = "correlation" + (group.empty() ? "" : "-" + report_parts::id_part(group));
-    const std::vector<std::size_t> outputs = outputs_to_correlate(result, group);
     if (outputs.size() < 2) return nothing_to_show(id, language.say(plot_words::single_output));
     const Eigen::MatrixXd correlation = correlation_of(result.covariance);
     PlotSpecification plot;
     plot.id = id;
-    plot.title = language.say(plot_words::correlation) + (group.empty() ? "" : ", " + group);
+    plot.title =
+        language.say(plot_words::correlation) + (group.empty() ? "" : ", " + language.say(said_name(group)));
     for (const std::size_t i : outputs) {
         const OutputQuantity& quantity = result.outputs[i].quantity;
-        plot.y.categories.push_back(group.empty() ? report_parts::output_text(quantity)
-                                                  : symbol_text(quantity.symbol));
+        plot.y.categories.push_back(one_group ? symbol_text(quantity.symbol)
+                                              : report_parts::output_text(quantity, language));
     }
     plot.x.categories = plot.y.categories;
     PlotSeries map{

@@ -1,6 +1,7 @@
 // How the standard uncertainty of an output settles as trials accumulate.
 #include <cmath>
 
+#include "core/base/own_names.h"
 #include "core/report/plot_words.h"
 #include "core/report/plots.h"
 #include "core/report/plots_parts.h"
@@ -9,6 +10,10 @@ namespace covaria {
 
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
+
+namespace {
+constexpr int digits_of_u = 3;
+}
 
 PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output,
                                    const DisplayUnits& units, const DocumentLanguage& language) {
@@ -19,7 +24,7 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
     const MonteCarloOutput& mc = *y.trials();
     PlotSpecification plot;
     plot.id = id;
-    const Text u = "u(" + y.symbol() + ")", group = y.output().quantity.group;
+    const Text u = "u(" + y.symbol() + ")", group = language.say(said_name(y.output().quantity.group));
     plot.title = language.say_text(plot_words::against_trials, {group.empty() ? u : u + ", " + group});
     if (!result.stabilised) plot.title = language.say_text(plot_words::not_stabilised, {plot.title});
     plot.x.title = language.say(plot_words::trials);
@@ -44,10 +49,12 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
         high.y.push_back(shown + 2.0 * error);
     }
     plot.series = {std::move(running), std::move(low), std::move(high)};
-    if (std::isfinite(mc.standard_uncertainty))
+    if (std::isfinite(mc.standard_uncertainty)) {
+        plot.y.written_out = y.writes_out_uncertainty(mc.standard_uncertainty, digits_of_u);
         plot.marks.push_back(
-            {language.say(plot_words::final_u, {y.uncertainty_text(mc.standard_uncertainty, 3)}),
+            {language.say(plot_words::final_u, {y.uncertainty_text(mc.standard_uncertainty, digits_of_u)}),
              y.interval(mc.standard_uncertainty), true, SeriesRole::emphasis});
+    }
     return plot;
 }
 

@@ -32,7 +32,7 @@ Text PlottedOutput::symbol() const {
 }
 
 Text PlottedOutput::label() const {
-    return report_parts::output_text(output_.quantity);
+    return report_parts::output_text(output_.quantity, language_);
 }
 
 std::string PlottedOutput::id(const std::string& chart) const {
@@ -43,23 +43,43 @@ Text PlottedOutput::with_unit(const Text& words) const {
     return is_one(unit_) ? words : words + (" (" + unit_.display() + ")");
 }
 
-std::string PlottedOutput::density_title() const {
-    if (is_one(unit_)) return language_.say(plot_words::density);
+void PlottedOutput::set_density_axis(PlotAxis& axis) const {
+    if (is_one(unit_)) {
+        axis.title = language_.say(plot_words::density);
+        axis.short_title = language_.say(plot_words::short_density);
+        return;
+    }
     const std::string text = unit_.display();
     const bool compound = text.find('/') != std::string::npos || text.find("·") != std::string::npos;
-    return language_.say(plot_words::density_per, {compound ? "(" + text + ")" : text});
+    const std::string per = compound ? "(" + text + ")" : text;
+    axis.title = language_.say(plot_words::density_per, {per});
+    axis.short_title = language_.say(plot_words::short_density_per, {per});
+}
+
+std::string PlottedOutput::plain_result(double si) const {
+    const double u = output_.standard_uncertainty;
+    const double spread = std::isfinite(u) ? u : 0.5 * output_.expanded_uncertainty;
+    return format_to_match(value(si), interval(spread));
+}
+
+std::string PlottedOutput::plain_uncertainty(double si, int digits) const {
+    return format_significant(interval(si), digits);
 }
 
 std::string PlottedOutput::result_text(double si) const {
-    const double u = output_.standard_uncertainty;
-    const double spread = std::isfinite(u) ? u : 0.5 * output_.expanded_uncertainty;
-    const std::string number = format_to_match(value(si), interval(spread));
-    return grouped_digits(number, language_.numbers()) + unit_after_number(unit_);
+    return grouped_digits(plain_result(si), language_.numbers()) + unit_after_number(unit_);
 }
 
 std::string PlottedOutput::uncertainty_text(double si, int digits) const {
-    return grouped_digits(format_significant(interval(si), digits), language_.numbers()) +
-           unit_after_number(unit_);
+    return grouped_digits(plain_uncertainty(si, digits), language_.numbers()) + unit_after_number(unit_);
+}
+
+bool PlottedOutput::writes_out_result(double si) const {
+    return plain_result(si).find('e') == std::string::npos;
+}
+
+bool PlottedOutput::writes_out_uncertainty(double si, int digits) const {
+    return plain_uncertainty(si, digits).find('e') == std::string::npos;
 }
 
 PlotSpecification nothing_to_show(std::string id, Text title) {

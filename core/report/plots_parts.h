@@ -28,11 +28,16 @@ public:
     Text label() const;                                         ///< "α (pose 7)"
     std::string id(const std::string& chart) const;             ///< "histogram-alpha-pose-7"
     Text with_unit(const Text& words) const;                    ///< "x (mm)"; without unit for numbers
-    std::string density_title() const;                          ///< "probability density (1/mm)"
+    void set_density_axis(PlotAxis& axis) const;                ///< "probability density (1/mm)"
     std::string result_text(double si) const;                   ///< "1174.91 mm", rounded to match u
     std::string uncertainty_text(double si, int digits) const;  ///< "0.37 mm"
+    bool writes_out_result(double si) const;                    ///< without a power of ten
+    bool writes_out_uncertainty(double si, int digits) const;   ///< likewise
 
 private:
+    std::string plain_result(double si) const;
+    std::string plain_uncertainty(double si, int digits) const;
+
     const OutputResult& output_;
     Unit unit_;
     DocumentLanguage language_;

@@ -1,4 +1,5 @@
 // Joint coverage regions.
+#include "core/base/own_names.h"
 #include "core/report/result_columns.h"
 
 namespace covaria {
@@ -19,15 +20,14 @@ std::string symbols_of(const UncertaintyResult& result, R region) {
 
 }  // namespace
 
-Table regions_table(const UncertaintyResult& result, const DocumentLanguage& language) {
+Table regions_table(const UncertaintyResult& result) {
     Table table{"regions", "Joint coverage regions", result.regions.size()};
     const auto add = [&](const char* key, auto get) -> Column& {
         return table.add(key, [&result, get](std::size_t row) -> Cell { return get(result.regions[row]); });
     };
     const NumberRule three{.decimals = 3};
     add("group", [](R r) -> Cell { return r.group; });
-    add("group in words",
-        [all = language.say(tell<"all">())](R r) -> Cell { return r.group.empty() ? all : r.group; })
+    add("group in words", [](R r) -> Cell { return r.group.empty() ? tell<"all">() : said_name(r.group); })
         .print("Group")
         .not_in_files();
     add("outputs", [&result](R r) -> Cell { return symbols_of(result, r); });

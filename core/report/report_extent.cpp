@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "core/base/own_names.h"
 #include "core/report/prose.h"
 
 namespace covaria::report_parts {
@@ -64,7 +65,7 @@ bool is_subhead(const std::vector<TableCell>& row) {
     return row.size() == 1;
 }
 
-/// Where the rows of a group begin; 0 where the table has none of it.
+/// Where the rows of a group, as its subhead says it, begin; 0 where the table has none of it.
 std::size_t begin_of(const TableBlock& block, const std::string& group) {
     for (std::size_t row = 0; row < block.table.rows.size() && !group.empty(); ++row)
         if (const auto& cells = block.table.rows[row]; is_subhead(cells))
@@ -77,7 +78,7 @@ bool is_budget(const TableBlock& block) {
 }
 
 /// Of a table of so many rows.
-Message rows_note(std::size_t all, std::size_t begin, std::size_t shown, const std::string& group,
+Message rows_note(std::size_t all, std::size_t begin, std::size_t shown, const Message& group,
                   Elsewhere elsewhere) {
     const bool annex = elsewhere == Elsewhere::annex;
     if (begin > 0)
@@ -191,13 +192,14 @@ private:
         const auto& rows = table.table.rows;
         if (is_budget(table) || double(rows.size()) <= tolerated * double(extent_.rows))
             return out_.body.push_back(table);
-        const std::size_t begin = begin_of(table, group_), end = end_of(rows, begin, extent_.rows);
+        const std::size_t begin = begin_of(table, in_.say(said_name(group_))),
+                          end = end_of(rows, begin, extent_.rows);
         if (end - begin == rows.size()) return out_.body.push_back(table);
         TableBlock part = table;
         part.table.rows.assign(rows.begin() + static_cast<std::ptrdiff_t>(begin),
                                rows.begin() + static_cast<std::ptrdiff_t>(end));
-        part.table.notes.push_back(
-            in_.say(rows_note(rows_in(rows), begin, rows_in(part.table.rows), group_, elsewhere_)));
+        part.table.notes.push_back(in_.say(
+            rows_note(rows_in(rows), begin, rows_in(part.table.rows), said_name(group_), elsewhere_)));
         out_.body.push_back(std::move(part));
         out_.rest.push_back(table);
     }

@@ -90,7 +90,7 @@ public:
     void results(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
                  const std::vector<std::string>& keys);
     void row(std::vector<TableCell> cells) { block_.table.rows.push_back(std::move(cells)); }
-    void subhead(const std::string& text) { block_.table.rows.push_back({TableCell(text)}); }
+    void subhead(const Message& text) { block_.table.rows.push_back({TableCell(in_.say(text))}); }
     void note(const Message& text) { block_.table.notes.push_back(in_.say(text)); }
     TableBlock take() { return std::move(block_); }
 
@@ -110,8 +110,8 @@ std::string unit_text(const Unit& unit);                      ///< "mm", "1" for
 std::string id_part(const std::string& text);  ///< of a block's id: a part of a file's name in small letters
 /// "a, b, c" or, if longer than `most`, "a, b … z (117)".
 std::string short_list(const std::vector<std::string>& items, std::size_t most = 3);
-Text output_text(const OutputQuantity& quantity);          ///< "x (pose 7)"
-std::string output_label(const OutputQuantity& quantity);  ///< likewise, Unicode
+Text output_text(const OutputQuantity& quantity, const DocumentLanguage& in = {});  ///< "x (pose 7)"
+Message output_label(const OutputQuantity& quantity);                               ///< likewise, Unicode
 Quantity value_in(const Unit& unit, double si);
 Quantity interval_in(const Unit& unit, double si);  ///< differences and uncertainties
 

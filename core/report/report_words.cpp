@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/file_names.h"
+#include "core/base/own_names.h"
 #include "core/base/placeholders.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
@@ -83,7 +84,7 @@ void TableBuilder::results(const UncertaintyResult& result, const std::vector<st
     std::string group;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const std::string& of = result.outputs[outputs[i]].quantity.group;
-        if (of != group) subhead(of);
+        if (of != group) subhead(said_name(of));
         group = of;
         row(print_row(all, keys, i, in_));
     }
@@ -119,13 +120,14 @@ std::string short_list(const std::vector<std::string>& items, std::size_t most) 
     return whole ? out : out + " … " + items.back() + " (" + std::to_string(items.size()) + ")";
 }
 
-Text output_text(const OutputQuantity& quantity) {
+Text output_text(const OutputQuantity& quantity, const DocumentLanguage& in) {
     const Text symbol = symbol_text(quantity.symbol);
-    return quantity.group.empty() ? symbol : symbol + (" (" + quantity.group + ")");
+    return quantity.group.empty() ? symbol : symbol + (" (" + in.say(said_name(quantity.group)) + ")");
 }
 
-std::string output_label(const OutputQuantity& quantity) {
-    return to_unicode(output_text(quantity));
+Message output_label(const OutputQuantity& quantity) {
+    const std::string symbol = symbol_to_unicode(quantity.symbol);
+    return quantity.group.empty() ? Message(symbol) : symbol + " (" + said_name(quantity.group) + ")";
 }
 
 Quantity value_in(const Unit& unit, double si) {
@@ -170,7 +172,7 @@ TableBlock said_table(DataTable table, const DocumentLanguage& in) {
 }
 
 Message contributor_title(const ContributorResult& result) {
-    return result.contributor.empty() ? tell<"the set-up">() : Message(result.contributor);
+    return result.contributor.empty() ? tell<"the set-up">() : said_name(result.contributor);
 }
 
 bool is_measurand(const OutputResult& output) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 
+#include "core/base/own_names.h"
 #include "core/propagation/requirements.h"
 #include "core/report/report_parts.h"
 #include "core/result/representation.h"
@@ -132,7 +133,7 @@ private:
 
     void add_quantity() {
         using R = const OutputResult&;
-        table_.add("group", of_output([](R o) -> Cell { return o.quantity.group; }))
+        table_.add("group", of_output([](R o) -> Cell { return said_name(o.quantity.group); }))
             .window("Group", "The pose, point or target the quantity belongs to");
         table_.add("symbol", of_output([](R o) -> Cell { return Symbols{o.quantity.symbol}; }))
             .print("Quantity")

@@ -47,6 +47,6 @@ std::vector<InputRow> all_shares(const InputSet& inputs);
 /// Correlation coefficients: "output symbol" and a column for each of the outputs.
 Table correlation_table(const UncertaintyResult& result, const std::vector<std::size_t>& outputs);
 /// Joint coverage regions of the groups of measurands.
-Table regions_table(const UncertaintyResult& result, const DocumentLanguage& language = {});
+Table regions_table(const UncertaintyResult& result);
 
 }  // namespace covaria

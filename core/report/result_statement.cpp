@@ -89,7 +89,7 @@ double stated_probability(const FirstOrderOutput& first, const UncertaintyResult
 }
 
 std::string probability_text(double probability, const DocumentLanguage& in) {
-    return grouped_digits(format_trimmed(100.0 * probability, 4), in.numbers()) + "\u00a0%";
+    return probability_text(probability, in.numbers());
 }
 
 double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyResult& result) {

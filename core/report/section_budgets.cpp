@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/own_names.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
@@ -129,11 +130,12 @@ public:
           most_rows_(most_rows),
           grouping_(std::move(grouping)),
           outputs_(std::move(outputs)),
-          table_("groups-" + evaluated.analysis->id + "-" +
-                     id_part(grouping_ + " " + result_.outputs[outputs_.front()].quantity.group),
-                 tell<"Shares of the variance in % by %1, %2">(
-                     Message::declared(grouping_), result_.outputs[outputs_.front()].quantity.group),
-                 in) {}
+          table_(
+              "groups-" + evaluated.analysis->id + "-" +
+                  id_part(grouping_ + " " + result_.outputs[outputs_.front()].quantity.group),
+              tell<"Shares of the variance in % by %1, %2">(
+                  Message::declared(grouping_), said_name(result_.outputs[outputs_.front()].quantity.group)),
+              in) {}
 
     TableBlock make() {
         collect();

@@ -1,4 +1,5 @@
 // U without one contributor (an ideal robot), and of that contributor alone.
+#include "core/base/own_names.h"
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
@@ -44,7 +45,7 @@ TableBlock contributor_table(const EvaluatedAnalysis& evaluated, std::size_t fir
     for (std::size_t j = 0; j < result.outputs.size(); ++j) {
         const OutputResult& output = result.outputs[j];
         const Unit& unit = output.quantity.unit;
-        if (output.quantity.group != group) table.subhead(output.quantity.group);
+        if (output.quantity.group != group) table.subhead(said_name(output.quantity.group));
         group = output.quantity.group;
         std::vector<TableCell> row = {output.quantity.symbol, unit_text(unit),
                                       interval_in(unit, output.expanded_uncertainty)};

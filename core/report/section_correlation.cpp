@@ -1,6 +1,7 @@
 // Correlation coefficients of the measurands: a matrix per group, and the largest between groups.
 #include <cmath>
 
+#include "core/base/own_names.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
@@ -16,7 +17,8 @@ double coefficient(const Eigen::MatrixXd& matrix, std::size_t i, std::size_t j) 
 }
 
 Message title_of(const std::string& group) {
-    return group.empty() ? tell<"Correlation coefficients">() : tell<"Correlation coefficients, %1">(group);
+    return group.empty() ? tell<"Correlation coefficients">()
+                         : tell<"Correlation coefficients, %1">(said_name(group));
 }
 
 TableBlock matrix_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
@@ -70,7 +72,7 @@ void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const D
         if (outputs.size() < 2) continue;
         if (outputs.size() <= largest_matrix) blocks.push_back(matrix_block(result, outputs, id, in));
         blocks.push_back(
-            figure(correlation_plot(result, group, in), evaluated, in.say(title_of(group)) + "."));
+            figure(correlation_plot(result, outputs, in), evaluated, in.say(title_of(group)) + "."));
     }
     add_between_groups(blocks, result, correlation, in);
 }

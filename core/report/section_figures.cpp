@@ -1,6 +1,7 @@
 // Distributions as charts, and the picture of the set-up with its uncertainty.
 #include <algorithm>
 
+#include "core/base/own_names.h"
 #include "core/model/has_layout.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
@@ -41,7 +42,7 @@ void add_group(Blocks& blocks, const EvaluatedAnalysis& evaluated, const std::st
             figure(histogram_plot(result, i, {}, in), evaluated,
                    in.say(tell<"Distribution of %1.">(output_label(result.outputs[i].quantity)))));
     const std::size_t worst = least_normal(result, outputs);
-    const std::string label = output_label(result.outputs[worst].quantity);
+    const Message label = output_label(result.outputs[worst].quantity);
     blocks.push_back(figure(
         normal_quantile_plot(result, worst, {}, in), evaluated,
         in.say(tell<"Quantiles of %1, the least normal, against those of a normal distribution.">(label))));
@@ -73,7 +74,8 @@ void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Documen
     scene.view = "iso";
     scene.caption = in.say(
         tell<"%1: uncertainty ellipsoids at a coverage probability of %2, magnified as the picture states.">(
-            evaluated.analysis->name + (group.empty() ? "" : ", " + group),
+            group.empty() ? Message(evaluated.analysis->name)
+                          : evaluated.analysis->name + ", " + said_name(group),
             percent_text(result.coverage_probability, in.numbers())));
     blocks.push_back(std::move(scene));
 }

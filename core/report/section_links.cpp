@@ -49,7 +49,7 @@ void add_links(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Documen
              interval_in(input.unit, input.standard_uncertainty),
              shown_degrees_of_freedom(input.degrees_of_freedom),
              input.linearised ? in.say(tell<"%1, linearised">(upstream_title(input))) : upstream_title(input),
-             output_label(input.output)});
+             in.say(output_label(input.output))});
     blocks.push_back(table.take());
 }
 

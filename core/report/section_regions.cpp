@@ -13,7 +13,7 @@ void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
         in.say(tell<"Factors by which the standard uncertainties are to be multiplied so that all measurands "
                     "of a group lie in the region together with a probability of %1 (JCGM 102 6.5 and "
                     "7.7).">(percent_text(result.coverage_probability, in.numbers())))});
-    const Table regions = regions_table(result, in);
+    const Table regions = regions_table(result);
     std::vector<std::string> keys = {"group in words", "symbols", "ellipsoid first order",
                                      "rectangle first order"};
     if (result.trials > 0) keys.insert(keys.end(), {"ellipsoid Monte Carlo", "rectangle Monte Carlo"});

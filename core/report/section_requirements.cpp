@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/own_names.h"
 #include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
 #include "core/report/certificate_parts.h"
@@ -32,7 +33,7 @@ void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalys
         any = true;
         const OutputResult& output = evaluated.result->outputs[r.output];
         const OutputQuantity& quantity = output.quantity;
-        table.row({quantity.group, quantity.symbol, unit_text(quantity.unit),
+        table.row({in.say(said_name(quantity.group)), quantity.symbol, unit_text(quantity.unit),
                    interval_in(quantity.unit, output.expanded_uncertainty),
                    interval_in(quantity.unit, *r.target_uncertainty),
                    in.say(!r.not_judged.empty() ? tell<"not judged">()
@@ -104,13 +105,6 @@ std::string by_words(RequirementResult::Distribution by, const DocumentLanguage&
     return in.say(by == student_t ? words::student_t : by == trials ? words::trials : words::normal);
 }
 
-std::string percent(double probability, const NumberLocale& locale = {}) {
-    const double in_percent = 100.0 * probability;
-    if (in_percent > 0.0 && in_percent < 0.001) return "< 0" + locale.decimal + "001 %";
-    if (in_percent < 100.0 && in_percent > 99.999) return "> 99" + locale.decimal + "999 %";
-    return grouped_digits(format_trimmed(std::round(1000.0 * in_percent) / 1000.0, 6), locale) + " %";
-}
-
 std::string decision_words(const RequirementResult& r, const DocumentLanguage& in) {
     if (!r.not_judged.empty()) return in.say(words::not_judged);
     return in.say(r.decision == Decision::accept ? words::accepted : words::rejected);
@@ -118,8 +112,8 @@ std::string decision_words(const RequirementResult& r, const DocumentLanguage& i
 
 /// Of a decision that was taken.
 Message risks_of(const RequirementResult& r, const OutputQuantity& quantity, const DocumentLanguage& in) {
-    const auto text = [&in](double probability) { return percent(probability, in.numbers()); };
-    const std::string symbol = output_label(quantity);
+    const auto text = [&in](double probability) { return probability_text(probability, in.numbers()); };
+    const Message symbol = output_label(quantity);
     const bool accepted = r.decision == Decision::accept;
     const std::string risk = text(accepted ? 1.0 - r.conformance : r.conformance);
     if (!r.global_risks)
@@ -144,10 +138,11 @@ void add_conformity_row(TableBuilder& table, const RequirementResult& r, const O
     const bool judged = r.not_judged.empty();
     const OutputQuantity& quantity = output.quantity;
     const auto number = [](const std::optional<double>& x) { return x ? TableCell(*x) : TableCell{}; };
-    table.row({output_label(quantity), unit_text(quantity.unit), limits_text(r, output, 0.0, in.numbers()),
+    table.row({in.say(output_label(quantity)), unit_text(quantity.unit),
+               limits_text(r, output, 0.0, in.numbers()),
                judged ? limits_text(r, output, r.guard_band, in.numbers()) : "",
                judged ? decision_rule(r.guard_factor, in) : "", decision_words(r, in),
-               judged ? percent(r.conformance, in.numbers()) : "",
+               judged ? probability_text(r.conformance, in.numbers()) : "",
                judged ? by_words(r.conformance_by, in) : "", number(r.uncertainty_ratio),
                number(r.capability_index)});
 }

@@ -17,7 +17,7 @@ Message range_of(const StudyAxisValues& axis, const DocumentLanguage& in) {
     const auto number = [&in](double value) {
         return grouped_digits(format_trimmed(value, 6), in.numbers());
     };
-    const std::string title = to_unicode(axis.title), from = number(axis.values.front()),
+    const std::string title = in.say(axis.title.message()), from = number(axis.values.front()),
                       to = number(axis.values.back()) +
                            (axis.unit == Unit{} ? "" : "\u00a0" + axis.unit.display());
     return axis.logarithmic
@@ -41,8 +41,8 @@ std::string what_was_done(const StudyResult& study, const DocumentLanguage& in) 
 TableBlock sweep_table(const StudyResult& study, const DocumentLanguage& in) {
     TableBuilder table("study-" + study.id, study.name, in);
     const StudyAxisValues& axis = study.axes.front();
-    table.number(to_unicode(axis.title) + (axis.unit == Unit{} ? "" : " / " + axis.unit.display()), 4);
-    const std::vector<StudyQuantity> all = study_quantities(study);
+    table.number(in.say(axis.title.message()) + (axis.unit == Unit{} ? "" : " / " + axis.unit.display()), 4);
+    const std::vector<StudyQuantity> all = study_quantities(study, in);
     const std::size_t shown = std::min(all.size(), most_quantities);
     for (std::size_t q = 0; q < shown; ++q)
         table.number(to_unicode(all[q].title) + " / " + all[q].unit.display(), 3);
@@ -64,16 +64,15 @@ TableBlock extremes_table(const StudyResult& study, const DocumentLanguage& in) 
     table.text(tell<"at">());
     table.number(tell<"greatest">(), 3);
     table.text(tell<"at">());
-    const std::vector<StudyQuantity> all = study_quantities(study);
+    const std::vector<StudyQuantity> all = study_quantities(study, in);
     for (std::size_t q = 0; q < std::min(all.size(), most_quantities); ++q) {
         const StudyExtremes extremes = extremes_of(study, all[q]);
         if (!extremes.known) continue;
         const auto cell = [&](std::size_t point) {
             return interval_in(all[q].unit, value_at(study, all[q], point));
         };
-        table.row({to_unicode(all[q].title), cell(extremes.best),
-                   point_words(study, extremes.best, in.numbers()), cell(extremes.worst),
-                   point_words(study, extremes.worst, in.numbers())});
+        table.row({to_unicode(all[q].title), cell(extremes.best), point_words(study, extremes.best, in),
+                   cell(extremes.worst), point_words(study, extremes.worst, in)});
     }
     return table.take();
 }

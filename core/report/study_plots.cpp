@@ -20,6 +20,7 @@ constexpr std::array<SeriesRole, 6> family = {SeriesRole::family_1, SeriesRole::
                                               SeriesRole::family_3, SeriesRole::family_4,
                                               SeriesRole::family_5, SeriesRole::family_6};
 constexpr double wide_range = 30.0;  // highest by lowest value, from which an axis is logarithmic
+constexpr int value_digits = 6;
 
 Text with_unit(const Text& words, const Unit& unit) {
     return unit == Unit{} ? words : words + (" (" + unit.display() + ")");
@@ -29,9 +30,9 @@ double shown(const StudyResult& study, const StudyQuantity& quantity, std::size_
     return quantity.unit.interval_from_si(value_at(study, quantity, point));
 }
 
-/// Six significant digits: 500, 1500.25; no tails of a logarithmic spacing.
+/// 500, 1500.25; no tails of a logarithmic spacing.
 std::string value_text(double value, const NumberLocale& numbers) {
-    return grouped_digits(format_trimmed(value, 6), numbers);
+    return grouped_digits(format_trimmed(value, value_digits), numbers);
 }
 
 /// Runs of points with values; only the first has the name.
@@ -73,6 +74,7 @@ void choose_y_range(PlotSpecification& plot) {
 void mark_present(PlotSpecification& plot, const StudyAxisValues& axis, const DocumentLanguage& language) {
     const auto [low, high] = std::minmax(axis.values.front(), axis.values.back());
     if (axis.present < low || axis.present > high) return;
+    plot.x.written_out = format_trimmed(axis.present, value_digits).find('e') == std::string::npos;
     plot.marks.push_back({language.say(plot_words::as_set_up, {value_text(axis.present, language.numbers())}),
                           axis.present, false, SeriesRole::reference});
 }
@@ -98,10 +100,10 @@ PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen,
     PlotSpecification plot;
     const StudyAxisValues& axis = study.axes.front();
     plot.title = study.name;
-    plot.x.title = with_unit(axis.title, axis.unit);
+    plot.x.title = with_unit(axis.title.in(language), axis.unit);
     plot.x.logarithmic = axis.logarithmic;
     plot.y.title = with_unit(language.say(plot_words::uncertainty), chosen.unit);
-    const std::vector<StudyQuantity> lines = companions(study_quantities(study), study, chosen);
+    const std::vector<StudyQuantity> lines = companions(study_quantities(study, language), study, chosen);
     for (std::size_t k = 0; k < lines.size(); ++k) {
         std::vector<double> y;
         for (std::size_t i = 0; i < study.points.size(); ++i) y.push_back(shown(study, lines[k], i));
@@ -146,12 +148,12 @@ Text title_of(const StudyResult& study, const StudyView& view, const StudyQuanti
     const double value = axis.values[std::min(view.slice, axis.values.size() - 1)];
     const std::string at =
         value_text(value, language.numbers()) + (axis.unit == Unit{} ? "" : " " + axis.unit.display());
-    return language.say_text(plot_words::slice_at, {title, axis.title, at});
+    return language.say_text(plot_words::slice_at, {title, axis.title.in(language), at});
 }
 
 PlotAxis category_axis(const StudyAxisValues& values, bool downwards, const DocumentLanguage& language) {
     PlotAxis axis;
-    axis.title = with_unit(values.title, values.unit);
+    axis.title = with_unit(values.title.in(language), values.unit);
     for (const double value : values.values) axis.categories.push_back(value_text(value, language.numbers()));
     if (downwards) std::reverse(axis.categories.begin(), axis.categories.end());
     return axis;
@@ -186,7 +188,7 @@ PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
                                    const StudyQuantity& quantity, const DocumentLanguage& language) {
     PlotSpecification plot;
     const StudyAxisValues &x = study.axes[plane.x], &other = study.axes[plane.y];
-    plot.x.title = with_unit(x.title, x.unit);
+    plot.x.title = with_unit(x.title.in(language), x.unit);
     plot.x.logarithmic = x.logarithmic;
     plot.y.title = with_unit(quantity.title, quantity.unit);
     const std::size_t n = other.values.size(), lines = std::min(n, family.size());
@@ -196,7 +198,8 @@ PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
         for (std::size_t i = 0; i < x.values.size(); ++i)
             y.push_back(shown(study, quantity, point_of(study, plane, i, j)));
         const std::string unit = other.unit == Unit{} ? "" : " " + other.unit.display();
-        add_line(plot, other.title + " = " + value_text(other.values[j], language.numbers()) + unit,
+        add_line(plot,
+                 other.title.in(language) + " = " + value_text(other.values[j], language.numbers()) + unit,
                  family[k], x.values, y);
     }
     choose_y_range(plot);
@@ -209,7 +212,7 @@ PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
 PlotSpecification study_plot(const StudyResult& study, const StudyView& view,
                              const DocumentLanguage& language) {
     const std::string id = "study-" + study.id;
-    const std::vector<StudyQuantity> quantities = study_quantities(study);
+    const std::vector<StudyQuantity> quantities = study_quantities(study, language);
     if (quantities.empty() || study.failed() == study.points.size())
         return plot_parts::nothing_to_show(
             id, study.points.empty() || quantities.empty()
@@ -238,7 +241,7 @@ std::vector<PlotSpecification> study_plots(const StudyResult& study, const Docum
         view.fixed_axis = 2;
         view.slice = study.axes[2].values.size() / 2;
     }
-    const std::vector<StudyQuantity> quantities = study_quantities(study);
+    const std::vector<StudyQuantity> quantities = study_quantities(study, language);
     for (view.quantity = 0; view.quantity < quantities.size() && plots.size() < most; ++view.quantity) {
         // a sweep shows several quantities at once
         if (study.axes.size() == 1 && shown_series.contains(quantities[view.quantity].title)) continue;
@@ -248,13 +251,14 @@ std::vector<PlotSpecification> study_plots(const StudyResult& study, const Docum
     return plots;
 }
 
-std::string point_words(const StudyResult& study, std::size_t point, const NumberLocale& numbers) {
+std::string point_words(const StudyResult& study, std::size_t point, const DocumentLanguage& in) {
+    const NumberLocale& numbers = in.numbers();
     const std::vector<std::size_t> at = study.indices_of(point);
     std::string words;
     for (std::size_t axis = 0; axis < at.size(); ++axis) {
         const StudyAxisValues& values = study.axes[axis];
         if (axis) words += numbers.decimal == "," ? "; " : ", ";
-        words += to_unicode(values.title) + " = " + value_text(values.values[at[axis]], numbers);
+        words += in.say(values.title.message()) + " = " + value_text(values.values[at[axis]], numbers);
         if (!(values.unit == Unit{})) words += " " + values.unit.display();
     }
     return words;

@@ -30,6 +30,6 @@ std::vector<PlotSpecification> study_plots(const StudyResult& study, const Docum
                                            std::size_t most = 3);
 
 /// "x = 1 500 mm, y = 200 mm": where a grid point is.
-std::string point_words(const StudyResult& study, std::size_t point, const NumberLocale& numbers = {});
+std::string point_words(const StudyResult& study, std::size_t point, const DocumentLanguage& in = {});
 
 }  // namespace covaria

@@ -10,7 +10,7 @@ OrderedJson axes_json(const StudyResult& study) {
     OrderedJson axes = OrderedJson::array();
     for (const StudyAxisValues& axis : study.axes)
         axes.push_back(
-            {{"title", to_unicode(axis.title)}, {"unit", axis.unit.text()}, {"values", axis.values}});
+            {{"title", axis.title.message().english()}, {"unit", axis.unit.text()}, {"values", axis.values}});
     return axes;
 }
 

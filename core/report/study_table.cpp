@@ -19,7 +19,7 @@ void add_heads(const StudyResult& study, DataTable& table) {
     const auto add = [&](const std::string& head, const Unit& unit) {
         table.columns.push_back({head, unit, false, 0});
     };
-    for (const StudyAxisValues& axis : study.axes) add(to_unicode(axis.title), axis.unit);
+    for (const StudyAxisValues& axis : study.axes) add(axis.title.message().english(), axis.unit);
     for (const OutputQuantity& output : study.outputs) {
         const std::string name = of_group(output.symbol, output.group);
         add(name, output.unit);

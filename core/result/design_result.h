@@ -9,14 +9,14 @@
 
 #include "core/model/output_quantity.h"
 #include "core/result/design_places.h"
-#include "core/text/text.h"
+#include "core/text/typeset_message.h"
 
 namespace covaria {
 
 /// A number that was chosen.
 struct DesignValue {
-    Text title;      ///< "Targets, B: x"
-    Unit unit = {};  ///< of the following
+    TypesetMessage title;  ///< "Targets, B: x"
+    Unit unit = {};        ///< of the following
     double from = 0.0, to = 0.0;
     double before = 0.0, chosen = 0.0;
     double tolerance = 0.0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/own_names.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -27,18 +28,19 @@ std::size_t StudyResult::failed() const {
                                                   [](const StudyPoint& point) { return point.reason != 0; }));
 }
 
-std::vector<StudyQuantity> study_quantities(const StudyResult& study) {
+std::vector<StudyQuantity> study_quantities(const StudyResult& study, const DocumentLanguage& language) {
     const auto in = [](const std::string& group) { return group.empty() ? std::string() : ", " + group; };
+    const auto said = [&](const std::string& group) { return in(language.say(said_name(group))); };
     std::vector<StudyQuantity> quantities;
     for (std::size_t t = 0; t < study.triples.size(); ++t) {
         const OutputQuantity& first = study.outputs[study.triples[t].outputs[0]];
         const std::string& name = study.triples[t].name;
-        quantities.push_back({"u(3D)" + in(name), "u(3D)" + in(name), "u(3D)", first.unit, true, t});
+        quantities.push_back({"u(3D)" + in(name), "u(3D)" + said(name), "u(3D)", first.unit, true, t});
     }
     for (std::size_t j = 0; j < study.outputs.size(); ++j) {
         const OutputQuantity& output = study.outputs[j];
         const Text symbol = "U(" + symbol_text(output.symbol) + ")";
-        quantities.push_back({"U(" + output.symbol + ")" + in(output.group), symbol + in(output.group),
+        quantities.push_back({"U(" + output.symbol + ")" + in(output.group), symbol + said(output.group),
                               symbol, output.unit, false, j});
     }
     return quantities;

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "core/model/output_quantity.h"
-#include "core/text/text.h"
+#include "core/text/typeset_message.h"
 
 namespace covaria {
 
 struct StudyAxisValues {
-    Text title;      ///< "Targets, B: x"
-    Unit unit = {};  ///< of the values as typed and shown
+    TypesetMessage title;  ///< "Targets, B: x"
+    Unit unit = {};        ///< of the values as typed and shown
     bool logarithmic = false;
     std::vector<double> values;  ///< in `unit`: factors, differences or values
     double present = 0.0;        ///< of the unchanged analysis, in `unit`
@@ -76,7 +76,7 @@ struct StudyQuantity {
     bool position = false;  ///< u_3D of a triple
     std::size_t index = 0;  ///< of the output or triple
 };
-std::vector<StudyQuantity> study_quantities(const StudyResult& study);
+std::vector<StudyQuantity> study_quantities(const StudyResult& study, const DocumentLanguage& in = {});
 /// NaN where the point has no values.
 double value_at(const StudyResult& study, const StudyQuantity& quantity, std::size_t point);
 /// Points with the smallest and the greatest value; nothing when no point has values.

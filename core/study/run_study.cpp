@@ -18,11 +18,9 @@ StudyResult frame_of(const StudyPlan& plan) {
     result.name = prepared.study.name.empty() ? prepared.study.id : prepared.study.name;
     for (std::size_t axis = 0; axis < plan.values.size(); ++axis) {
         const StudyAxis& given = prepared.study.axes[axis];
-        Text title = prepared.targets[axis].title;
-        if (given.change == StudyChange::factor) title += ", factor";
-        if (given.change == StudyChange::added) title += ", added";
-        result.axes.push_back({title, given.unit, given.spacing == StudySpacing::logarithmic,
-                               plan.values[axis], present_value(given, prepared.targets[axis])});
+        result.axes.push_back({changed_title(prepared.targets[axis], given.change), given.unit,
+                               given.spacing == StudySpacing::logarithmic, plan.values[axis],
+                               present_value(given, prepared.targets[axis])});
     }
     for (const std::size_t output : plan.indices) {
         result.outputs.push_back(prepared.analysis->model->outputs()[output]);

@@ -36,7 +36,8 @@ std::string DocumentLanguage::say(const Phrase& phrase, std::initializer_list<st
 }
 
 std::string DocumentLanguage::say(const Message& message) const {
-    return message.in([this](const std::string& english) { return say_declared(english); });
+    return message.in([this](const std::string& english) { return say_declared(english); },
+                      [this](const std::string& plain) { return grouped_digits(plain, numbers_); });
 }
 
 Text DocumentLanguage::say_text(const Phrase& phrase, std::initializer_list<Text> arguments) const {
@@ -52,7 +53,8 @@ Text DocumentLanguage::say_title(const Text& english) const {
 
 PlotSpecification DocumentLanguage::say_plot(PlotSpecification plot) const {
     const auto say = [this](Text& text) { text = say_title(text); };
-    for (Text* text : {&plot.title, &plot.x.title, &plot.y.title}) say(*text);
+    for (Text* text : {&plot.title, &plot.x.title, &plot.x.short_title, &plot.y.title, &plot.y.short_title})
+        say(*text);
     for (PlotSeries& series : plot.series) say(series.name);
     for (PlotMark& mark : plot.marks) say(mark.label);
     for (PlotBand& band : plot.bands) say(band.label);

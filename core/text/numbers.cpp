@@ -242,6 +242,16 @@ std::string percent_text(double probability, const NumberLocale& locale) {
     return typeset_number(format_typed(100.0 * probability), locale) + "\u00a0%";
 }
 
+std::string probability_text(double probability, const NumberLocale& locale) {
+    constexpr double least = 1e-4, most = 1.0 - least;  // written out
+    const auto percent = [&](double p) {
+        return grouped_digits(format_trimmed(100.0 * p, 4), locale) + "\u00a0%";
+    };
+    if (probability > 0.0 && probability < least) return "< " + percent(least);
+    if (probability > most && probability < 1.0) return "> " + percent(most);
+    return percent(probability);
+}
+
 std::string power_of_ten(int exponent) {
     return "10" + superscript(exponent);
 }

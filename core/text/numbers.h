@@ -62,6 +62,8 @@ std::string grouped_digits(const std::string& plain, const NumberLocale& locale 
 std::string with_decimal_sign(std::string plain, const NumberLocale& locale);
 std::string count_text(std::uint64_t count, const NumberLocale& locale = {});   ///< "1 000 000"
 std::string percent_text(double probability, const NumberLocale& locale = {});  ///< "95 %", "95.45 %"
+/// Of conformity, of coverage: never 0 % or 100 % by rounding: "95.45 %", "> 99.99 %", "< 0.01 %".
+std::string probability_text(double probability, const NumberLocale& locale = {});
 /// 10 to that power: "10⁻⁵".
 std::string power_of_ten(int exponent);
 

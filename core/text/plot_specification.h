@@ -13,6 +13,8 @@ struct PlotAxis {
     double low = 0.0, high = 0.0;  ///< low == high: from the data
     bool logarithmic = false;
     std::vector<Text> categories = {};  ///< not empty: a category axis; the first is at 0
+    Text short_title = {};              ///< "density (1/mm)", where the title has no room
+    bool written_out = false;           ///< no power of ten is taken out: labels have plain numbers
 };
 
 enum class SeriesKind {

@@ -36,11 +36,11 @@ Ticks linear_on_logarithmic(double low, double high, int most, const NumberLocal
 
 }  // namespace
 
-Ticks linear_ticks(double low, double high, int most, const NumberLocale& locale) {
+Ticks linear_ticks(double low, double high, int most, const NumberLocale& locale, bool written_out) {
     Ticks result;
     if (!(high > low)) return result;
     const double step = round_number_above((high - low) / std::max(most, 1));
-    result.exponent = exponent_for(std::max(std::abs(low), std::abs(high)), step);
+    if (!written_out) result.exponent = exponent_for(std::max(std::abs(low), std::abs(high)), step);
     const double unit = std::pow(10.0, result.exponent);
     const int decimals = decimals_of_step(step / unit);
     const double slack = 1e-9 * (high - low);
@@ -70,10 +70,10 @@ Text title_with_exponent(const Text& title, int exponent) {
     const auto with = [&](std::size_t at, std::size_t replaced, const std::string& inserted) {
         return title.part(0, at) + inserted + title.part(at + replaced);
     };
-    const std::size_t open = letters.rfind('('), reciprocal = letters.rfind("(1/");
+    const std::size_t open = letters.rfind(" ("), reciprocal = letters.rfind("(1/");
     if (reciprocal != std::string::npos) return with(reciprocal + 1, 1, power);
     if (open == std::string::npos || !letters.ends_with(')')) return title + (" (" + power + ")");
-    return with(open + 1, 0, power + " ");
+    return with(open + 2, 0, power + " ");
 }
 
 }  // namespace covaria

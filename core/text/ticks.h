@@ -20,10 +20,12 @@ struct Ticks {
 };
 
 /// Ticks inside [low, high], no more than `most` + 1; all texts have the same number of decimals.
-Ticks linear_ticks(double low, double high, int most, const NumberLocale& locale = {});
+/// `written_out`: without a common power of ten.
+Ticks linear_ticks(double low, double high, int most, const NumberLocale& locale = {},
+                   bool written_out = false);
 /// The same for log10 of the value: whole decades, or 1-2-5 inside a decade.
 Ticks logarithmic_ticks(double low, double high, int most, const NumberLocale& locale = {});
-/// "x (mm)" with 10^-6 becomes "x (10⁻⁶ mm)".
+/// "x (mm)" with 10^-6 becomes "x (10⁻⁶ mm)", "u(x)" becomes "u(x) (10⁻⁶)".
 Text title_with_exponent(const Text& title, int exponent);
 
 }  // namespace covaria

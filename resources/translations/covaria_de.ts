@@ -12421,7 +12421,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Fig. 2: %1 s without load before a series, %2 s at each load.</source>
-        <translation>Fig. 2: %1 s ohne Last vor einer Reihe, %2 s bei jeder Last.</translation>
+        <translation>Bild 2: %1 s ohne Last vor einer Reihe, %2 s bei jeder Last.</translation>
     </message>
     <message>
         <source>A row is a load, a column the sensor that answers to it.</source>
@@ -12938,6 +12938,102 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Quantity or component of uncertainty, as at the bars of the chart</source>
         <translation>Größe oder Unsicherheitskomponente, wie an den Balken des Diagramms</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>density (1/%1)</source>
+        <translation>Dichte (1/%1)</translation>
+    </message>
+    <message>
+        <source>quantile</source>
+        <translation>Quantil</translation>
+    </message>
+    <message>
+        <source>calibrated lengths</source>
+        <translation>kalibrierte Längen</translation>
+    </message>
+    <message>
+        <source>distances</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>scale bar</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>supports</source>
+        <translation>Auflagen</translation>
+    </message>
+    <message>
+        <source>axes of the flange</source>
+        <translation>Achsen des Flansches</translation>
+    </message>
+    <message>
+        <source>circles</source>
+        <translation>Kreise</translation>
+    </message>
+    <message>
+        <source>calibration matrix</source>
+        <translation>Kalibriermatrix</translation>
+    </message>
+    <message>
+        <source>loads on other axes</source>
+        <translation>Lasten auf anderen Achsen</translation>
+    </message>
+    <message>
+        <source>scatter of all observations</source>
+        <translation>Streuung aller Beobachtungen</translation>
+    </message>
+    <message>
+        <source>points, x</source>
+        <translation>Punkte, x</translation>
+    </message>
+    <message>
+        <source>points, y</source>
+        <translation>Punkte, y</translation>
+    </message>
+    <message>
+        <source>inverse use</source>
+        <translation>inverse Verwendung</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, all rows: %2</source>
+        <translation>%1, alle Zeilen: %2</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty</source>
+        <translation>%1: Unsicherheit</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>%1: estimate</source>
+        <translation>%1: Schätzwert</translation>
+    </message>
+    <message>
+        <source>%1, factor</source>
+        <translation>%1, Faktor</translation>
+    </message>
+    <message>
+        <source>%1, added</source>
+        <translation>%1, addiert</translation>
     </message>
 </context>
 <context>
@@ -13655,14 +13751,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Vergisst die behaltenen Ergebnisse; das Projekt bleibt, wie es jetzt ist</translation>
     </message>
     <message>
-        <source>Go Back</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
         <source>comparison</source>
         <translation>Vergleich</translation>
     </message>
@@ -13695,14 +13783,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Eine Analyse auswählen, um ihre Ergebnisse zu vergleichen.</translation>
     </message>
     <message>
-        <source>Run the analysis (F5), then keep its results.</source>
-        <translation>Die Analyse ausführen (F5), dann ihre Ergebnisse behalten.</translation>
-    </message>
-    <message>
-        <source>Keep the present results and edit: before and after stand here beside each other.</source>
-        <translation>Die jetzigen Ergebnisse behalten und bearbeiten: vorher und nachher stehen hier nebeneinander.</translation>
-    </message>
-    <message>
         <source>Before: %1, kept at %2. </source>
         <translation>Vorher: %1, behalten um %2. </translation>
     </message>
@@ -13713,6 +13793,34 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>After: %1</source>
         <translation>Nachher: %1</translation>
+    </message>
+    <message>
+        <source>Go Back to Kept</source>
+        <translation>Zum Behaltenen zurück</translation>
+    </message>
+    <message>
+        <source>Discard Kept</source>
+        <translation>Behaltenes verwerfen</translation>
+    </message>
+    <message>
+        <source>The present results are kept in place of those kept before.</source>
+        <translation>Die jetzigen Ergebnisse sind anstelle der zuvor behaltenen behalten.</translation>
+    </message>
+    <message>
+        <source>Replace Kept State</source>
+        <translation>Behaltenen Stand ersetzen</translation>
+    </message>
+    <message>
+        <source>Keeps the present results in place of those kept before, which are forgotten</source>
+        <translation>Behält die jetzigen Ergebnisse anstelle der zuvor behaltenen, die vergessen werden</translation>
+    </message>
+    <message>
+        <source>Run the analysis (F5), then keep its results with “%1”.</source>
+        <translation>Die Analyse ausführen (F5), dann ihre Ergebnisse mit „%1“ behalten.</translation>
+    </message>
+    <message>
+        <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
+        <translation>Die jetzigen Ergebnisse mit „%1“ behalten und bearbeiten: vorher und nachher stehen hier nebeneinander.</translation>
     </message>
 </context>
 <context>
@@ -14104,14 +14212,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Entwurf hinzufügen …</translation>
     </message>
     <message>
-        <source>Run the design to see the best that can be done with what it may choose.</source>
-        <translation>Den Entwurf ausführen, um das Beste zu sehen, was mit seiner Auswahl möglich ist.</translation>
-    </message>
-    <message>
-        <source>A design finds where to stand and what to measure: add one.</source>
-        <translation>Ein Entwurf findet, wo zu stehen und was zu messen ist: einen hinzufügen.</translation>
-    </message>
-    <message>
         <source> – out of date</source>
         <translation> – veraltet</translation>
     </message>
@@ -14162,6 +14262,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Take over design</source>
         <translation>Entwurf übernehmen</translation>
+    </message>
+    <message>
+        <source>“%1” shows the best that can be done with what the design may choose.</source>
+        <translation>„%1“ zeigt das Beste, was mit der Auswahl des Entwurfs möglich ist.</translation>
+    </message>
+    <message>
+        <source>A design finds where to stand and what to measure: add one with “%1”.</source>
+        <translation>Ein Entwurf findet, wo man steht und was man misst: einen hinzufügen mit „%1“.</translation>
     </message>
 </context>
 <context>
@@ -14670,8 +14778,8 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <translation>Hilfe zum Feld</translation>
     </message>
     <message>
-        <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation>Zahlen dürfen mit einer anderen Einheit eingegeben werden (0,5 um); die Pfeiltasten ändern die letzte Stelle.</translation>
+        <source>Numbers may be typed with another unit (%1); the arrow keys change the last digit.</source>
+        <translation>Zahlen dürfen mit einer anderen Einheit eingegeben werden (%1); die Pfeiltasten ändern die letzte Stelle.</translation>
     </message>
 </context>
 <context>
@@ -17249,14 +17357,6 @@ und Großraummetrologie</translation>
         <translation>Schnitt: </translation>
     </message>
     <message>
-        <source>Run the study to see how the uncertainty depends on what it varies</source>
-        <translation>Die Studie ausführen, um zu sehen, wie die Unsicherheit von dem abhängt, was sie variiert</translation>
-    </message>
-    <message>
-        <source>A study evaluates the analysis for many values of a number: add one</source>
-        <translation>Eine Studie wertet die Analyse für viele Werte einer Zahl aus: eine hinzufügen</translation>
-    </message>
-    <message>
         <source> – out of date</source>
         <translation> – veraltet</translation>
     </message>
@@ -17283,6 +17383,14 @@ und Großraummetrologie</translation>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
         <translation>&lt;b&gt;Veraltet&lt;/b&gt;: gezeigt für den früheren Stand des Projekts. </translation>
+    </message>
+    <message>
+        <source>“%1” shows how the uncertainty depends on what the study varies.</source>
+        <translation>„%1“ zeigt, wie die Unsicherheit von dem abhängt, was die Studie variiert.</translation>
+    </message>
+    <message>
+        <source>A study evaluates the analysis for many values of a number: add one with “%1”.</source>
+        <translation>Eine Studie wertet die Analyse für viele Werte einer Zahl aus: eine hinzufügen mit „%1“.</translation>
     </message>
 </context>
 <context>

@@ -12939,6 +12939,102 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Quantity or component of uncertainty, as at the bars of the chart</source>
         <translation>Magnitud o componente de incertidumbre, como en las barras del gráfico</translation>
     </message>
+    <message>
+        <source>density</source>
+        <translation>densidad</translation>
+    </message>
+    <message>
+        <source>density (1/%1)</source>
+        <translation>densidad (1/%1)</translation>
+    </message>
+    <message>
+        <source>quantile</source>
+        <translation>cuantil</translation>
+    </message>
+    <message>
+        <source>calibrated lengths</source>
+        <translation>longitudes calibradas</translation>
+    </message>
+    <message>
+        <source>distances</source>
+        <translation>distancias</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>ángulos</translation>
+    </message>
+    <message>
+        <source>scale bar</source>
+        <translation>regla patrón</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>base</translation>
+    </message>
+    <message>
+        <source>supports</source>
+        <translation>apoyos</translation>
+    </message>
+    <message>
+        <source>axes of the flange</source>
+        <translation>ejes de la brida</translation>
+    </message>
+    <message>
+        <source>circles</source>
+        <translation>círculos</translation>
+    </message>
+    <message>
+        <source>calibration matrix</source>
+        <translation>matriz de calibración</translation>
+    </message>
+    <message>
+        <source>loads on other axes</source>
+        <translation>cargas en otros ejes</translation>
+    </message>
+    <message>
+        <source>scatter of all observations</source>
+        <translation>dispersión de todas las observaciones</translation>
+    </message>
+    <message>
+        <source>points, x</source>
+        <translation>puntos, x</translation>
+    </message>
+    <message>
+        <source>points, y</source>
+        <translation>puntos, y</translation>
+    </message>
+    <message>
+        <source>inverse use</source>
+        <translation>uso inverso</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, all rows: %2</source>
+        <translation>%1, todas las filas: %2</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty</source>
+        <translation>%1: incertidumbre</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>fila %1</translation>
+    </message>
+    <message>
+        <source>%1: estimate</source>
+        <translation>%1: estimación</translation>
+    </message>
+    <message>
+        <source>%1, factor</source>
+        <translation>%1, factor</translation>
+    </message>
+    <message>
+        <source>%1, added</source>
+        <translation>%1, sumado</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13655,14 +13751,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Olvida los resultados conservados; el proyecto queda como está ahora</translation>
     </message>
     <message>
-        <source>Go Back</source>
-        <translation>Volver</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
         <source>comparison</source>
         <translation>comparación</translation>
     </message>
@@ -13695,14 +13783,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Seleccione un análisis para comparar sus resultados.</translation>
     </message>
     <message>
-        <source>Run the analysis (F5), then keep its results.</source>
-        <translation>Ejecute el análisis (F5) y luego conserve sus resultados.</translation>
-    </message>
-    <message>
-        <source>Keep the present results and edit: before and after stand here beside each other.</source>
-        <translation>Conserve los resultados actuales y edite: antes y después aparecen aquí uno junto a otro.</translation>
-    </message>
-    <message>
         <source>Before: %1, kept at %2. </source>
         <translation>Antes: %1, conservado a las %2. </translation>
     </message>
@@ -13713,6 +13793,34 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>After: %1</source>
         <translation>Después: %1</translation>
+    </message>
+    <message>
+        <source>Go Back to Kept</source>
+        <translation>Volver al conservado</translation>
+    </message>
+    <message>
+        <source>Discard Kept</source>
+        <translation>Descartar conservado</translation>
+    </message>
+    <message>
+        <source>The present results are kept in place of those kept before.</source>
+        <translation>Los resultados actuales se conservan en lugar de los conservados antes.</translation>
+    </message>
+    <message>
+        <source>Replace Kept State</source>
+        <translation>Reemplazar estado conservado</translation>
+    </message>
+    <message>
+        <source>Keeps the present results in place of those kept before, which are forgotten</source>
+        <translation>Conserva los resultados actuales en lugar de los conservados antes, que se olvidan</translation>
+    </message>
+    <message>
+        <source>Run the analysis (F5), then keep its results with “%1”.</source>
+        <translation>Ejecute el análisis (F5) y luego conserve sus resultados con «%1».</translation>
+    </message>
+    <message>
+        <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
+        <translation>Conserve los resultados actuales con «%1» y edite: antes y después aparecen aquí uno junto a otro.</translation>
     </message>
 </context>
 <context>
@@ -14104,14 +14212,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Añadir diseño …</translation>
     </message>
     <message>
-        <source>Run the design to see the best that can be done with what it may choose.</source>
-        <translation>Ejecute el diseño para ver lo mejor que se puede lograr con lo que puede elegir.</translation>
-    </message>
-    <message>
-        <source>A design finds where to stand and what to measure: add one.</source>
-        <translation>Un diseño halla dónde colocarse y qué medir: añada uno.</translation>
-    </message>
-    <message>
         <source> – out of date</source>
         <translation> – desactualizado</translation>
     </message>
@@ -14162,6 +14262,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>Take over design</source>
         <translation>Adoptar diseño</translation>
+    </message>
+    <message>
+        <source>“%1” shows the best that can be done with what the design may choose.</source>
+        <translation>«%1» muestra lo mejor que se puede lograr con lo que el diseño puede elegir.</translation>
+    </message>
+    <message>
+        <source>A design finds where to stand and what to measure: add one with “%1”.</source>
+        <translation>Un diseño halla dónde colocarse y qué medir: añada uno con «%1».</translation>
     </message>
 </context>
 <context>
@@ -14670,8 +14778,8 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <translation>Ayuda sobre el campo</translation>
     </message>
     <message>
-        <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation>Los números se pueden teclear con otra unidad (0,5 um); las teclas de flecha cambian la última cifra.</translation>
+        <source>Numbers may be typed with another unit (%1); the arrow keys change the last digit.</source>
+        <translation>Los números se pueden teclear con otra unidad (%1); las teclas de flecha cambian la última cifra.</translation>
     </message>
 </context>
 <context>
@@ -17249,14 +17357,6 @@ y metrología de grandes dimensiones</translation>
         <translation>corte: </translation>
     </message>
     <message>
-        <source>Run the study to see how the uncertainty depends on what it varies</source>
-        <translation>Ejecute el estudio para ver cómo depende la incertidumbre de lo que varía</translation>
-    </message>
-    <message>
-        <source>A study evaluates the analysis for many values of a number: add one</source>
-        <translation>Un estudio evalúa el análisis para muchos valores de un número: añada uno</translation>
-    </message>
-    <message>
         <source> – out of date</source>
         <translation> – desactualizado</translation>
     </message>
@@ -17283,6 +17383,14 @@ y metrología de grandes dimensiones</translation>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
         <translation>&lt;b&gt;Desactualizado&lt;/b&gt;: se muestra para el proyecto tal como era. </translation>
+    </message>
+    <message>
+        <source>“%1” shows how the uncertainty depends on what the study varies.</source>
+        <translation>«%1» muestra cómo depende la incertidumbre de lo que varía el estudio.</translation>
+    </message>
+    <message>
+        <source>A study evaluates the analysis for many values of a number: add one with “%1”.</source>
+        <translation>Un estudio evalúa el análisis para muchos valores de un número: añada uno con «%1».</translation>
     </message>
 </context>
 <context>

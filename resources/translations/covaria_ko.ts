@@ -12939,6 +12939,102 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>Quantity or component of uncertainty, as at the bars of the chart</source>
         <translation>양 또는 불확도 성분. 그래프 막대의 이름과 같음</translation>
     </message>
+    <message>
+        <source>density</source>
+        <translation>밀도</translation>
+    </message>
+    <message>
+        <source>density (1/%1)</source>
+        <translation>밀도 (1/%1)</translation>
+    </message>
+    <message>
+        <source>quantile</source>
+        <translation>분위수</translation>
+    </message>
+    <message>
+        <source>calibrated lengths</source>
+        <translation>교정된 길이</translation>
+    </message>
+    <message>
+        <source>distances</source>
+        <translation>거리</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>각도</translation>
+    </message>
+    <message>
+        <source>scale bar</source>
+        <translation>기준자</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>베이스</translation>
+    </message>
+    <message>
+        <source>supports</source>
+        <translation>지지점</translation>
+    </message>
+    <message>
+        <source>axes of the flange</source>
+        <translation>플랜지의 축</translation>
+    </message>
+    <message>
+        <source>circles</source>
+        <translation>원</translation>
+    </message>
+    <message>
+        <source>calibration matrix</source>
+        <translation>교정 행렬</translation>
+    </message>
+    <message>
+        <source>loads on other axes</source>
+        <translation>다른 축의 하중</translation>
+    </message>
+    <message>
+        <source>scatter of all observations</source>
+        <translation>모든 관측값의 흩어짐</translation>
+    </message>
+    <message>
+        <source>points, x</source>
+        <translation>점, x</translation>
+    </message>
+    <message>
+        <source>points, y</source>
+        <translation>점, y</translation>
+    </message>
+    <message>
+        <source>inverse use</source>
+        <translation>역사용</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, all rows: %2</source>
+        <translation>%1, 모든 행: %2</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty</source>
+        <translation>%1: 불확도</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>%1행</translation>
+    </message>
+    <message>
+        <source>%1: estimate</source>
+        <translation>%1: 추정값</translation>
+    </message>
+    <message>
+        <source>%1, factor</source>
+        <translation>%1, 배수</translation>
+    </message>
+    <message>
+        <source>%1, added</source>
+        <translation>%1, 더한 값</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13655,14 +13751,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>보관된 결과를 버립니다. 프로젝트는 지금 상태로 유지됩니다</translation>
     </message>
     <message>
-        <source>Go Back</source>
-        <translation>되돌리기</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>버리기</translation>
-    </message>
-    <message>
         <source>comparison</source>
         <translation>비교</translation>
     </message>
@@ -13695,14 +13783,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>결과를 비교할 분석을 선택하세요.</translation>
     </message>
     <message>
-        <source>Run the analysis (F5), then keep its results.</source>
-        <translation>분석을 실행(F5)한 다음 결과를 보관하세요.</translation>
-    </message>
-    <message>
-        <source>Keep the present results and edit: before and after stand here beside each other.</source>
-        <translation>현재 결과를 보관하고 편집하세요. 전과 후가 여기에 나란히 표시됩니다.</translation>
-    </message>
-    <message>
         <source>Before: %1, kept at %2. </source>
         <translation>전: %1, %2에 보관. </translation>
     </message>
@@ -13713,6 +13793,34 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>After: %1</source>
         <translation>후: %1</translation>
+    </message>
+    <message>
+        <source>Go Back to Kept</source>
+        <translation>보관 상태로</translation>
+    </message>
+    <message>
+        <source>Discard Kept</source>
+        <translation>보관 상태 버리기</translation>
+    </message>
+    <message>
+        <source>The present results are kept in place of those kept before.</source>
+        <translation>현재 결과를 이전에 보관한 결과 대신 보관했습니다.</translation>
+    </message>
+    <message>
+        <source>Replace Kept State</source>
+        <translation>보관된 상태 바꾸기</translation>
+    </message>
+    <message>
+        <source>Keeps the present results in place of those kept before, which are forgotten</source>
+        <translation>현재 결과를 이전에 보관한 결과 대신 보관하며, 이전 것은 지워집니다</translation>
+    </message>
+    <message>
+        <source>Run the analysis (F5), then keep its results with “%1”.</source>
+        <translation>분석을 실행(F5)한 다음 ‘%1’(으)로 결과를 보관하세요.</translation>
+    </message>
+    <message>
+        <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
+        <translation>‘%1’(으)로 현재 결과를 보관하고 편집하세요. 전과 후가 여기에 나란히 표시됩니다.</translation>
     </message>
 </context>
 <context>
@@ -14102,14 +14210,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>설계 추가 …</translation>
     </message>
     <message>
-        <source>Run the design to see the best that can be done with what it may choose.</source>
-        <translation>설계를 실행하면 선택할 수 있는 것으로 얻을 수 있는 최선을 보여 줍니다.</translation>
-    </message>
-    <message>
-        <source>A design finds where to stand and what to measure: add one.</source>
-        <translation>설계는 어디에 설치하고 무엇을 측정할지 찾습니다. 하나 추가하세요.</translation>
-    </message>
-    <message>
         <source> – out of date</source>
         <translation> – 갱신 필요</translation>
     </message>
@@ -14160,6 +14260,14 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>Take over design</source>
         <translation>설계 적용</translation>
+    </message>
+    <message>
+        <source>“%1” shows the best that can be done with what the design may choose.</source>
+        <translation>‘%1’을(를) 누르면 설계가 선택할 수 있는 범위에서 가능한 최선을 보여 줍니다.</translation>
+    </message>
+    <message>
+        <source>A design finds where to stand and what to measure: add one with “%1”.</source>
+        <translation>설계는 어디에 설치하고 무엇을 측정할지 찾습니다. ‘%1’(으)로 하나 추가하세요.</translation>
     </message>
 </context>
 <context>
@@ -14668,8 +14776,8 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>필드 도움말</translation>
     </message>
     <message>
-        <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation>수는 다른 단위로 입력할 수 있습니다(0.5 um). 화살표 키는 마지막 자리를 바꿉니다.</translation>
+        <source>Numbers may be typed with another unit (%1); the arrow keys change the last digit.</source>
+        <translation>수는 다른 단위로 입력할 수 있습니다(%1). 화살표 키는 마지막 자리를 바꿉니다.</translation>
     </message>
 </context>
 <context>
@@ -17245,14 +17353,6 @@ and large-scale metrology</source>
         <translation>단면: </translation>
     </message>
     <message>
-        <source>Run the study to see how the uncertainty depends on what it varies</source>
-        <translation>스터디를 실행하면 불확도가 변화 대상에 어떻게 의존하는지 보여 줍니다</translation>
-    </message>
-    <message>
-        <source>A study evaluates the analysis for many values of a number: add one</source>
-        <translation>스터디는 한 수의 여러 값에 대해 분석을 평가합니다. 하나 추가하세요</translation>
-    </message>
-    <message>
         <source> – out of date</source>
         <translation> – 갱신 필요</translation>
     </message>
@@ -17279,6 +17379,14 @@ and large-scale metrology</source>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
         <translation>&lt;b&gt;갱신 필요&lt;/b&gt;: 이전 상태의 프로젝트를 표시합니다. </translation>
+    </message>
+    <message>
+        <source>“%1” shows how the uncertainty depends on what the study varies.</source>
+        <translation>‘%1’을(를) 누르면 스터디가 바꾸는 값에 불확도가 어떻게 의존하는지 보여 줍니다.</translation>
+    </message>
+    <message>
+        <source>A study evaluates the analysis for many values of a number: add one with “%1”.</source>
+        <translation>스터디는 한 수의 여러 값에 대해 분석을 평가합니다. ‘%1’(으)로 하나 추가하세요.</translation>
     </message>
 </context>
 <context>

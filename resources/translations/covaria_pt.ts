@@ -12939,6 +12939,102 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Quantity or component of uncertainty, as at the bars of the chart</source>
         <translation>Grandeza ou componente de incerteza, como nas barras do gráfico</translation>
     </message>
+    <message>
+        <source>density</source>
+        <translation>densidade</translation>
+    </message>
+    <message>
+        <source>density (1/%1)</source>
+        <translation>densidade (1/%1)</translation>
+    </message>
+    <message>
+        <source>quantile</source>
+        <translation>quantil</translation>
+    </message>
+    <message>
+        <source>calibrated lengths</source>
+        <translation>comprimentos calibrados</translation>
+    </message>
+    <message>
+        <source>distances</source>
+        <translation>distâncias</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>ângulos</translation>
+    </message>
+    <message>
+        <source>scale bar</source>
+        <translation>barra de escala</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>base</translation>
+    </message>
+    <message>
+        <source>supports</source>
+        <translation>apoios</translation>
+    </message>
+    <message>
+        <source>axes of the flange</source>
+        <translation>eixos do flange</translation>
+    </message>
+    <message>
+        <source>circles</source>
+        <translation>círculos</translation>
+    </message>
+    <message>
+        <source>calibration matrix</source>
+        <translation>matriz de calibração</translation>
+    </message>
+    <message>
+        <source>loads on other axes</source>
+        <translation>cargas em outros eixos</translation>
+    </message>
+    <message>
+        <source>scatter of all observations</source>
+        <translation>dispersão de todas as observações</translation>
+    </message>
+    <message>
+        <source>points, x</source>
+        <translation>pontos, x</translation>
+    </message>
+    <message>
+        <source>points, y</source>
+        <translation>pontos, y</translation>
+    </message>
+    <message>
+        <source>inverse use</source>
+        <translation>uso inverso</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, all rows: %2</source>
+        <translation>%1, todas as linhas: %2</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty</source>
+        <translation>%1: incerteza</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>linha %1</translation>
+    </message>
+    <message>
+        <source>%1: estimate</source>
+        <translation>%1: estimativa</translation>
+    </message>
+    <message>
+        <source>%1, factor</source>
+        <translation>%1, fator</translation>
+    </message>
+    <message>
+        <source>%1, added</source>
+        <translation>%1, somado</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13655,14 +13751,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Esquece os resultados mantidos; o projeto fica como está agora</translation>
     </message>
     <message>
-        <source>Go Back</source>
-        <translation>Voltar</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
         <source>comparison</source>
         <translation>comparação</translation>
     </message>
@@ -13695,14 +13783,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Selecione uma análise para comparar seus resultados.</translation>
     </message>
     <message>
-        <source>Run the analysis (F5), then keep its results.</source>
-        <translation>Execute a análise (F5) e depois mantenha seus resultados.</translation>
-    </message>
-    <message>
-        <source>Keep the present results and edit: before and after stand here beside each other.</source>
-        <translation>Mantenha os resultados atuais e edite: antes e depois ficam aqui lado a lado.</translation>
-    </message>
-    <message>
         <source>Before: %1, kept at %2. </source>
         <translation>Antes: %1, mantido em %2. </translation>
     </message>
@@ -13713,6 +13793,34 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>After: %1</source>
         <translation>Depois: %1</translation>
+    </message>
+    <message>
+        <source>Go Back to Kept</source>
+        <translation>Voltar ao mantido</translation>
+    </message>
+    <message>
+        <source>Discard Kept</source>
+        <translation>Descartar mantido</translation>
+    </message>
+    <message>
+        <source>The present results are kept in place of those kept before.</source>
+        <translation>Os resultados atuais são mantidos no lugar dos mantidos antes.</translation>
+    </message>
+    <message>
+        <source>Replace Kept State</source>
+        <translation>Substituir estado mantido</translation>
+    </message>
+    <message>
+        <source>Keeps the present results in place of those kept before, which are forgotten</source>
+        <translation>Mantém os resultados atuais no lugar dos mantidos antes, que são esquecidos</translation>
+    </message>
+    <message>
+        <source>Run the analysis (F5), then keep its results with “%1”.</source>
+        <translation>Execute a análise (F5) e depois mantenha seus resultados com “%1”.</translation>
+    </message>
+    <message>
+        <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
+        <translation>Mantenha os resultados atuais com “%1” e edite: antes e depois ficam aqui lado a lado.</translation>
     </message>
 </context>
 <context>
@@ -14104,14 +14212,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Adicionar planejamento …</translation>
     </message>
     <message>
-        <source>Run the design to see the best that can be done with what it may choose.</source>
-        <translation>Execute o planejamento para ver o melhor que se consegue com o que ele pode escolher.</translation>
-    </message>
-    <message>
-        <source>A design finds where to stand and what to measure: add one.</source>
-        <translation>Um planejamento encontra onde ficar e o que medir: adicione um.</translation>
-    </message>
-    <message>
         <source> – out of date</source>
         <translation> – desatualizado</translation>
     </message>
@@ -14162,6 +14262,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Take over design</source>
         <translation>Adotar planejamento</translation>
+    </message>
+    <message>
+        <source>“%1” shows the best that can be done with what the design may choose.</source>
+        <translation>“%1” mostra o melhor que se pode obter com o que o planejamento pode escolher.</translation>
+    </message>
+    <message>
+        <source>A design finds where to stand and what to measure: add one with “%1”.</source>
+        <translation>Um planejamento encontra onde ficar e o que medir: adicione um com “%1”.</translation>
     </message>
 </context>
 <context>
@@ -14670,8 +14778,8 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <translation>Ajuda sobre o campo</translation>
     </message>
     <message>
-        <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation>Números podem ser digitados com outra unidade (0,5 um); as teclas de seta alteram o último algarismo.</translation>
+        <source>Numbers may be typed with another unit (%1); the arrow keys change the last digit.</source>
+        <translation>Números podem ser digitados com outra unidade (%1); as teclas de seta alteram o último algarismo.</translation>
     </message>
 </context>
 <context>
@@ -17249,14 +17357,6 @@ e metrologia de grandes volumes</translation>
         <translation>fatia: </translation>
     </message>
     <message>
-        <source>Run the study to see how the uncertainty depends on what it varies</source>
-        <translation>Execute o estudo para ver como a incerteza depende do que ele varia</translation>
-    </message>
-    <message>
-        <source>A study evaluates the analysis for many values of a number: add one</source>
-        <translation>Um estudo avalia a análise para muitos valores de um número: adicione um</translation>
-    </message>
-    <message>
         <source> – out of date</source>
         <translation> – desatualizado</translation>
     </message>
@@ -17283,6 +17383,14 @@ e metrologia de grandes volumes</translation>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
         <translation>&lt;b&gt;Desatualizado&lt;/b&gt;: mostrado para o projeto como era. </translation>
+    </message>
+    <message>
+        <source>“%1” shows how the uncertainty depends on what the study varies.</source>
+        <translation>“%1” mostra como a incerteza depende do que o estudo varia.</translation>
+    </message>
+    <message>
+        <source>A study evaluates the analysis for many values of a number: add one with “%1”.</source>
+        <translation>Um estudo avalia a análise para muitos valores de um número: adicione um com “%1”.</translation>
     </message>
 </context>
 <context>

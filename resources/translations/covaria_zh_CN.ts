@@ -12939,6 +12939,102 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>Quantity or component of uncertainty, as at the bars of the chart</source>
         <translation>量或不确定度分量,与图中各条的名称相同</translation>
     </message>
+    <message>
+        <source>density</source>
+        <translation>密度</translation>
+    </message>
+    <message>
+        <source>density (1/%1)</source>
+        <translation>密度 (1/%1)</translation>
+    </message>
+    <message>
+        <source>quantile</source>
+        <translation>分位数</translation>
+    </message>
+    <message>
+        <source>calibrated lengths</source>
+        <translation>校准长度</translation>
+    </message>
+    <message>
+        <source>distances</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>scale bar</source>
+        <translation>标准尺</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>supports</source>
+        <translation>支座</translation>
+    </message>
+    <message>
+        <source>axes of the flange</source>
+        <translation>法兰轴</translation>
+    </message>
+    <message>
+        <source>circles</source>
+        <translation>圆</translation>
+    </message>
+    <message>
+        <source>calibration matrix</source>
+        <translation>校准矩阵</translation>
+    </message>
+    <message>
+        <source>loads on other axes</source>
+        <translation>其他轴上的载荷</translation>
+    </message>
+    <message>
+        <source>scatter of all observations</source>
+        <translation>全部观测值的分散</translation>
+    </message>
+    <message>
+        <source>points, x</source>
+        <translation>点，x</translation>
+    </message>
+    <message>
+        <source>points, y</source>
+        <translation>点，y</translation>
+    </message>
+    <message>
+        <source>inverse use</source>
+        <translation>反向使用</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1，%2：%3</translation>
+    </message>
+    <message>
+        <source>%1, all rows: %2</source>
+        <translation>%1，所有行：%2</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty</source>
+        <translation>%1：不确定度</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>%1: estimate</source>
+        <translation>%1：估计值</translation>
+    </message>
+    <message>
+        <source>%1, factor</source>
+        <translation>%1，倍数</translation>
+    </message>
+    <message>
+        <source>%1, added</source>
+        <translation>%1，增加量</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13655,14 +13751,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>丢弃保留的结果；项目保持现状</translation>
     </message>
     <message>
-        <source>Go Back</source>
-        <translation>返回</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>放弃</translation>
-    </message>
-    <message>
         <source>comparison</source>
         <translation>比较</translation>
     </message>
@@ -13695,14 +13783,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>选择一个分析以比较其结果。</translation>
     </message>
     <message>
-        <source>Run the analysis (F5), then keep its results.</source>
-        <translation>运行分析 (F5)，然后保留其结果。</translation>
-    </message>
-    <message>
-        <source>Keep the present results and edit: before and after stand here beside each other.</source>
-        <translation>保留当前结果并编辑：之前与之后在此并列显示。</translation>
-    </message>
-    <message>
         <source>Before: %1, kept at %2. </source>
         <translation>之前：%1，保留于 %2。 </translation>
     </message>
@@ -13713,6 +13793,34 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>After: %1</source>
         <translation>之后：%1</translation>
+    </message>
+    <message>
+        <source>Go Back to Kept</source>
+        <translation>返回保留状态</translation>
+    </message>
+    <message>
+        <source>Discard Kept</source>
+        <translation>放弃保留状态</translation>
+    </message>
+    <message>
+        <source>The present results are kept in place of those kept before.</source>
+        <translation>当前结果已代替先前保留的结果。</translation>
+    </message>
+    <message>
+        <source>Replace Kept State</source>
+        <translation>替换保留的状态</translation>
+    </message>
+    <message>
+        <source>Keeps the present results in place of those kept before, which are forgotten</source>
+        <translation>保留当前结果以代替先前保留的结果，先前的将被丢弃</translation>
+    </message>
+    <message>
+        <source>Run the analysis (F5), then keep its results with “%1”.</source>
+        <translation>运行分析 (F5)，然后用“%1”保留其结果。</translation>
+    </message>
+    <message>
+        <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
+        <translation>用“%1”保留当前结果并编辑：之前与之后在此并列显示。</translation>
     </message>
 </context>
 <context>
@@ -14102,14 +14210,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>添加设计 …</translation>
     </message>
     <message>
-        <source>Run the design to see the best that can be done with what it may choose.</source>
-        <translation>运行设计，查看在其可选范围内能达到的最佳结果。</translation>
-    </message>
-    <message>
-        <source>A design finds where to stand and what to measure: add one.</source>
-        <translation>设计用于找出设站位置和测量内容：请添加一个。</translation>
-    </message>
-    <message>
         <source> – out of date</source>
         <translation> – 已过期</translation>
     </message>
@@ -14160,6 +14260,14 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>Take over design</source>
         <translation>采用设计</translation>
+    </message>
+    <message>
+        <source>“%1” shows the best that can be done with what the design may choose.</source>
+        <translation>“%1”可查看在设计可选范围内所能达到的最佳结果。</translation>
+    </message>
+    <message>
+        <source>A design finds where to stand and what to measure: add one with “%1”.</source>
+        <translation>设计用于找出设站位置和测量内容：请用“%1”添加一个。</translation>
     </message>
 </context>
 <context>
@@ -14668,8 +14776,8 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>字段帮助</translation>
     </message>
     <message>
-        <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation>数值可以用其他单位输入 (0.5 um)；方向键改变最后一位数字。</translation>
+        <source>Numbers may be typed with another unit (%1); the arrow keys change the last digit.</source>
+        <translation>数值可以用其他单位输入 (%1)；方向键改变最后一位数字。</translation>
     </message>
 </context>
 <context>
@@ -17245,14 +17353,6 @@ and large-scale metrology</source>
         <translation>切片： </translation>
     </message>
     <message>
-        <source>Run the study to see how the uncertainty depends on what it varies</source>
-        <translation>运行参数研究，查看不确定度如何随所改变的量变化</translation>
-    </message>
-    <message>
-        <source>A study evaluates the analysis for many values of a number: add one</source>
-        <translation>参数研究对一个数值的许多取值评定分析：请添加一个</translation>
-    </message>
-    <message>
         <source> – out of date</source>
         <translation> – 已过期</translation>
     </message>
@@ -17279,6 +17379,14 @@ and large-scale metrology</source>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
         <translation>&lt;b&gt;已过期&lt;/b&gt;：显示的是项目之前的状态。 </translation>
+    </message>
+    <message>
+        <source>“%1” shows how the uncertainty depends on what the study varies.</source>
+        <translation>“%1”可查看不确定度如何随参数研究所改变的量变化。</translation>
+    </message>
+    <message>
+        <source>A study evaluates the analysis for many values of a number: add one with “%1”.</source>
+        <translation>参数研究对一个数值的许多取值评定分析：请用“%1”添加一个。</translation>
     </message>
 </context>
 <context>

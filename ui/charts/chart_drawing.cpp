@@ -210,7 +210,8 @@ void draw_swatch(QPainter& painter, const ChartDrawing& chart, const LegendEntry
             painter.fillRect(patch, chart.theme.filling(entry.role));
             break;
         case SwatchKind::band:
-            painter.fillRect(patch, chart.theme.neutrals().band);
+            // small and beside no ground of its own: stronger than the band
+            painter.fillRect(patch, mix(chart.theme.neutrals().band, chart.theme.series(entry.role), 0.35));
             painter.setPen(QPen(chart.theme.series(entry.role), 1.0));
             painter.drawLine(patch.topLeft(), patch.bottomLeft());
             painter.drawLine(patch.topRight(), patch.bottomRight());

@@ -21,21 +21,19 @@ double widest(const Ticks& ticks, const QFont& font) {
     return width;
 }
 
-/// The first of these that fits: "probability density (1/mm)", "density (1/mm)", "(1/mm)"; of "share of the
-/// variance (%)" the words from "of" on are left out first.
-Text fitting_title(const Text& title, const QFont& font, double room) {
+/// The title, else its short form, else the words shortened before the unit ("Wahrsch…dichte (1/mm)").
+Text fitting_title(const PlotAxis& axis, int exponent, const QFont& font, double room) {
+    const Text title = title_with_exponent(axis.title, exponent);
     if (text_width(title, font) <= room) return title;
-    const std::string letters = title.letters();
-    const std::size_t unit_at = std::min(letters.rfind(" ("), letters.size());
-    const std::size_t of = letters.find(" of "), space = letters.rfind(' ', unit_at - 1);
-    const Text unit = title.part(unit_at);
-    const Text noun = of > 0 && of < unit_at       ? title.part(0, of)
-                      : space == std::string::npos ? title.part(0, unit_at)
-                                                   : title.part(space + 1, unit_at);
-    if (text_width(noun + unit, font) <= room) return noun + unit;
-    const Text bare = title.part(unit_at + 1);
-    if (!unit.empty() && text_width(bare, font) <= room) return bare;
-    return shortened(noun, font, room);
+    const Text shorter = axis.short_title.empty() ? title : title_with_exponent(axis.short_title, exponent);
+    if (text_width(shorter, font) <= room) return shorter;
+    const std::size_t unit_at = shorter.letters().rfind(" (");
+    if (unit_at == std::string::npos) return shortened(shorter, font, room);
+    const Text unit = shorter.part(unit_at);
+    const double left = room - text_width(unit, font);
+    if (left >= text_width("nnn…", font)) return shortened(shorter.part(0, unit_at), font, left) + unit;
+    const Text bare = shorter.part(unit_at + 1);
+    return text_width(bare, font) <= room ? bare : shortened(shorter, font, room);
 }
 
 /// The chart while it is laid out: what is there already, and the measures that everything is set by.
@@ -92,8 +90,9 @@ Ticks fitting_x_ticks(const Sheet& sheet) {
     const PlotView& view = sheet.out.geometry.view;
     const double width = sheet.out.geometry.area.width();
     const auto make = [&](int most) {
-        return sheet.plot.x.logarithmic ? logarithmic_ticks(view.x_low, view.x_high, most, sheet.numbers)
-                                        : linear_ticks(view.x_low, view.x_high, most, sheet.numbers);
+        return sheet.plot.x.logarithmic
+                   ? logarithmic_ticks(view.x_low, view.x_high, most, sheet.numbers)
+                   : linear_ticks(view.x_low, view.x_high, most, sheet.numbers, sheet.plot.x.written_out);
     };
     const auto fits = [&](const Ticks& ticks) {
         if (ticks.ticks.size() < 2) return true;
@@ -107,8 +106,9 @@ Ticks fitting_x_ticks(const Sheet& sheet) {
 Ticks fitting_y_ticks(const Sheet& sheet, double height) {
     const PlotView& view = sheet.out.geometry.view;
     const auto make = [&](int most) {
-        return sheet.plot.y.logarithmic ? logarithmic_ticks(view.y_low, view.y_high, most, sheet.numbers)
-                                        : linear_ticks(view.y_low, view.y_high, most, sheet.numbers);
+        return sheet.plot.y.logarithmic
+                   ? logarithmic_ticks(view.y_low, view.y_high, most, sheet.numbers)
+                   : linear_ticks(view.y_low, view.y_high, most, sheet.numbers, sheet.plot.y.written_out);
     };
     const auto fits = [&](const Ticks& ticks) {
         return static_cast<double>(ticks.ticks.size()) * 1.2 * sheet.line <= height;
@@ -146,8 +146,7 @@ public:
         add_y_labels();
         if (sheet_.plot.y.title.empty()) return;
         const double room = sheet_.size.height() - sheet_.top_of_body - sheet_.edge;
-        const Text title = fitting_title(title_with_exponent(sheet_.plot.y.title, sheet_.out.y.exponent),
-                                         sheet_.out.fonts.label, room);
+        const Text title = fitting_title(sheet_.plot.y, sheet_.out.y.exponent, sheet_.out.fonts.label, room);
         const double length = text_width(title, sheet_.out.fonts.label);
         const double top =
             std::clamp(sheet_.out.geometry.area.center().y() - 0.5 * length, sheet_.top_of_body,

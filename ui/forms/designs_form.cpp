@@ -351,7 +351,7 @@ std::vector<StudyTargetChoice> DesignsForm::targets() const {
 QString DesignsForm::title_of(const StudyAxis& number) const {
     const auto target =
         find_study_target(document_.project(), *entry(), prepared() ? &prepared()->inputs : nullptr, number);
-    return target ? to_qt(to_unicode(target->title)) : QString();
+    return target ? to_qt(target->title.message()) : QString();
 }
 
 void DesignsForm::refresh_reductions(const Design& shown) {

@@ -9,7 +9,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/base/own_names.h"
 #include "core/text/symbol.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -18,7 +20,8 @@ namespace {
 
 QString output_text(const OutputReference& output) {
     const QString symbol = to_qt(symbol_to_unicode(output.symbol));
-    return output.group.empty() ? symbol : QStringLiteral("%1: %2").arg(to_qt(output.group), symbol);
+    return output.group.empty() ? symbol
+                                : QStringLiteral("%1: %2").arg(to_qt(said_name(output.group)), symbol);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/base/own_names.h"
 #include "core/project/stated_requirements.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
@@ -12,6 +13,7 @@
 #include "ui/models/number_words.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
+#include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -37,7 +39,7 @@ QString number(const Unit& unit, double si, int digits = 3) {
 }
 
 QString percent(double p) {
-    return localized(format_significant(100.0 * p, p > 0.9 ? 4 : 2)) + QStringLiteral("\u00a0%");
+    return to_qt(probability_text(p, number_locale(QLocale())));
 }
 
 QString target_words(const UncertaintyResult& result, const RequirementResult& r) {
@@ -208,7 +210,8 @@ void RequirementsForm::refresh_outputs() {
     known_ = std::move(outputs);
     outputs_->clear();
     for (const OutputQuantity& o : known_)
-        outputs_->add_item(symbol_text(o.symbol) + (o.group.empty() ? "" : ", " + o.group));
+        outputs_->add_item(symbol_text(o.symbol) +
+                           (o.group.empty() ? "" : ", " + to_std(to_qt(said_name(o.group)))));
     outputs_->setCurrentIndex(std::max(0, outputs_->findText(before)));
 }
 

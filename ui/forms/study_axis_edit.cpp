@@ -7,6 +7,7 @@
 
 #include "ui/document/quantity_text.h"
 #include "ui/forms/form_labels.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -133,7 +134,7 @@ void StudyAxisEdit::take_end(bool first, const Quantity& quantity) {
 
 void StudyAxisEdit::show_axis(const StudyAxis& axis, const StudyTarget* target, bool only) {
     axis_ = axis;
-    QString words = target ? to_qt(to_unicode(target->title)) : tr("choose what is varied");
+    QString words = target ? to_qt(target->title.message()) : tr("choose what is varied");
     if (target && axis.change == StudyChange::factor) words += tr(" (factor)");
     target_->show_title(words);
     const bool factor_only = target && (target->kind == StudyTarget::Kind::components ||

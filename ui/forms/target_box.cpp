@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 
 #include "ui/forms/complaint.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -82,7 +83,7 @@ void TargetBox::fill() {
     const bool modified = lineEdit()->isModified();
     clear();
     for (const StudyTargetChoice& choice : listed_) {
-        QString title = to_qt(to_unicode(choice.target.title));
+        QString title = to_qt(choice.target.title.message());
         if (choice.axis.change == StudyChange::factor) title += tr(" (factor)");
         addItem(title);
     }

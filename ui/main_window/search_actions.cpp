@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <QTabWidget>
 
+#include "core/base/own_names.h"
 #include "core/manual/help_page.h"
 #include "core/text/symbol.h"
 #include "ui/document/document.h"
@@ -31,7 +32,7 @@ QString without_mnemonic(QString text) {
 
 QString quantity_words(const std::string& symbol, const std::string& group, const Message& name) {
     QString words = to_qt(symbol_to_unicode(symbol));
-    if (!group.empty()) words += QStringLiteral(" (%1)").arg(to_qt(group));
+    if (!group.empty()) words += QStringLiteral(" (%1)").arg(to_qt(said_name(group)));
     return name.empty() || name == symbol ? words : words + QStringLiteral(": ") + to_qt(name);
 }
 

@@ -4,6 +4,7 @@
 #include <QColor>
 #include <cmath>
 
+#include "core/report/plots.h"
 #include "core/report/result_columns.h"
 #include "ui/models/roles.h"
 
@@ -12,10 +13,7 @@ namespace covaria::ui {
 void CorrelationTableModel::set_result(std::shared_ptr<const UncertaintyResult> result,
                                        const std::string& group, bool current) {
     if (!result) return set_contents({}, {}, {}, current);
-    std::vector<std::size_t> shown;
-    for (std::size_t i = 0; i < result->outputs.size(); ++i)
-        if (group.empty() || result->outputs[i].quantity.group == group) shown.push_back(i);
-    Table table = correlation_table(*result, shown);
+    Table table = correlation_table(*result, outputs_to_correlate(*result, group));
     std::vector<std::string> keys;
     for (std::size_t c = 1; c < table.columns.size(); ++c) {
         table.columns[c].rule.decimals = 2;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/result/representation.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -20,6 +21,7 @@ void StudyTableModel::set_study(std::shared_ptr<const StudyResult> study, bool c
     if (!study_) return set_contents({}, {}, {}, current);
     const StudyResult& shown = *study_;
     set_digits(0);
+    const DocumentLanguage language = language_of_window();
     Table table{"study-" + shown.id, shown.name, shown.points.size()};
     for (const StudyAxisValues& axis : shown.axes) {
         const auto value = [&shown, &axis,
@@ -27,9 +29,12 @@ void StudyTableModel::set_study(std::shared_ptr<const StudyResult> study, bool c
             const double typed = axis.values[shown.indices_of(row)[i]];
             return Measured{axis.unit.to_si(typed), Measured::Scale::value, axis.unit, {}};
         };
-        table.add(to_unicode(axis.title), value).window(axis.title).round({.typed = true}).in(axis.unit);
+        table.add(axis.title.message().english(), value)
+            .window(axis.title.in(language))
+            .round({.typed = true})
+            .in(axis.unit);
     }
-    for (const StudyQuantity& quantity : study_quantities(shown)) {
+    for (const StudyQuantity& quantity : study_quantities(shown, language)) {
         const auto value = [&shown, quantity](std::size_t row) -> Cell {
             const double si = value_at(shown, quantity, row);
             return std::isfinite(si) ? Cell(Measured{si, Measured::Scale::interval, quantity.unit, {}})

@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenu>
 #include <QSplitter>
 #include <QToolButton>
@@ -11,6 +10,7 @@
 #include "core/report/comparison_columns.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/pages/empty_note.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/document_language.h"
@@ -28,12 +28,7 @@ CompareTab::CompareTab(Document& document, AnalysisRunner& runner, Selection& se
     column->addWidget(make_head());
     body_ = make_body();
     column->addWidget(body_, 1);
-    what_to_do_ = new QLabel;
-    what_to_do_->setAlignment(Qt::AlignCenter);
-    what_to_do_->setWordWrap(true);
-    what_to_do_->setMargin(12);
-    what_to_do_->setBackgroundRole(QPalette::Base);
-    what_to_do_->setAutoFillBackground(true);
+    what_to_do_ = new EmptyNote;
     column->addWidget(what_to_do_, 1);
     connect_parts();
     refresh();
@@ -46,14 +41,13 @@ void CompareTab::make_actions() {
         made->setToolTip(tip);
         return made;
     };
-    keep_ = action(tr("Keep as Before"), "keep_before",
-                   tr("Keeps the present results of this analysis, to compare later ones with"));
+    keep_ = action({}, "keep_before", {});  // as `update_actions` says it
     go_back_ = action(tr("Go Back to Kept State"), "go_back",
                       tr("Makes the project what it was when the results were kept; can be undone"));
     discard_ = action(tr("Discard Kept State"), "discard_kept",
                       tr("Forgets the kept results; the project stays as it is now"));
-    go_back_->setIconText(tr("Go Back"));  // on the buttons
-    discard_->setIconText(tr("Discard"));
+    go_back_->setIconText(tr("Go Back to Kept"));  // on the buttons
+    discard_->setIconText(tr("Discard Kept"));
     connect(keep_, &QAction::triggered, this, &CompareTab::keep);
     connect(go_back_, &QAction::triggered, this, &CompareTab::go_back);
     connect(discard_, &QAction::triggered, this, [this] { kept_.discard(selection_.analysis()); });
@@ -131,8 +125,10 @@ void CompareTab::connect_parts() {
 void CompareTab::keep() {
     finish_typing();
     if (!kept_.can_keep(selection_.analysis())) return;
+    const bool replaced = kept_.find(selection_.analysis()) != nullptr;
     kept_.keep(selection_.analysis());
-    emit message(tr("The results are kept: the tab Compare shows them beside those to come."));
+    emit message(replaced ? tr("The present results are kept in place of those kept before.")
+                          : tr("The results are kept: the tab Compare shows them beside those to come."));
 }
 
 /// One edit: the project as it was evaluated.
@@ -147,6 +143,10 @@ void CompareTab::go_back() {
 void CompareTab::update_actions() {
     const KeptState* kept = kept_.find(selection_.analysis());
     keep_->setEnabled(kept_.can_keep(selection_.analysis()));
+    keep_->setText(kept ? tr("Replace Kept State") : tr("Keep as Before"));
+    keep_->setToolTip(kept
+                          ? tr("Keeps the present results in place of those kept before, which are forgotten")
+                          : tr("Keeps the present results of this analysis, to compare later ones with"));
     go_back_->setEnabled(kept && !(*kept->project == document_.project()));
     discard_->setEnabled(kept != nullptr);
 }
@@ -156,8 +156,12 @@ QString CompareTab::state_words() const {
     if (analysis.isEmpty()) return tr("Select an analysis to compare its results.");
     const KeptState* kept = kept_.find(analysis);
     const AnalysisStatus& status = runner_.status(analysis);
-    if (!kept && !kept_.can_keep(analysis)) return tr("Run the analysis (F5), then keep its results.");
-    if (!kept) return tr("Keep the present results and edit: before and after stand here beside each other.");
+    if (!kept && !kept_.can_keep(analysis))
+        return tr("Run the analysis (F5), then keep its results with “%1”.").arg(keep_->text());
+    if (!kept)
+        return tr("Keep the present results with “%1” and edit: before and after stand here beside each "
+                  "other.")
+            .arg(keep_->text());
     QString words = tr("Before: %1, kept at %2. ")
                         .arg(kept->words, QLocale::system().toString(kept->at.time(), QLocale::ShortFormat));
     if (!status.result) return words + tr("After: no results.");

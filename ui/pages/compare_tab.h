@@ -16,6 +16,7 @@ class QMenu;
 namespace covaria::ui {
 
 class ChartView;
+class EmptyNote;
 class SortableTable;
 
 class CompareTab : public QWidget {
@@ -67,7 +68,7 @@ private:
     DisplayUnits units_;
     QAction *keep_ = nullptr, *go_back_ = nullptr, *discard_ = nullptr;
     QLabel* state_ = nullptr;
-    QLabel* what_to_do_ = nullptr;  ///< in the place of the body while nothing is compared
+    EmptyNote* what_to_do_ = nullptr;  ///< in the place of the body while nothing is compared
     QWidget* body_ = nullptr;
     SortableTable* results_ = nullptr;
     SortableTable* budget_ = nullptr;

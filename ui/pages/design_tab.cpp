@@ -12,6 +12,7 @@
 #include "ui/forms/finish_typing.h"
 #include "ui/models/number_words.h"
 #include "ui/pages/data_table_html.h"
+#include "ui/pages/empty_note.h"
 #include "ui/pages/evaluation_view.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
@@ -29,6 +30,8 @@ DesignTab::DesignTab(Document& document, AnalysisRunner& runner, Selection& sele
     column->setSpacing(0);
     column->addWidget(head_);
     column->addWidget(view_, 1);
+    what_to_do_ = new EmptyNote;
+    column->addWidget(what_to_do_, 1);
     connect(&runner_.designs(), &DesignRunner::changed, this,
             [this](const QString& analysis, const QString& id) {
                 if (analysis == selection_.analysis() && id == selection_.design()) refresh();
@@ -137,13 +140,13 @@ void DesignTab::refresh() {
 }
 
 void DesignTab::show_result() {
-    if (!shown_) {
-        const QString hint =
-            design_of_project()
-                ? tr("Run the design to see the best that can be done with what it may choose.")
-                : tr("A design finds where to stand and what to measure: add one.");
-        return view_->show_evaluation(QStringLiteral("<p>%1</p>").arg(hint), {});
-    }
+    view_->setVisible(shown_ != nullptr);
+    what_to_do_->setVisible(!shown_);
+    what_to_do_->setText(
+        design_of_project()
+            ? tr("“%1” shows the best that can be done with what the design may choose.").arg(run_->text())
+            : tr("A design finds where to stand and what to measure: add one with “%1”.").arg(edit_->text()));
+    if (!shown_) return view_->show_evaluation({}, {});
     std::vector<PlotSpecification> plots = design_plots(*shown_, language_of_window());
     if (!current_)
         for (PlotSpecification& plot : plots) plot.title += to_std(tr(" – out of date"));

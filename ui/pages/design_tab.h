@@ -14,6 +14,7 @@ class QComboBox;
 
 namespace covaria::ui {
 
+class EmptyNote;
 class EvaluationView;
 
 class DesignTab : public QWidget {
@@ -55,6 +56,7 @@ private:
     QPushButton *run_ = nullptr, *stop_ = nullptr, *edit_ = nullptr, *take_over_ = nullptr;
     QLabel* state_ = nullptr;
     EvaluationView* view_ = nullptr;
+    EmptyNote* what_to_do_ = nullptr;  ///< in place of the view
 };
 
 }  // namespace covaria::ui

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QEvent>
 
+#include "ui/models/number_words.h"
 #include "ui/theme/follow_font.h"
 
 namespace covaria::ui {
@@ -26,7 +27,8 @@ void FieldHelp::start_over(bool has_numbers) {
     if (shown_) shown_->removeEventFilter(this);
     shown_ = nullptr;
     setText(has_numbers
-                ? tr("Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.")
+                ? tr("Numbers may be typed with another unit (%1); the arrow keys change the last digit.")
+                      .arg(localized("0.5") + QStringLiteral("\u00a0µm"))
                 : QString());
     setToolTip({});
 }

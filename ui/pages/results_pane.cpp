@@ -13,6 +13,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "core/base/own_names.h"
 #include "core/project/stated_requirements.h"
 #include "core/report/plots.h"
 #include "core/result/representation.h"
@@ -352,7 +353,8 @@ void ResultsPane::refresh_outputs() {
     for (std::size_t i = 0; i < result_->outputs.size(); ++i) {
         const OutputQuantity& quantity = result_->outputs[i].quantity;
         if (!shown_group().isEmpty() && to_qt(quantity.group) != shown_group()) continue;
-        const std::string of = quantity.group.empty() ? "" : to_std(tr(" of %1").arg(to_qt(quantity.group)));
+        const std::string of =
+            quantity.group.empty() ? "" : to_std(tr(" of %1").arg(to_qt(said_name(quantity.group))));
         output_->add_item(symbol_text(quantity.symbol) + of, int(i));
     }
 }
@@ -402,7 +404,9 @@ void ResultsPane::refresh_charts() {
         show_chart(*quantiles_, normal_quantile_plot(*result_, index, units_->units(), in));
     }
     if (shown->isAncestorOf(correlation_map_))
-        show_chart(*correlation_map_, correlation_plot(*result_, result_->outputs[index].quantity.group, in));
+        show_chart(
+            *correlation_map_,
+            correlation_plot(*result_, outputs_to_correlate(*result_, to_std(selection_.group())), in));
     if (shown == convergence_)
         show_chart(*convergence_, convergence_plot(*result_, index, units_->units(), in));
 }

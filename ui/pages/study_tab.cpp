@@ -11,6 +11,7 @@
 #include "ui/forms/finish_typing.h"
 #include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
+#include "ui/pages/empty_note.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/elided_label.h"
@@ -23,16 +24,18 @@ StudyTab::StudyTab(Document& document, AnalysisRunner& runner, Selection& select
     make_head();
     chart_ = new ChartView;
     table_ = new SortableTable(model_, tr("study"));
-    auto* splitter = new QSplitter(Qt::Horizontal);
-    splitter->setChildrenCollapsible(false);
-    splitter->addWidget(chart_);
-    splitter->addWidget(table_);
-    splitter->setSizes({1000, 1000});
+    body_ = new QSplitter(Qt::Horizontal);
+    body_->setChildrenCollapsible(false);
+    body_->addWidget(chart_);
+    body_->addWidget(table_);
+    body_->setSizes({1000, 1000});
+    what_to_do_ = new EmptyNote;
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(head_);
-    column->addWidget(splitter, 1);
+    column->addWidget(body_, 1);
+    column->addWidget(what_to_do_, 1);
     const auto refresh_if_shown = [this](const QString& analysis, const QString& study) {
         if (analysis == selection_.analysis() && study == selection_.study()) refresh();
     };
@@ -145,9 +148,11 @@ void StudyTab::refresh_choices() {
     quantity_->clear();
     fixed_->clear();
     if (!result_) return;
-    for (const StudyQuantity& quantity : study_quantities(*result_)) quantity_->add_item(quantity.title);
+    const DocumentLanguage in = language_of_window();
+    for (const StudyQuantity& quantity : study_quantities(*result_, in)) quantity_->add_item(quantity.title);
     quantity_->setCurrentIndex(std::max(0, quantity_->findText(before)));
-    for (const StudyAxisValues& axis : result_->axes) fixed_->add_item(to_std(tr("slice: ")) + axis.title);
+    for (const StudyAxisValues& axis : result_->axes)
+        fixed_->add_item(to_std(tr("slice: ")) + axis.title.in(in));
     if (result_->axes.size() == 3) {
         if (view_.fixed_axis > 2 || view_ == StudyView{}) view_.fixed_axis = 2;
         fixed_->setCurrentIndex(int(view_.fixed_axis));
@@ -185,12 +190,14 @@ void StudyTab::show_study() {
     only_slice_->setVisible(axes == 3);
     ellipsoids_->setVisible(result_ && !result_->triples.empty());
     PlotSpecification plot;
-    if (result_)
-        plot = study_plot(*result_, view_, language_of_window());
-    else
-        plot.title = to_std(study_of_project()
-                                ? tr("Run the study to see how the uncertainty depends on what it varies")
-                                : tr("A study evaluates the analysis for many values of a number: add one"));
+    body_->setVisible(result_ != nullptr);
+    what_to_do_->setVisible(!result_);
+    what_to_do_->setText(
+        study_of_project()
+            ? tr("“%1” shows how the uncertainty depends on what the study varies.").arg(run_->text())
+            : tr("A study evaluates the analysis for many values of a number: add one with “%1”.")
+                  .arg(edit_->text()));
+    if (result_) plot = study_plot(*result_, view_, language_of_window());
     if (result_ && !current_) plot.title += to_std(tr(" – out of date"));
     chart_->set_plot(std::move(plot));
     emit shown_changed();

@@ -14,10 +14,12 @@
 #include "ui/theme/typeset_views.h"
 
 class QLabel;
+class QSplitter;
 
 namespace covaria::ui {
 
 class ChartView;
+class EmptyNote;
 class SortableTable;
 
 class StudyTab : public QWidget {
@@ -70,6 +72,8 @@ private:
     QCheckBox* only_slice_ = nullptr;
     QCheckBox* ellipsoids_ = nullptr;
     QLabel* state_ = nullptr;
+    QSplitter* body_ = nullptr;
+    EmptyNote* what_to_do_ = nullptr;  ///< in place of the body
     ChartView* chart_ = nullptr;
     SortableTable* table_ = nullptr;
 };

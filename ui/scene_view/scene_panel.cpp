@@ -11,10 +11,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/own_names.h"
 #include "core/model/has_layout.h"
 #include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
 #include "ui/scene_view/trial_words.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
@@ -129,9 +131,9 @@ void ScenePanel::make_toolbar() {
     toolbar_->addWidget(probability_);
     for (QComboBox* combo : {magnification_, probability_})
         connect(combo, &QComboBox::currentIndexChanged, this, &ScenePanel::refresh);
-    connect(group_, &QComboBox::currentTextChanged, this, [this](const QString& group) {
+    connect(group_, &QComboBox::currentIndexChanged, this, [this] {
         refresh();
-        emit group_changed(group);
+        emit group_changed(group());
     });
 }
 
@@ -192,11 +194,11 @@ void ScenePanel::show_analysis(const QString& id) {
 }
 
 QString ScenePanel::group() const {
-    return group_->currentText();
+    return group_->currentData().toString();
 }
 
 void ScenePanel::show_group(const QString& group) {
-    const int index = group_->findText(group);
+    const int index = group_->findData(group);
     if (index >= 0) group_->setCurrentIndex(index);
 }
 
@@ -234,7 +236,7 @@ void ScenePanel::show_design(std::shared_ptr<const DesignResult> design, const Q
 
 SceneOptions ScenePanel::options() const {
     SceneOptions options;
-    options.group = group_->currentText().toStdString();
+    options.group = to_std(group());
     if (const QVariant factor = magnification_->currentData(); factor.isValid())
         options.magnification = factor.toDouble();
     options.probability = probability_->currentData().toDouble();
@@ -248,14 +250,14 @@ void ScenePanel::refresh_groups() {
     if (const auto& prepared = runner_.status(analysis_).prepared)
         for (const std::string& group : groups_of(prepared->model->outputs())) groups << to_qt(group);
     QStringList shown;
-    for (int i = 0; i < group_->count(); ++i) shown << group_->itemText(i);
+    for (int i = 0; i < group_->count(); ++i) shown << group_->itemData(i).toString();
     if (groups == shown) return;
     const QSignalBlocker blocker(group_);
-    const QString before = group_->currentText();
+    const QString before = group();
     group_->clear();
-    group_->addItems(groups);
+    for (const QString& group : groups) group_->addItem(to_qt(said_name(to_std(group))), group);
     group_->setCurrentIndex(std::max(0, int(groups.indexOf(before))));
-    emit group_changed(group_->currentText());
+    emit group_changed(group());
 }
 
 /// At the end of what is going on: a change and its first results come together.

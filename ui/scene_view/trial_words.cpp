@@ -5,9 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/own_names.h"
 #include "core/propagation/engine.h"
 #include "core/text/symbol.h"
 #include "ui/models/number_words.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -23,8 +25,9 @@ struct Deviation {
 
 QString name_of(const InputQuantity& input) {
     const QString symbol = to_qt(to_html(symbol_text(input.symbol)));
-    return input.group.empty() ? symbol
-                               : QStringLiteral("%1 (%2)").arg(symbol, to_qt(input.group).toHtmlEscaped());
+    return input.group.empty()
+               ? symbol
+               : QStringLiteral("%1 (%2)").arg(symbol, to_qt(said_name(input.group)).toHtmlEscaped());
 }
 
 QString in_u_of(double deviation) {

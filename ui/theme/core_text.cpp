@@ -2,7 +2,9 @@
 
 #include <QCoreApplication>
 
+#include "core/text/numbers.h"
 #include "ui/theme/document_language.h"
+#include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -17,7 +19,9 @@ std::string core_words(std::string_view english) {
 }
 
 QString to_qt(const Message& message) {
-    return to_qt(message.in([](const std::string& english) { return core_words(english); }));
+    return to_qt(
+        message.in([](const std::string& english) { return core_words(english); },
+                   [](const std::string& plain) { return grouped_digits(plain, number_locale(QLocale())); }));
 }
 
 Text core_title(const Text& english) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/own_names.h"
 #include "viz/scene/build_parts.h"
 
 namespace covaria {
@@ -37,6 +38,7 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     scene.probability = options.probability;
     scene.numbers = options.language.numbers();
     scene.group = options.group.empty() ? first_group(source) : options.group;
+    scene.group_title = options.language.say(said_name(scene.group));
     if (!source.layout) return scene;
     const PointUncertainties uncertainties(source.result);
     const PointUncertainties before(source.compared ? source.compared->before.get() : nullptr);

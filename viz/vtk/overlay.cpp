@@ -65,7 +65,7 @@ std::vector<Overlay::HeadLine> Overlay::head_lines() {
     double y = px(margin - 4);
     const double x = px(margin), indent = px(24), gap = px(3);
     for (const Word& word : {Word{running_text(scene_.title), Role::text, true, 1.15},
-                             Word{running_text(scene_.group), Role::text, false, 1.0}}) {
+                             Word{running_text(scene_.group_title), Role::text, false, 1.0}}) {
         if (word.text.empty()) continue;
         lines.push_back({word, x, y});
         y += mask_of(word).letters.height + px(2);

@@ -1,6 +1,7 @@
 // Input quantities of "TCP from ballbars": lengths between supports, readings, the robot's deviations.
 #include <map>
 
+#include "core/base/own_names.h"
 #include "core/kinds/ballbar/setup.h"
 #include "core/quantity/input_quantity.h"
 
@@ -68,7 +69,7 @@ private:
         quantity.symbol = "L_" + std::to_string(length.from + 1) + "-" + std::to_string(length.to + 1);
         quantity.name = length.component.name;
         quantity.offset = length.length;
-        quantity.group = "supports";
+        quantity.group = own_name<"supports">();
         quantity.shares = shared_of(setup_.supports.size(), length.length);
         add_quantity(std::move(quantity), length.component, setup_.ballbars.id + "." + length.component.id,
                      instrument());
@@ -82,7 +83,7 @@ private:
         quantity.symbol = height.component.id;
         quantity.name = height.component.name;
         quantity.offset = height.z;
-        quantity.group = "supports";
+        quantity.group = own_name<"supports">();
         add_quantity(std::move(quantity), height.component, setup_.ballbars.id + "." + height.component.id,
                      instrument());
         inputs_.quantities.back().unit = Unit::of("mm");

@@ -1,6 +1,7 @@
 // Measurement model "TCP from ballbars": the model class and its descriptor.
 #include "core/kinds/ballbar/model.h"
 
+#include "core/base/own_names.h"
 #include "core/kinds/ballbar/equations.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
@@ -50,10 +51,11 @@ private:
                 outputs_.push_back({.symbol = "alpha_" + own + to,
                                     .name = tell<"axis %1 of the flange, angle towards %2">(own, to),
                                     .unit = Unit::of("urad"),
-                                    .group = "axes of the flange",
+                                    .group = own_name<"axes of the flange">(),
                                     .role = OutputRole::intermediate});
             }
-        add_position("centre of the flange", tell<"centre of the flange">(), OutputRole::intermediate);
+        add_position(own_name<"centre of the flange">(), tell<"centre of the flange">(),
+                     OutputRole::intermediate);
     }
 
     tcp::TcpSetup setup_;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/base/own_names.h"
 #include "core/kinds/curve/equations.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
@@ -53,7 +54,7 @@ public:
                                 .name = power == 0 ? tell<"value of the curve at the origin">()
                                                    : tell<"coefficient of the power %1">(power),
                                 .unit = power == 0 ? setup_.y_unit : curve::coefficient_unit(setup_, power),
-                                .group = "curve",
+                                .group = own_name<"curve">(),
                                 .role = OutputRole::intermediate});
         for (std::size_t i = 0; i < setup_.predictions.size(); ++i) add_prediction(i);
         for (std::size_t i = 0; i < setup_.observations.size(); ++i) add_inverse(i);
@@ -135,7 +136,7 @@ private:
                                                          j + setup_.first_power()),
                                    .unit = is_mean ? setup_.y_unit : setup_.y_unit.interval(),
                                    .offset = fit_.q[j],
-                                   .group = "curve"};
+                                   .group = own_name<"curve">()};
             share_of_scatter(quantity, symbol + ".residuals", fit_.u_of_q);
             inputs_.quantities.push_back(std::move(quantity));
         }
@@ -154,7 +155,7 @@ private:
                      .name = tell<"%1 of point %2">(axis, i + 1),
                      .unit = unit,
                      .offset = value,
-                     .group = std::string("points, ") + axis,
+                     .group = axis == std::string("x") ? own_name<"points, x">() : own_name<"points, y">(),
                      .source = curve::curve_fields().place(&CurveSetup::stated_points, i)},
                     {stated(symbol + ".stated", tell<"stated uncertainty of %1">(axis), unit, u,
                             tell<"table of points">())});
@@ -179,7 +180,7 @@ private:
             .name = o.name.empty() ? tell<"observed y">() : tell<"%1, observed y">(o.name),
             .unit = setup_.y_unit,
             .offset = o.y,
-            .group = "inverse use",
+            .group = own_name<"inverse use">(),
             .source = curve::curve_fields().place(&CurveSetup::observations, i, &curve::Observation::y)};
         if (o.u_y > 0.0)
             quantity.shares.push_back(
@@ -197,7 +198,7 @@ private:
         outputs_.push_back({.symbol = "b_" + std::to_string(i + 1),
                             .name = p.name.empty() ? where : tell<"%1, %2">(p.name, where),
                             .unit = setup_.y_unit,
-                            .group = "use"});
+                            .group = own_name<"use">()});
     }
 
     void add_inverse(std::size_t i) {
@@ -206,7 +207,7 @@ private:
         outputs_.push_back({.symbol = "X_" + std::to_string(i + 1),
                             .name = o.name.empty() ? where : tell<"%1, %2">(o.name, where),
                             .unit = setup_.x_unit,
-                            .group = "inverse use"});
+                            .group = own_name<"inverse use">()});
     }
 
     CurveSetup setup_;

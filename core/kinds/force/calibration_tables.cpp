@@ -53,7 +53,7 @@ DataTable plan_table(const Calibration& calibration) {
                               high >= low ? TableCell(high - low) : TableCell()});
     }
     table.notes.push_back(tell<"Fig. 2: %1 s without load before a series, %2 s at each load.">(
-        readable_number(plan.free_time), readable_number(plan.load_time)));
+        Message::number(readable_number(plan.free_time)), Message::number(readable_number(plan.load_time))));
     return table;
 }
 

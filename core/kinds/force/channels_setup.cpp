@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/base/own_names.h"
 #include "core/kinds/force/force_sensor.h"
 #include "core/math/special_quantiles.h"
 #include "core/quantity/input_quantity.h"
@@ -173,13 +174,13 @@ private:
                                   .unit = Unit::of("%"),
                                   .distribution = Distribution::of(Rectangular{-1.0, 1.0}),
                                   .origin = tell<"set-up: unknown between minus and plus the rated load">(),
-                                  .contributor = "loads on other axes",
+                                  .contributor = own_name<"loads on other axes">(),
                                   .tags = {{"source", "interference"}}};
         inputs_.add(InputQuantity{.symbol = std::string("q_") + key,
                                   .name = tell<"load on %1 by its rated load">(key),
                                   .unit = Unit::of("%"),
                                   .offset = 0.0,
-                                  .group = "loads"},
+                                  .group = own_name<"loads">()},
                     {std::move(load)});
     }
 

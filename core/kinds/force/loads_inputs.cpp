@@ -1,6 +1,7 @@
 // Input quantities of "force-moment loads": elements of the calibration matrix, readings of the cases.
 #include <cmath>
 
+#include "core/base/own_names.h"
 #include "core/kinds/force/loads_setup.h"
 #include "core/quantity/input_quantity.h"
 
@@ -85,7 +86,7 @@ private:
                                       .unit = element_unit(c, false),
                                       .offset = element.a * scale,
                                       .shares = {{first_.back(), 1.0}, {c, element.a * scale}},
-                                      .group = "calibration matrix"});
+                                      .group = own_name<"calibration matrix">()});
     }
 
     void add_square(std::size_t h, std::size_t c) {
@@ -106,7 +107,7 @@ private:
                                       .unit = element_unit(c, true),
                                       .offset = element.b * scale,
                                       .shares = std::move(shares),
-                                      .group = "calibration matrix"});
+                                      .group = own_name<"calibration matrix">()});
     }
 
     UncertaintyComponent of_reading(std::size_t k, std::size_t h, const std::string& id, const Message& name,

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/kinds/force/loads_setup.h"
+#include "core/text/numbers.h"
 
 namespace covaria::force_loads {
 
@@ -29,7 +30,7 @@ DataTable matrix_table(const LoadsSetup& setup) {
             row.push_back(setup.element(h, c).a * setup.scale(h, c));
         table.rows.push_back(std::move(row));
     }
-    const std::string condition = std::to_string(setup.condition).substr(0, 6);
+    const Message condition = Message::number(format_significant(setup.condition, 5));
     table.notes.push_back(
         setup.quadratic ? tell<"Condition number, by rated outputs and rated loads: %1; with quadratic terms "
                                "beside these slopes.">(condition)

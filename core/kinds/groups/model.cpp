@@ -22,7 +22,7 @@ public:
         component.name = setup_.between == Between::included ? tell<"scatter of the means of the groups">()
                          : setup_.between == Between::components
                              ? tell<"components of variance between and within the groups">()
-                             : "scatter of all observations";
+                             : tell<"scatter of all observations">();
         component.unit = setup_.unit.to_si(0.0) == 0.0 ? setup_.unit : Unit::of("K");
         component.distribution = Distribution::of(StudentT{0.0, variances_.u, variances_.degrees_of_freedom});
         component.type = EvaluationType::type_a;

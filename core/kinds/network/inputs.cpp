@@ -2,6 +2,7 @@
 #include <cctype>
 #include <map>
 
+#include "core/base/own_names.h"
 #include "core/kinds/network/setup.h"
 #include "core/kinds/points/stated_figure.h"
 #include "core/quantity/input_quantity.h"
@@ -109,7 +110,7 @@ private:
         quantity.name = tell<"%1, calibrated length">(bar.name);
         quantity.unit = Unit::of("mm");
         quantity.offset = bar.length;
-        quantity.group = "calibrated lengths";
+        quantity.group = own_name<"calibrated lengths">();
         quantity.source = bar.source;
         quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
         bar.input = inputs_.quantities.size();

@@ -3,6 +3,7 @@
 
 #include <future>
 
+#include "core/base/own_names.h"
 #include "core/kinds/network/equations.h"
 #include "core/kinds/network/sensitivities.h"
 #include "core/kinds/points/output_points.h"
@@ -30,7 +31,7 @@ public:
             outputs_.push_back({.symbol = from + to,
                                 .name = tell<"distance from %1 to %2">(from, to),
                                 .unit = mm,
-                                .group = "distances"});
+                                .group = own_name<"distances">()});
         }
         for (const network::Angle& angle : setup_.angles) {
             const auto name = [&](std::size_t t) { return setup_.targets[t].name; };
@@ -38,14 +39,14 @@ public:
                 {.symbol = name(angle.from) + name(angle.at) + name(angle.to),
                  .name = tell<"angle at %1 from %2 to %3">(name(angle.at), name(angle.from), name(angle.to)),
                  .unit = Unit::of("deg"),
-                 .group = "angles"});
+                 .group = own_name<"angles">()});
         }
         for (const network::TargetFrame& frame : setup_.frames) add_frame(frame.name);
         for (const network::ScaleBar& bar : setup_.bars)
             outputs_.push_back({.symbol = "Δ" + setup_.targets[bar.from].name + setup_.targets[bar.to].name,
                                 .name = tell<"%1, measured minus calibrated length">(bar.name),
                                 .unit = Unit::of("mm"),
-                                .group = "calibrated lengths"});
+                                .group = own_name<"calibrated lengths">()});
     }
 
     const InputSet& inputs() const override { return inputs_; }

@@ -7,6 +7,7 @@
 #include "core/kinds/network/setup.h"
 #include "core/math/decompositions.h"
 #include "core/math/special_quantiles.h"
+#include "core/text/numbers.h"
 
 namespace covaria::network {
 
@@ -232,7 +233,7 @@ private:
     };
 
     void add_row(const Target& target, const Sight& sight, std::size_t i, const Numbers& numbers) {
-        static const char* const names[] = {"distance", "azimuth", "elevation"};
+        const Message names[] = {tell<"distance">(), tell<"azimuth">(), tell<"elevation">()};
         const Unit unit = Unit::of(i == 0 || (i == 1 && sight.overhead) ? "mm" : "arcsec");
         const std::string& sensor = setup_.sensors[sight.sensor].name;
         put(target.name, sensor, names[i], unit, numbers);
@@ -246,8 +247,8 @@ private:
     }
 
     void add_bar(const ScaleBar& bar, const Numbers& numbers) {
-        put(setup_.targets[bar.from].name + " – " + setup_.targets[bar.to].name, "scale bar", "length",
-            Unit::of("mm"), numbers);
+        put(setup_.targets[bar.from].name + " – " + setup_.targets[bar.to].name, tell<"scale bar">(),
+            tell<"length">(), Unit::of("mm"), numbers);
         compare(numbers.w, bar.source,
                 tell<"length of the %1">(
                     scale_bar_words(setup_.targets[bar.from].name, setup_.targets[bar.to].name)));
@@ -257,7 +258,7 @@ private:
         if (std::abs(w) > worst_.w) worst_ = {std::abs(w), source, name};
     }
 
-    void put(const std::string& target, const std::string& sensor, const char* reading, const Unit& unit,
+    void put(const std::string& target, const Message& sensor, const Message& reading, const Unit& unit,
              const Numbers& numbers) {
         const bool controlled = numbers.redundancy > 1e-6;
         Message remark = controlled ? Message() : tell<"not controlled">();
@@ -265,8 +266,7 @@ private:
             remark = tell<"outlier?">();
             ++outliers_;
         }
-        table_.rows.push_back({target, sensor, std::string(reading),
-                               Quantity{unit.from_si(numbers.residual), unit},
+        table_.rows.push_back({target, sensor, reading, Quantity{unit.from_si(numbers.residual), unit},
                                Quantity{unit.from_si(numbers.u), unit}, std::max(0.0, numbers.redundancy),
                                controlled ? TableCell(numbers.w) : TableCell(), remark});
     }
@@ -293,11 +293,9 @@ private:
     bool too_large() const { return degrees_ > 0 && p_value() < 0.01; }
 
     Message test_words() const {
-        char chi_square[32], p[32];
-        std::snprintf(chi_square, sizeof chi_square, "%.3g", chi_square_);
-        std::snprintf(p, sizeof p, "%.2g", p_value());
-        return tell<"Chi-square of the residuals: %1 with %2 degrees of freedom, p = %3.">(chi_square,
-                                                                                           degrees_, p);
+        return tell<"Chi-square of the residuals: %1 with %2 degrees of freedom, p = %3.">(
+            Message::number(format_short(chi_square_)), degrees_,
+            Message::number(format_short(p_value(), 2)));
     }
 
     const NetworkSetup& setup_;

@@ -1,6 +1,7 @@
 // Input quantities of "robot pose": parameters joint by joint, the tool, then readings that are uncertain.
 #include <cmath>
 
+#include "core/base/own_names.h"
 #include "core/kinds/robot/serial_robot.h"
 #include "core/kinds/robot/setup.h"
 #include "core/quantity/input_quantity.h"
@@ -90,7 +91,7 @@ private:
             InputQuantity quantity{.symbol = symbols[i],
                                    .name = tell<"%1, deviation">(components[i].name),
                                    .unit = Unit::of(i < 3 ? "mm" : "deg"),
-                                   .group = "tool"};
+                                   .group = own_name<"tool">()};
             quantity.tags = {
                 {"parameter", symbols[i]}, {"joint", "tool"}, {"kind", i < 3 ? "lengths" : "angles"}};
             components[i].identity = setup_.arm.id + "." + components[i].id;

@@ -1,6 +1,7 @@
 // Measurement model "robot from measured poses": the model class and its descriptor.
 #include "core/kinds/robot_identification/from_poses_model.h"
 
+#include "core/base/own_names.h"
 #include "core/kinds/robot_identification/from_poses.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
@@ -62,7 +63,7 @@ private:
                                     : turn ? tell<"orientation of the tool, %1">(coordinate)
                                            : tell<"position of the tool, %1">(coordinate),
                             .unit = Unit::of(turn ? "deg" : "mm"),
-                            .group = base ? "base" : "tool",
+                            .group = base ? own_name<"base">() : own_name<"tool">(),
                             .role = OutputRole::intermediate,
                             .periodic = turn});
     }

@@ -1,6 +1,7 @@
 // Measurement model "robot by joint trajectories": the model class and its descriptor.
 #include "core/kinds/robot_identification/from_trajectories_model.h"
 
+#include "core/base/own_names.h"
 #include "core/kinds/robot_identification/from_trajectories.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
@@ -25,7 +26,7 @@ public:
             outputs_.push_back({.symbol = "R_" + std::to_string(j + 1),
                                 .name = tell<"radius of the circle of joint %1">(j + 1),
                                 .unit = Unit::of("mm"),
-                                .group = "circles",
+                                .group = own_name<"circles">(),
                                 .role = OutputRole::intermediate});
     }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/report/result_columns.h"
 #include "tests/core/report/plot_sample.h"
 
 namespace covaria::plots_test {
@@ -28,6 +29,8 @@ TEST(HistogramPlot, IsTheDensityInDisplayUnits) {
     EXPECT_EQ(to_unicode(plot.title), "Distribution of x (pose 7)");
     EXPECT_EQ(to_unicode(plot.x.title), "x (mm)");
     EXPECT_EQ(to_unicode(plot.y.title), "probability density (1/mm)");
+    EXPECT_EQ(to_unicode(plot.y.short_title), "density (1/mm)");
+    EXPECT_TRUE(plot.x.written_out) << "as the labels of its marks";
     const PlotSeries& bars = plot.series.at(0);
     EXPECT_EQ(bars.kind, SeriesKind::bars);
     EXPECT_NEAR(area_of(bars), 1.0, 1e-5);
@@ -140,10 +143,19 @@ TEST(ContributionPlot, ShowsOneAtATimeBesideFirstOrder) {
     EXPECT_NEAR(plot.series[1].x[0], 25.0, 1e-9);
 }
 
+TEST(CorrelationPlot, ShowsTheOutputsOfItsTable) {
+    UncertaintyResult result = test::plot_sample();
+    for (std::size_t i = 1; i < result.outputs.size(); ++i)
+        result.outputs[i].quantity.role = OutputRole::intermediate;
+    const std::vector<std::size_t> outputs = outputs_to_correlate(result, "pose 7");
+    EXPECT_GT(outputs.size(), 1U);
+    EXPECT_EQ(correlation_plot(result, outputs).x.categories.size(), correlation_table(result, outputs).rows);
+}
+
 TEST(CorrelationPlot, IsTheMatrixOfTheGroup) {
     UncertaintyResult result = test::plot_sample();
     result.outputs.back().quantity.group = "pose 8";
-    const PlotSpecification plot = correlation_plot(result, "pose 7");
+    const PlotSpecification plot = correlation_plot(result, outputs_to_correlate(result, "pose 7"));
     ASSERT_EQ(plot.x.categories.size(), 5U);
     EXPECT_EQ(to_unicode(plot.x.categories[3]), "α");
     const std::vector<double>& z = plot.series.at(0).z;
@@ -153,8 +165,9 @@ TEST(CorrelationPlot, IsTheMatrixOfTheGroup) {
     EXPECT_NEAR(z[2 * 5 + 4], 0.64, 1e-12);
     EXPECT_EQ(plot.z_low, -1.0);
     EXPECT_EQ(plot.z_high, 1.0);
-    EXPECT_EQ(to_unicode(correlation_plot(result, "").y.categories.back()), "γ₇ (pose 8)");
-    EXPECT_TRUE(correlation_plot(result, "pose 8").series.empty());
+    EXPECT_EQ(to_unicode(correlation_plot(result, outputs_to_correlate(result, "")).y.categories.back()),
+              "γ₇ (pose 8)");
+    EXPECT_TRUE(correlation_plot(result, outputs_to_correlate(result, "pose 8")).series.empty());
 }
 
 TEST(ConvergencePlot, HasTwoStandardErrorsAndTheFinalValue) {

@@ -105,7 +105,7 @@ TEST(Study, EveryGridPointIsWhatTheChangedProjectGives) {
     const StudyResult study = run(project);
     ASSERT_EQ(study.points.size(), 6u);
     ASSERT_EQ(study.triples.size(), 1u);
-    EXPECT_EQ(to_unicode(study.axes[0].title), "Targets, B: x");
+    EXPECT_EQ(study.axes[0].title.message().english(), "Targets, B: x");
     for (std::size_t i = 0; i < 6; ++i) {
         Project changed = network();
         const auto at = study.indices_of(i);

@@ -176,5 +176,17 @@ TEST(ShortTexts, OfFieldsAndMessages) {
     EXPECT_EQ(format_trimmed(0.5, 6), "0.5");
 }
 
+TEST(ProbabilityText, IsNeverRoundedToNoneOrAll) {
+    EXPECT_EQ(probability_text(0.95), "95\u00a0%");
+    EXPECT_EQ(probability_text(0.9545), "95.45\u00a0%");
+    EXPECT_EQ(probability_text(0.9995), "99.95\u00a0%");
+    EXPECT_EQ(probability_text(0.9999), "99.99\u00a0%");
+    EXPECT_EQ(probability_text(0.99996), "> 99.99\u00a0%");
+    EXPECT_EQ(probability_text(1.0 - 1e-15, {","}), "> 99,99\u00a0%");
+    EXPECT_EQ(probability_text(1.0), "100\u00a0%");
+    EXPECT_EQ(probability_text(3e-5), "< 0.01\u00a0%");
+    EXPECT_EQ(probability_text(0.0), "0\u00a0%");
+}
+
 }  // namespace
 }  // namespace covaria::numbers_test

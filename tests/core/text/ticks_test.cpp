@@ -50,6 +50,9 @@ TEST(LinearTicks, TakeLargeAndSmallPowersOutOfTheTexts) {
     EXPECT_EQ(texts(small), Texts({"0", "2", "4"}));
     EXPECT_EQ(linear_ticks(0.0, 50'000.0, 5).exponent, 0);
     EXPECT_EQ(linear_ticks(0.0, 0.05, 5).exponent, 0);
+    const Ticks written_out = linear_ticks(50'000'600.0, 50'001'000.0, 3, {}, true);
+    EXPECT_EQ(written_out.exponent, 0);
+    EXPECT_EQ(written_out.ticks.front().text, "50\u202f000\u202f600");
 }
 
 TEST(LogarithmicTicks, AreDecadesOrOneTwoFive) {
@@ -67,6 +70,8 @@ TEST(TickTitles, TellThePower) {
     EXPECT_EQ(shown("x (mm)", -6), "x (10⁻⁶ mm)");
     EXPECT_EQ(shown("probability density (1/mm)", 6), "probability density (10⁶/mm)");
     EXPECT_EQ(shown("x", 12), "x (10¹²)");
+    EXPECT_EQ(shown("u(x)", -6), "u(x) (10⁻⁶)");
+    EXPECT_EQ(shown("u(x) (mm)", -3), "u(x) (10⁻³ mm)");
 }
 
 TEST(RoundNumbers, NearestBelowAboveAndTexts) {

@@ -23,9 +23,14 @@ inline std::vector<PlotSpecification> all_plots() {
     const UncertaintyResult result = covaria::test::plot_sample();
     UncertaintyResult first_order_only = result;
     for (OutputResult& output : first_order_only.outputs) output.monte_carlo.reset();
-    return {histogram_plot(result, 0),    histogram_plot(result, 5),          normal_quantile_plot(result, 2),
-            contribution_plot(result, 0), correlation_plot(result, "pose 7"), correlation_plot(result, ""),
-            convergence_plot(result, 3),  histogram_plot(first_order_only, 0)};
+    return {histogram_plot(result, 0),
+            histogram_plot(result, 5),
+            normal_quantile_plot(result, 2),
+            contribution_plot(result, 0),
+            correlation_plot(result, outputs_to_correlate(result, "pose 7")),
+            correlation_plot(result, outputs_to_correlate(result, "")),
+            convergence_plot(result, 3),
+            histogram_plot(first_order_only, 0)};
 }
 
 inline int difference(const QColor& a, const QColor& b) {

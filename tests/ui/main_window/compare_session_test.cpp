@@ -152,6 +152,16 @@ TEST_F(CompareSession, APreviewIsNotKeptAndWhatIsOutOfDateSaysSo) {
     EXPECT_TRUE(tab().state_words().contains(QStringLiteral("<b>"))) << to_std(tab().state_words());
 }
 
+TEST_F(CompareSession, KeepingAgainSaysThatItReplaces) {
+    open_platform();
+    const auto* keep = tab().findChild<QAction*>(QStringLiteral("keep_before"));
+    EXPECT_EQ(keep->text(), QStringLiteral("Keep as Before"));
+    press("keep_before");
+    EXPECT_EQ(keep->text(), QStringLiteral("Replace Kept State"));
+    press("discard_kept");
+    EXPECT_EQ(keep->text(), QStringLiteral("Keep as Before"));
+}
+
 TEST_F(CompareSession, AnotherProjectForgetsWhatWasKept) {
     open_platform();
     press("keep_before");

@@ -22,6 +22,7 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
+#include "core/base/own_names.h"
 #include "core/kinds/registries.h"
 #include "core/made/library.h"
 #include "core/project/study_target.h"
@@ -122,18 +123,15 @@ protected:
                     learn(to_qt(component.id));
             }
     }
-    /// What a study varies is called as in its file of results.
-    void learn_axes(const AnalysisEntry& analysis) {
-        const Project& project = window_->document().project();
-        for (const Study& study : analysis.studies)
-            for (const StudyAxis& axis : study.axes)
-                if (const auto target = find_study_target(project, analysis, nullptr, axis))
-                    learn(to_qt(to_unicode(target->title)));
-    }
     void learn_output(const OutputQuantity& output) {
-        for (const std::string& text : {output.group, output.symbol})
+        for (const std::string& text : {name_given_by_people(output.group), output.symbol})
             learn(to_qt(text) + QLatin1Char('\n') + to_qt(symbol_to_unicode(text)));
-        if (!output.group.empty()) learn(to_qt(symbol_to_unicode(output.symbol) + " (" + output.group + ")"));
+        if (const std::string group = name_given_by_people(output.group); !group.empty())
+            learn(to_qt(symbol_to_unicode(output.symbol) + " (" + group + ")"));
+    }
+    /// Empty for a group that the program names.
+    static std::string name_given_by_people(const std::string& group) {
+        return said_name(group).in([](const std::string&) { return std::string(); });
     }
     bool is_data(const QString& words) const {
         const QStringList lines = words.split(QLatin1Char('\n'));
@@ -322,7 +320,6 @@ TEST_F(Languages, EveryTextAboutResultsIsInTheCatalogues) {
         look_at_tabs(window_->results().tabs());
         window_->runner().run_all();
         const QString of = to_qt(analysis.id);
-        learn_axes(analysis);
         for (const Study& study : analysis.studies) window_->runner().studies().run(of, to_qt(study.id));
         for (const Design& design : analysis.designs) window_->runner().designs().run(of, to_qt(design.id));
         wait_until_idle();

@@ -1,0 +1,33 @@
+#include "ui/pages/empty_note.h"
+
+#include <QEvent>
+
+#include "ui/theme/theme.h"
+
+namespace covaria::ui {
+
+EmptyNote::EmptyNote(QWidget* parent) : QLabel(parent) {
+    setAlignment(Qt::AlignCenter);
+    setWordWrap(true);
+    setMargin(12);
+    setBackgroundRole(QPalette::Base);
+    setAutoFillBackground(true);
+    take_theme();
+}
+
+void EmptyNote::changeEvent(QEvent* event) {
+    QLabel::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) take_theme();
+}
+
+/// As the text of an empty chart.
+void EmptyNote::take_theme() {
+    const bool dark = palette().color(QPalette::Window).lightness() < 128;
+    const QColor quiet = (dark ? Theme::dark() : Theme::light()).neutrals().quiet;
+    if (palette().color(QPalette::WindowText) == quiet) return;
+    QPalette own = palette();
+    own.setColor(QPalette::WindowText, quiet);
+    setPalette(own);
+}
+
+}  // namespace covaria::ui
