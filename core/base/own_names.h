@@ -26,6 +26,13 @@ std::string own_name() {
     return detail::own_name<name>.english;
 }
 
+/// own_name<"joint %1">(3) or of a name that somebody gave: likewise.
+template <detail::Words name>
+std::string own_name(const Message& part) {
+    static_assert(name.placeholders() == 1);
+    return Message::of_words(detail::own_name<name>.english, {part}).english();
+}
+
 /// A name for people: the program's own are said in the reader's language, all others as they are.
 Message said_name(const std::string& name);
 

@@ -13035,6 +13035,30 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>%1, added</source>
         <translation>%1, addiert</translation>
     </message>
+    <message>
+        <source>base b</source>
+        <translation>Basis b</translation>
+    </message>
+    <message>
+        <source>platform p</source>
+        <translation>Plattform p</translation>
+    </message>
+    <message>
+        <source>support %1</source>
+        <translation>Auflage %1</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>check %1</source>
+        <translation>Kontrolle %1</translation>
+    </message>
+    <message>
+        <source>axis of %1</source>
+        <translation>Achse von %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

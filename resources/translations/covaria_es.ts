@@ -13035,6 +13035,30 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>%1, added</source>
         <translation>%1, sumado</translation>
     </message>
+    <message>
+        <source>base b</source>
+        <translation>base b</translation>
+    </message>
+    <message>
+        <source>platform p</source>
+        <translation>plataforma p</translation>
+    </message>
+    <message>
+        <source>support %1</source>
+        <translation>apoyo %1</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>eje %1</translation>
+    </message>
+    <message>
+        <source>check %1</source>
+        <translation>control %1</translation>
+    </message>
+    <message>
+        <source>axis of %1</source>
+        <translation>eje de %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

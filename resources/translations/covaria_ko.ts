@@ -13035,6 +13035,30 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>%1, added</source>
         <translation>%1, 더한 값</translation>
     </message>
+    <message>
+        <source>base b</source>
+        <translation>베이스 b</translation>
+    </message>
+    <message>
+        <source>platform p</source>
+        <translation>플랫폼 p</translation>
+    </message>
+    <message>
+        <source>support %1</source>
+        <translation>지지점 %1</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>축 %1</translation>
+    </message>
+    <message>
+        <source>check %1</source>
+        <translation>확인 %1</translation>
+    </message>
+    <message>
+        <source>axis of %1</source>
+        <translation>%1의 축</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -13035,6 +13035,30 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>%1, added</source>
         <translation>%1, somado</translation>
     </message>
+    <message>
+        <source>base b</source>
+        <translation>base b</translation>
+    </message>
+    <message>
+        <source>platform p</source>
+        <translation>plataforma p</translation>
+    </message>
+    <message>
+        <source>support %1</source>
+        <translation>apoio %1</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>eixo %1</translation>
+    </message>
+    <message>
+        <source>check %1</source>
+        <translation>verificação %1</translation>
+    </message>
+    <message>
+        <source>axis of %1</source>
+        <translation>eixo de %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -13035,6 +13035,30 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>%1, added</source>
         <translation>%1，增加量</translation>
     </message>
+    <message>
+        <source>base b</source>
+        <translation>基座 b</translation>
+    </message>
+    <message>
+        <source>platform p</source>
+        <translation>平台 p</translation>
+    </message>
+    <message>
+        <source>support %1</source>
+        <translation>支座 %1</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>轴 %1</translation>
+    </message>
+    <message>
+        <source>check %1</source>
+        <translation>检查 %1</translation>
+    </message>
+    <message>
+        <source>axis of %1</source>
+        <translation>%1的轴</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

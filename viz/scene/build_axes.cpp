@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/own_names.h"
 #include "core/text/numbers.h"
 #include "core/text/round_numbers.h"
 #include "core/text/symbol.h"
@@ -34,10 +35,16 @@ std::vector<AxisTick> ticks_between(double low, double high, double step, const 
     return ticks;
 }
 
-void label(Scene& scene, const SceneItem& item, double clearance, int priority, Role role = Role::text) {
-    if (!item.name.empty())
-        scene.labels.push_back({running_text(item.name), item.position, clearance, role, priority, item.id});
-}
+struct Labels {
+    Scene& scene;
+    const DocumentLanguage& language;
+
+    void add(const SceneItem& item, double clearance, int priority, Role role = Role::text) {
+        if (item.name.empty()) return;
+        const Text words = running_text(language.say(said_name(item.name)));
+        scene.labels.push_back({words, item.position, clearance, role, priority, item.id});
+    }
+};
 
 /// Radius that the label of a point keeps clear: the point, and its ellipsoid where it is small.
 double clearance_of(const ScenePoint& point) {
@@ -52,21 +59,22 @@ bool has_label(LinkKind kind) {
 
 void add_labels(SceneBuild& build) {
     Scene& scene = build.scene;
-    for (const ScenePoint& point : scene.points) label(scene, point.item, clearance_of(point), 50);
-    for (const SceneFrame& frame : scene.frames) label(scene, frame.item, 0.015 * scene.size, 40);
+    Labels labels{scene, build.options.language};
+    for (const ScenePoint& point : scene.points) labels.add(point.item, clearance_of(point), 50);
+    for (const SceneFrame& frame : scene.frames) labels.add(frame.item, 0.015 * scene.size, 40);
     const auto is_named_already = [&](const std::string& name) {  // an instrument at its station
         return std::any_of(scene.points.begin(), scene.points.end(),
                            [&](const ScenePoint& point) { return point.item.name == name; });
     };
     for (const SceneBody& body : scene.bodies)
         if (body.outline.empty() && !is_named_already(body.item.name))
-            label(scene, body.item, 0.36 * body.size, 30);
+            labels.add(body.item, 0.36 * body.size, 30);
     for (const SceneLink& link : scene.links)
-        if (has_label(link.kind)) label(scene, link.item, link.radius, 20, Role::quiet_text);
+        if (has_label(link.kind)) labels.add(link.item, link.radius, 20, Role::quiet_text);
     for (const SceneVector& vector : scene.vectors) {
         SceneItem tip = vector.item;
         tip.position += vector.arrow;
-        label(scene, tip, vector.radius, 45);
+        labels.add(tip, vector.radius, 45);
     }
 }
 

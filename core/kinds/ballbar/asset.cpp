@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/own_names.h"
 #include "core/kinds/ballbar/assets.h"
 #include "core/kinds/ballbar/ballbar.h"
 #include "core/kinds/points/stated_figure.h"
@@ -189,7 +190,7 @@ public:
         for (std::size_t k = 0; k < positions.size(); ++k) {
             const Eigen::Vector3d p = placement_ * positions[k];
             layout.points.push_back(
-                {.name = "support " + std::to_string(k + 1), .kind = PointKind::support, .p_W = p});
+                {.name = own_name<"support %1">(k + 1), .kind = PointKind::support, .p_W = p});
             if (k < 3) plate.outline_W.push_back(p);
         }
         layout.bodies.push_back(std::move(plate));

@@ -1,6 +1,7 @@
 // Supports, bars, arcs, flange and tool of "TCP from ballbars" in the robot's frame; tables about the plan.
 #include <numbers>
 
+#include "core/base/own_names.h"
 #include "core/kinds/ballbar/setup.h"
 #include "core/quantity/distribution.h"
 
@@ -29,7 +30,7 @@ private:
         for (std::size_t k = 0; k < setup_.supports.size(); ++k) {
             const Eigen::Vector3d p_R = X_RB_ * setup_.supports[k];
             layout_.points.push_back(
-                {.name = "support " + std::to_string(k + 1), .kind = PointKind::support, .p_W = p_R});
+                {.name = own_name<"support %1">(k + 1), .kind = PointKind::support, .p_W = p_R});
             if (k < 3) plate.outline_W.push_back(p_R);
         }
         layout_.bodies.push_back(std::move(plate));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/own_names.h"
+
 namespace covaria::pose {
 
 namespace {
@@ -43,7 +45,8 @@ private:
         plate.outline_W = outline(q, X);
         plate.group = group;
         layout_.bodies.push_back(std::move(plate));
-        layout_.frames.push_back({side == Side::base ? "base b" : "platform p", X, group, {}});
+        layout_.frames.push_back(
+            {side == Side::base ? own_name<"base b">() : own_name<"platform p">(), X, group, {}});
         return X;
     }
 

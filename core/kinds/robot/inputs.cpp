@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    static std::string joint_name(std::size_t i) { return "joint " + std::to_string(i + 1); }
+    static std::string joint_name(std::size_t i) { return own_name<"joint %1">(i + 1); }
 
     void add_parameter(std::size_t i, JointParameter p) {
         const std::string symbol = std::string(symbol_of(p)) + "_" + std::to_string(i + 1);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/own_names.h"
+
 namespace covaria {
 
 namespace {
@@ -23,9 +25,9 @@ public:
             add_link(i);
             add_axis(i);
         }
-        add_segment("tool", frames_[n].translation(), frames_[n + 1].translation());
+        add_segment(own_name<"tool">(), frames_[n].translation(), frames_[n + 1].translation());
         for (std::size_t i = 0; i <= n; ++i) add_frame(std::to_string(i), frames_[i]);
-        add_frame("tool", frames_[n + 1]);
+        add_frame(own_name<"tool">(), frames_[n + 1]);
     }
 
 private:
@@ -50,7 +52,7 @@ private:
     void add_axis(std::size_t i) {
         const Eigen::Isometry3d& X = frames_[robot_.convention() == DhConvention::craig ? i + 1 : i];
         const Eigen::Vector3d half = 0.07 * reach_ * X.linear().col(2);
-        layout_.links.push_back({.name = "axis " + std::to_string(i + 1),
+        layout_.links.push_back({.name = own_name<"axis %1">(i + 1),
                                  .kind = LinkKind::joint_axis,
                                  .from_W = X.translation() - half,
                                  .to_W = X.translation() + half,

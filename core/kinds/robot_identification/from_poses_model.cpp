@@ -21,7 +21,7 @@ public:
                 outputs_.push_back({.symbol = "d_" + axis,
                                     .name = tell<"calculated less measured %1, held back">(axis),
                                     .unit = Unit::of("um"),
-                                    .group = "check " + c_.poses[k].name,
+                                    .group = own_name<"check %1">(c_.poses[k].name),
                                     .role = OutputRole::intermediate});
     }
 
@@ -45,7 +45,7 @@ private:
         static const char* const coordinates[] = {"x", "y", "z", "alpha", "beta", "gamma"};
         if (u.kind == UnknownKind::parameter) {
             const IdentifiedParameter& p = u.parameter;
-            const std::string joint = "joint " + std::to_string(p.joint + 1);
+            const std::string joint = own_name<"joint %1">(p.joint + 1);
             outputs_.push_back(
                 {.symbol = p.symbol(),
                  .name = tell<"%1 of %2">(words_of(p.parameter), tell<"joint %1">(p.joint + 1)),

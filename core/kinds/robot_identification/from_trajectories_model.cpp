@@ -14,7 +14,7 @@ class RobotCirclePoints : public EquationModel<RobotCirclePoints> {
 public:
     explicit RobotCirclePoints(circle_points::Identification id) : id_(std::move(id)) {
         for (const IdentifiedParameter& p : id_.parameters) {
-            const std::string joint = "joint " + std::to_string(p.joint + 1);
+            const std::string joint = own_name<"joint %1">(p.joint + 1);
             outputs_.push_back(
                 {.symbol = p.symbol(),
                  .name = tell<"%1 of %2">(words_of(p.parameter), tell<"joint %1">(p.joint + 1)),

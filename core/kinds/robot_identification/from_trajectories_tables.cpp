@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/own_names.h"
 #include "core/kinds/robot/layout.h"
 #include "core/kinds/robot_identification/from_trajectories.h"
 #include "core/quantity/input_quantity.h"
@@ -79,7 +80,7 @@ void add_circle(const Trajectory& t, const std::string& name, double axis, Layou
                                  s.radius * (std::cos(a) * s.axes.col(0) + std::sin(a) * s.axes.col(1)));
     }
     layout.bodies.push_back(std::move(disc));
-    layout.links.push_back({.name = "axis of " + name,
+    layout.links.push_back({.name = own_name<"axis of %1">(said_name(name)),
                             .kind = LinkKind::joint_axis,
                             .from_W = s.centre - axis * s.axes.col(2),
                             .to_W = s.centre + axis * s.axes.col(2)});
@@ -128,7 +129,7 @@ Layout layout(const Identification& id) {
     double size = 0.0;
     for (const Trajectory& t : id.trajectories) size = std::max(size, t.shape.start.radius);
     for (std::size_t j = 0; j < id.trajectories.size(); ++j) {
-        const std::string name = "joint " + std::to_string(j + 1);
+        const std::string name = own_name<"joint %1">(j + 1);
         add_circle(id.trajectories[j], name, 0.2 * size, layout);
         add_points(id.trajectories[j], name, layout);
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/own_names.h"
+
 namespace covaria {
 
 namespace {
@@ -74,7 +76,7 @@ std::shared_ptr<const Asset> robot_of_analysis(RobotData data, const std::vector
                                                const std::string& analysis) {
     for (const IdentifiedParameter& p : found)
         data.outputs.push_back(
-            {p.joint, p.parameter, {analysis, "joint " + std::to_string(p.joint + 1), p.symbol()}});
+            {p.joint, p.parameter, {analysis, own_name<"joint %1">(p.joint + 1), p.symbol()}});
     return std::make_shared<RobotAsset>(std::move(data));
 }
 

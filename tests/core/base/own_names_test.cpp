@@ -21,5 +21,16 @@ TEST(OwnNames, AreSaidInTheReadersLanguageAndOthersStay) {
     EXPECT_TRUE(said_name("").empty());
 }
 
+TEST(OwnNames, HaveANumberOrANameInThem) {
+    EXPECT_EQ(own_name<"test only: place %1">(3), "test only: place 3");
+    EXPECT_EQ(own_name<"test only: place of %1">(own_name<"test only: distances">()),
+              "test only: place of test only: distances");
+    EXPECT_EQ(said_name("test only: place 3").in(in_brackets), "[test only: place 3]");
+    EXPECT_EQ(said_name("test only: place of B7").in(in_brackets), "[test only: place of B7]");
+    EXPECT_EQ(said_name("test only: place of test only: distances").english(),
+              "test only: place of test only: distances");
+    EXPECT_EQ(said_name("test only: place ").in(in_brackets), "test only: place ");
+}
+
 }  // namespace
 }  // namespace covaria::own_names_test

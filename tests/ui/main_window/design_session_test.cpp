@@ -10,6 +10,7 @@
 #include "ui/forms/target_box.h"
 #include "ui/pages/data_table_html.h"
 #include "ui/pages/design_tab.h"
+#include "ui/pages/empty_note.h"
 #include "ui/pages/evaluation_view.h"
 
 namespace covaria::ui::design_session_test {
@@ -64,7 +65,10 @@ TEST_F(DesignSession, AVariableIsSearchedTakenOverAsOneEditAndTakenBack) {
     const std::size_t before = analysis().designs.size();
     press(window_->properties(), "add_design");
     ASSERT_EQ(analysis().designs.size(), before + 1);
-    EXPECT_TRUE(tab().view().text().toPlainText().startsWith(QStringLiteral("Run the design")));
+    const auto* what_to_do = tab().findChild<EmptyNote*>();
+    ASSERT_NE(what_to_do, nullptr);
+    EXPECT_FALSE(what_to_do->isHidden());
+    EXPECT_TRUE(what_to_do->text().contains(QStringLiteral("Run"))) << what_to_do->text().toStdString();
     ASSERT_TRUE(field<TargetBox>("variable_0_target")->choose(QStringLiteral("Targets, B: y")));
     type_into("variable_0_from", QStringLiteral("-1 m"));
     type_into("variable_0_to", QStringLiteral("1"));
