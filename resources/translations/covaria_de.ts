@@ -13059,6 +13059,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>axis of %1</source>
         <translation>Achse von %1</translation>
     </message>
+    <message>
+        <source>scale bar %1</source>
+        <translation>Maßstab %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -13059,6 +13059,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>axis of %1</source>
         <translation>eje de %1</translation>
     </message>
+    <message>
+        <source>scale bar %1</source>
+        <translation>regla patrón %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -13059,6 +13059,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>axis of %1</source>
         <translation>%1의 축</translation>
     </message>
+    <message>
+        <source>scale bar %1</source>
+        <translation>기준자 %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

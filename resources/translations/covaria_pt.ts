@@ -13059,6 +13059,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>axis of %1</source>
         <translation>eixo de %1</translation>
     </message>
+    <message>
+        <source>scale bar %1</source>
+        <translation>barra de escala %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -1765,11 +1765,11 @@
     </message>
     <message>
         <source>Distribution of a mean in Monte Carlo trials: Student t with the degrees of freedom of the observations (JCGM 101 6.4.9), or normal.</source>
-        <translation>平均值在蒙特卡洛试验中的分布：以观测值自由度为自由度的学生 t 分布（JCGM 101 6.4.9），或正态分布。</translation>
+        <translation>平均值在蒙特卡洛试验中的分布：以观测值自由度为自由度的 t 分布（JCGM 101 6.4.9），或正态分布。</translation>
     </message>
     <message>
         <source>Student t</source>
-        <translation>学生 t</translation>
+        <translation>t 分布</translation>
     </message>
     <message>
         <source>Calibration curve</source>
@@ -4425,7 +4425,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Of the tolerance; empty: none.</source>
-        <translation>公差的界限;留空:无。</translation>
+        <translation>公差的界限;留空：无。</translation>
     </message>
     <message>
         <source>Upper limit</source>
@@ -4437,7 +4437,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
-        <translation>公差内取 U 的这一倍数作为保护带:1 证明合格(ISO 14253-1),0 为简单接受,负值有利于生产方。</translation>
+        <translation>公差内取 U 的这一倍数作为保护带:1 证明合格(ISO 14253-1),0 为简单接受，负值有利于生产方。</translation>
     </message>
     <message>
         <source>Prior mean</source>
@@ -4445,7 +4445,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
-        <translation>测量前对此类量的认知,以正态分布表示(生产过程):用于 JCGM 106 的全局风险。</translation>
+        <translation>测量前对此类量的认知，以正态分布表示（生产过程）:用于 JCGM 106 的全局风险。</translation>
     </message>
     <message>
         <source>Prior standard deviation</source>
@@ -4901,11 +4901,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The budget of %1 has not changed</source>
-        <translation>%1 的不确定度概算没有变化</translation>
+        <translation>%1 的不确定度预算没有变化</translation>
     </message>
     <message>
         <source>Changes of the budget of %1</source>
-        <translation>%1 的不确定度概算的变化</translation>
+        <translation>%1 的不确定度预算的变化</translation>
     </message>
     <message>
         <source>change of the variance (% of the variance before)</source>
@@ -5069,7 +5069,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Uncertainty budget of a measured point</source>
-        <translation>测量点的不确定度概算</translation>
+        <translation>测量点的不确定度预算</translation>
     </message>
     <message>
         <source>Errors of indication (Eq 1)</source>
@@ -7061,7 +7061,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the component %1 rests on the estimate of variance &quot;%2&quot; with others: it needs a normal or Student t distribution and their finite degrees of freedom.</source>
-        <translation>分量 %1 与其他分量共同依据方差估计“%2”：它需要正态分布或学生 t 分布及其有限自由度。</translation>
+        <translation>分量 %1 与其他分量共同依据方差估计“%2”：它需要正态分布或 t 分布及其有限自由度。</translation>
     </message>
     <message>
         <source>the components %1 and %2 cannot have the correlation %3: with these distributions it lies between %4 and %5.</source>
@@ -7609,11 +7609,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 does not exist, because a Student t distribution with two degrees of freedom or fewer has no finite standard deviation: it is shown as infinite, and U is half the width of the coverage interval.</source>
-        <translation>%1 的蒙特卡洛标准不确定度不存在，因为自由度不超过 2 的学生 t 分布没有有限的标准偏差：显示为无穷大，U 为包含区间的半宽。</translation>
+        <translation>%1 的蒙特卡洛标准不确定度不存在，因为自由度不超过 2 的 t 分布没有有限的标准偏差：显示为无穷大，U 为包含区间的半宽。</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 cannot stabilise, because Student t distributions with four degrees of freedom or fewer have no finite fourth moment: the adaptive procedure judges by the coverage intervals; use these.</source>
-        <translation>%1 的蒙特卡洛标准不确定度不能稳定，因为自由度不超过 4 的学生 t 分布没有有限的四阶矩：自适应程序按包含区间判断；请使用包含区间。</translation>
+        <translation>%1 的蒙特卡洛标准不确定度不能稳定，因为自由度不超过 4 的 t 分布没有有限的四阶矩：自适应程序按包含区间判断；请使用包含区间。</translation>
     </message>
     <message>
         <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
@@ -12901,7 +12901,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in the unit of the first quantity of the same dimension, else in SI units.</source>
-        <translation>报告什么以及用什么单位。没有行时:由方程定义且未被其他方程使用的每个名称,采用第一个同量纲的量的单位,否则采用 SI 单位。</translation>
+        <translation>报告什么以及用什么单位。没有行时：由方程定义且未被其他方程使用的每个名称，采用第一个同量纲的量的单位，否则采用 SI 单位。</translation>
     </message>
     <message>
         <source>arcsine</source>
@@ -12925,11 +12925,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>From the set-up as it is stated. Values and uncertainties that other analyses give (%1 quantities) are in the results, not here.</source>
-        <translation>依据所陈述的设置。由其他分析给出的值和不确定度(%1 个量)体现在结果中,不在此处。</translation>
+        <translation>依据所陈述的设置。由其他分析给出的值和不确定度（%1 个量）体现在结果中，不在此处。</translation>
     </message>
     <message>
         <source>Limit of the coverage interval: of Monte Carlo, else of the law of propagation</source>
-        <translation>包含区间的界限:由蒙特卡洛法得出,否则由传播律得出</translation>
+        <translation>包含区间的界限：由蒙特卡洛法得出，否则由传播律得出</translation>
     </message>
     <message>
         <source>Input quantities that the component is part of</source>
@@ -12937,7 +12937,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Quantity or component of uncertainty, as at the bars of the chart</source>
-        <translation>量或不确定度分量,与图中各条的名称相同</translation>
+        <translation>量或不确定度分量，与图中各条的名称相同</translation>
     </message>
     <message>
         <source>density</source>
@@ -13058,6 +13058,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>axis of %1</source>
         <translation>%1的轴</translation>
+    </message>
+    <message>
+        <source>scale bar %1</source>
+        <translation>标准尺 %1</translation>
     </message>
 </context>
 <context>
@@ -13252,7 +13256,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>index / %</source>
-        <translation>指数 / %</translation>
+        <translation>占比 / %</translation>
     </message>
     <message>
         <source>Share of the variance, with its part of the covariances</source>
@@ -13308,11 +13312,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>该分析尚不完整:仍需给出的内容列于下方。</translation>
+        <translation>该分析尚不完整：仍需给出的内容列于下方。</translation>
     </message>
     <message>
         <source>The analysis has problems; they are listed below.</source>
-        <translation>该分析有问题,列于下方。</translation>
+        <translation>该分析有问题，列于下方。</translation>
     </message>
     <message>
         <source>the picture shows no result of the analysis</source>
@@ -13492,7 +13496,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
 | Ctrl+N, Ctrl+O, Ctrl+S | 新建、打开、保存 |
 | Ctrl+Z；Ctrl+Shift+Z 或 Ctrl+Y | 撤销；重做 |
 | F6、Shift+F6 | 下一窗格、上一窗格 |
-| F11 | 仅显示预算或场景,再按返回 |
+| F11 | 仅显示预算或场景，再按返回 |
 | 表格中的 Tab、Shift+Tab | 下一单元格、上一单元格，到最后一格后继续向外；加 Ctrl 立即离开表格 |
 | 预算中的 Ctrl+R | 所选两行的相关系数 |
 | F5, Ctrl+F5, Esc | 运行此分析、运行全部、停止 |
@@ -13549,14 +13553,14 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Double click: goes to the analysis</source>
-        <translation>双击:转到该分析</translation>
+        <translation>双击：转到该分析</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsTab</name>
     <message>
         <source>Filter: analysis, symbol, name, group</source>
-        <translation>筛选:分析、符号、名称、组</translation>
+        <translation>筛选：分析、符号、名称、组</translation>
     </message>
     <message>
         <source>Filter of all results</source>
@@ -13584,7 +13588,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 of %2 analyses have no result: press Ctrl+F5</source>
-        <translation>%2 个分析中有 %1 个没有结果:请按 Ctrl+F5</translation>
+        <translation>%2 个分析中有 %1 个没有结果：请按 Ctrl+F5</translation>
     </message>
     <message>
         <source>; </source>
@@ -15966,7 +15970,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>Of results in the window, reports, tables and CSV files; where it is not stated, files have the unit of the model</source>
-        <translation>窗口、报告、表格和 CSV 文件中结果的单位;未给出时,文件采用模型的单位</translation>
+        <translation>窗口、报告、表格和 CSV 文件中结果的单位;未给出时，文件采用模型的单位</translation>
     </message>
     <message>
         <source>Change units of results</source>
@@ -15990,7 +15994,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>A fixed k for U = k u of all analyses whose options state none; empty: from the degrees of freedom, or the coverage interval</source>
-        <translation>对选项中未给出 k 的所有分析,U = k u 中采用的固定 k;留空:由自由度或包含区间得出</translation>
+        <translation>对选项中未给出 k 的所有分析,U = k u 中采用的固定 k;留空：由自由度或包含区间得出</translation>
     </message>
     <message>
         <source>Change coverage factor</source>
@@ -16357,7 +16361,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::RequirementsForm</name>
     <message>
         <source>U = %1: the target is %2.</source>
-        <translation>U = %1：目标值为 %2。</translation>
+        <translation>U = %1：目标值：%2。</translation>
     </message>
     <message>
         <source>met</source>
@@ -16389,7 +16393,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>(Student t)</source>
-        <translation>（学生 t）</translation>
+        <translation>（t 分布）</translation>
     </message>
     <message>
         <source>(normal)</source>

@@ -75,6 +75,26 @@ void BudgetSheetView::scrollTo(const QModelIndex& index, ScrollHint hint) {
     if (hidden > 0) horizontalScrollBar()->setValue(horizontalScrollBar()->value() - hidden);
 }
 
+bool BudgetSheetView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+    const bool begins = SpreadsheetView::edit(index, trigger, event);
+    if (begins) rows_before_ = model()->rowCount();
+    return begins;
+}
+
+/// What was typed into the row for new ones is a row now, above it: there Tab goes on.
+void BudgetSheetView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+    const QModelIndex at = currentIndex();
+    const bool goes_on =
+        hint == QAbstractItemDelegate::EditNextItem || hint == QAbstractItemDelegate::EditPreviousItem;
+    const bool made = model()->rowCount() > rows_before_ && at.row() == model()->rowCount() - 1;
+    if (!goes_on || !made) return SpreadsheetView::closeEditor(editor, hint);
+    SpreadsheetView::closeEditor(editor, QAbstractItemDelegate::NoHint);
+    setCurrentIndex(model()->index(at.row() - 1, at.column()));
+    setCurrentIndex(
+        moveCursor(hint == QAbstractItemDelegate::EditNextItem ? MoveNext : MovePrevious, Qt::NoModifier));
+    SpreadsheetView::edit(currentIndex());
+}
+
 QModelIndex BudgetSheetView::moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) {
     QModelIndex cell = SpreadsheetView::moveCursor(action, modifiers);
     if (action != MoveNext && action != MovePrevious) return cell;

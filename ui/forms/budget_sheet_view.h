@@ -18,6 +18,9 @@ signals:
     void quantity_asked(int row);
 
 protected:
+    using SpreadsheetView::edit;
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
+    void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
     QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
     void resizeEvent(QResizeEvent* event) override;
     void scrollTo(const QModelIndex& index, ScrollHint hint = EnsureVisible) override;
@@ -28,6 +31,7 @@ private:
     const SpreadsheetModel& sheet_;
     QTableView* frozen_;  ///< the first column over the others
     QAction* quantity_;
+    int rows_before_ = 0;  ///< what is typed was begun
 };
 
 }  // namespace covaria::ui

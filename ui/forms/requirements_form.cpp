@@ -39,7 +39,7 @@ QString number(const Unit& unit, double si, int digits = 3) {
 }
 
 QString percent(double p) {
-    return to_qt(probability_text(p, number_locale(QLocale())));
+    return to_qt(probability_text(p, number_locale(QLocale()))).toHtmlEscaped();  // "< 0.01 %"
 }
 
 QString target_words(const UncertaintyResult& result, const RequirementResult& r) {

@@ -44,8 +44,11 @@ RunActions::RunActions(Document& document, AnalysisRunner& runner, Selection& se
     for (auto signal : {&AnalysisRunner::state_changed, &AnalysisRunner::result_changed})
         connect(&runner_, signal, this, &RunActions::update);
     connect(&runner_, &AnalysisRunner::idle, this, &RunActions::update);
-    connect(&runner_.studies(), &StudyRunner::changed, this, &RunActions::update);
-    connect(&runner_.designs(), &DesignRunner::changed, this, &RunActions::update);
+    for (const InquiryRunner* inquiries :
+         std::initializer_list<const InquiryRunner*>{&runner_.studies(), &runner_.designs()}) {
+        connect(inquiries, &InquiryRunner::changed, this, &RunActions::update);
+        connect(inquiries, &InquiryRunner::idle, this, &RunActions::update);
+    }
     connect(&selection_, &Selection::analysis_changed, this, &RunActions::update);
     connect(&document_, &Document::project_changed, this, &RunActions::update);
     update();

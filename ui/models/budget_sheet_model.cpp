@@ -239,9 +239,14 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
         return {};
     }
     if (role != Qt::DisplayRole) return {};
+    // A quantity that the result does not depend on, to first order.
+    if (section == type)
+        return component.type == EvaluationType::type_a ? QStringLiteral("A") : QStringLiteral("B");
+    if (section == nu) return localized(format_degrees_of_freedom(component.degrees_of_freedom));
+    if (section == c || section == contribution || section == share) return QStringLiteral("0");
     if (section == u)
         return localized(
-            format_significant(component.unit.interval_from_si(component.standard_uncertainty), 3));
+            format_significant(component.unit.interval_from_si(component.standard_uncertainty), 2));
     return {};
 }
 

@@ -111,7 +111,8 @@ QString InputQuantitiesModel::shown_estimate(int row) const {
     const double value = without_residue(unit.from_si(estimate(row)), unit);
     const std::string typed = format_typed(value),
                       matched = format_to_match(value, unit.interval_from_si(standard_uncertainty(row)));
-    return to_qt(grouped_digits(typed.size() <= matched.size() ? typed : matched, user_numbers()));
+    constexpr std::size_t more = 4;  // digits that somebody may well have typed
+    return to_qt(grouped_digits(typed.size() <= matched.size() + more ? typed : matched, user_numbers()));
 }
 
 QString InputQuantitiesModel::components_text(int row) const {
@@ -207,6 +208,10 @@ QVariant InputQuantitiesModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant InputQuantitiesModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (role == Qt::TextAlignmentRole && orientation == Qt::Horizontal) {
+        const bool numeric = section == estimate_column || section == uncertainty_column;
+        return QVariant((numeric ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    }
     if (role != Qt::DisplayRole || section < 0) return {};
     if (orientation == Qt::Vertical) return section + 1;
     const QStringList heads{tr("Symbol"),  tr("Input quantity"), tr("Estimate"),

@@ -4,6 +4,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <QScrollBar>
 #include <algorithm>
 
 #include "core/kinds/registries.h"
@@ -148,7 +149,7 @@ void ProjectPane::currentChanged(const QModelIndex& current, const QModelIndex& 
 }
 
 int ProjectPane::wanted_width() const {
-    int names = 0;
+    int names = 0, rows = 1;
     QStyleOptionViewItem option;
     initViewItemOption(&option);
     const auto take = [&](const QModelIndex& index, int depth) {
@@ -160,8 +161,11 @@ int ProjectPane::wanted_width() const {
         const QModelIndex above = model_.index(category, 0);
         take(above, 1);
         for (int row = 0; row < model_.rowCount(above); ++row) take(model_.index(row, 0, above), 2);
+        rows += 1 + model_.rowCount(above);
     }
-    return names + header()->sectionSize(1) + 2 * frameWidth() + 12;
+    const bool scrolls = rows * sizeHintForRow(0) > viewport()->height();
+    return names + header()->sectionSize(1) + 2 * frameWidth() + 12 +
+           (scrolls ? verticalScrollBar()->sizeHint().width() : 0);
 }
 
 void ProjectPane::follow_selection() {

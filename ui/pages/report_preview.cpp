@@ -44,6 +44,8 @@ ReportPreview::ReportPreview(Document& document, AnalysisRunner& runner, QWidget
     connect(&document_, &Document::project_changed, this, &ReportPreview::mark_old);
     connect(&runner_, &AnalysisRunner::result_changed, this, &ReportPreview::mark_old);
     connect(&runner_.kept(), &KeptStates::changed, this, &ReportPreview::mark_old);
+    connect(&runner_.studies(), &InquiryRunner::changed, this, &ReportPreview::mark_old);
+    connect(&runner_.designs(), &InquiryRunner::changed, this, &ReportPreview::mark_old);
     connect(&document_.maker(), &ProjectMaker::made_changed, this, [this] {
         if (waiting_) refresh();
     });

@@ -209,7 +209,7 @@ QWidget* ResultsPane::make_results_tab() {
 
 QWidget* ResultsPane::make_budget_tab() {
     budget_ = new SortableTable(budget_model_, tr("budget"));
-    budget_->set_columns(QStringLiteral("budget"), {});
+    budget_->set_columns(QStringLiteral("budget"), {QStringLiteral("Quantities")});
     budget_->extend_menu = [this](QMenu& menu, int row) {
         menu.addAction(tr("Go to Source"), this, [this, row] { go_to_source(row); });
     };

@@ -3,6 +3,7 @@
 
 #include <QFontDatabase>
 #include <QFontMetricsF>
+#include <QLocale>
 #include <QStringList>
 #include <cmath>
 
@@ -29,6 +30,18 @@ bool has_tabular_figures(const QString& family) {
     return true;
 }
 
+/// Of letters that our families lack: Han letters have another form in each language.
+QString han_family() {
+    switch (QLocale().language()) {
+        case QLocale::Korean:
+            return QStringLiteral("Noto Sans CJK KR");
+        case QLocale::Japanese:
+            return QStringLiteral("Noto Sans CJK JP");
+        default:
+            return QStringLiteral("Noto Sans CJK SC");
+    }
+}
+
 }  // namespace
 
 QString text_family() {
@@ -47,12 +60,12 @@ QString figures_family() {
 
 QFont application_font() {
     QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
-    font.setFamily(text_family());
+    font.setFamilies({text_family(), han_family()});
     return font;
 }
 
 QFont with_tabular_figures(QFont font) {
-    font.setFamily(figures_family());
+    font.setFamilies({figures_family(), han_family()});
     return font;
 }
 

@@ -131,8 +131,9 @@ void add_legend(SceneBuild& build) {
         add(LegendMark::ellipsoid, Role::before, tell<"before: coverage ellipsoids, p = %1">(p));
     if (!scene.wall_histograms.empty()) {
         const SceneItem* item = find_item(scene, scene.wall_histograms.front().cloud);
-        scene.legend.push_back({LegendMark::histogram, scene.wall_histograms.front().role,
-                                in.say_text(distributions_of, {item ? running_text(item->name) : Text()})});
+        const Text of = item ? running_text(in.say(said_name(item->name))) : Text();
+        scene.legend.push_back(
+            {LegendMark::histogram, scene.wall_histograms.front().role, in.say_text(distributions_of, {of})});
     }
     if (std::ranges::any_of(scene.links,
                             [](const SceneLink& link) { return link.kind == LinkKind::sight_line; }))

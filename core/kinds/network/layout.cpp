@@ -1,4 +1,5 @@
 // Where sensors, targets and sight lines of "points from sensors" are.
+#include "core/base/own_names.h"
 #include "core/kinds/network/setup.h"
 
 namespace covaria::network {
@@ -60,7 +61,10 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
     };
     for (const Distance& d : setup.distances)
         add_dimension(setup.targets[d.from].name + " – " + setup.targets[d.to].name, d.from, d.to);
-    for (const ScaleBar& bar : setup.bars) add_dimension(bar.name.english(), bar.from, bar.to);
+    for (const ScaleBar& bar : setup.bars)
+        add_dimension(
+            own_name<"scale bar %1">(setup.targets[bar.from].name + " – " + setup.targets[bar.to].name),
+            bar.from, bar.to);
     return layout;
 }
 

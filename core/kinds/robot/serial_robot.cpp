@@ -107,7 +107,7 @@ DataTable parameter_table(const SerialRobotSource& robot) {
     DataTable table;
     table.id = "parameters";
     table.title = "Parameters and their uncertainty";
-    table.columns = {{.header = "parameter", .is_symbol = true}, {.header = "value"}};
+    table.columns = {{.header = "parameter"}, {.header = "value"}};
     const std::vector<std::string> sources = sources_of(robot);
     for (const std::string& source : sources) table.columns.push_back({.header = "u, " + source});
     for (const char* header : {"u", "U = 2 u", "value − U", "value + U"})

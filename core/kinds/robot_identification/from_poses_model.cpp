@@ -5,6 +5,7 @@
 #include "core/kinds/robot_identification/from_poses.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 
@@ -57,15 +58,16 @@ private:
         const bool base = u.kind == UnknownKind::base;
         const char* const coordinate = coordinates[u.coordinate];
         const bool turn = u.coordinate >= 3;
-        outputs_.push_back({.symbol = coordinate,
-                            .name = base   ? (turn ? tell<"orientation of the base, %1">(coordinate)
-                                                   : tell<"position of the base, %1">(coordinate))
-                                    : turn ? tell<"orientation of the tool, %1">(coordinate)
-                                           : tell<"position of the tool, %1">(coordinate),
-                            .unit = Unit::of(turn ? "deg" : "mm"),
-                            .group = base ? own_name<"base">() : own_name<"tool">(),
-                            .role = OutputRole::intermediate,
-                            .periodic = turn});
+        outputs_.push_back(
+            {.symbol = coordinate,
+             .name = base   ? (turn ? tell<"orientation of the base, %1">(symbol_to_unicode(coordinate))
+                                    : tell<"position of the base, %1">(coordinate))
+                     : turn ? tell<"orientation of the tool, %1">(symbol_to_unicode(coordinate))
+                            : tell<"position of the tool, %1">(coordinate),
+             .unit = Unit::of(turn ? "deg" : "mm"),
+             .group = base ? own_name<"base">() : own_name<"tool">(),
+             .role = OutputRole::intermediate,
+             .periodic = turn});
     }
 
     Calibration c_;

@@ -150,6 +150,23 @@ TEST_F(BudgetSession, TheKeyboardGoesOverTheSheet) {
     EXPECT_EQ(cell(1, Section::symbol), QStringLiteral("b"));
 }
 
+TEST_F(BudgetSession, WhatIsTypedIntoTheLastRowIsOneQuantity) {
+    new_equation(QStringLiteral("y = a"));
+    const int rows = window_->budget().model()->sheet().rowCount();
+    sheet()->setFocus();
+    sheet()->selectionModel()->setCurrentIndex(window_->budget().model()->index(rows, Section::symbol),
+                                               QItemSelectionModel::ClearAndSelect);
+    for (const char* text : {"d", "deviation", "0", "um", "75 nm"}) {
+        type_keys(QString::fromLatin1(text));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QTest::qWait(30);
+    }
+    EXPECT_EQ(window_->budget().model()->sheet().rowCount(), rows + 1);
+    EXPECT_EQ(cell(rows, Section::symbol), QStringLiteral("d"));
+    EXPECT_EQ(cell(rows, Section::name), QStringLiteral("deviation"));
+    EXPECT_EQ(cell(rows, Section::stated), QStringLiteral("u = 0.075 µm"));
+}
+
 /// "50 mm" fills the unit, too: what is typed next is the statement.
 TEST_F(BudgetSession, TabPassesOverAUnitThatCameWithTheEstimate) {
     new_equation(QStringLiteral("y = a"));

@@ -60,6 +60,15 @@ TEST_F(DesignSession, ARunIsShownAndSymbolsAreSet) {
     EXPECT_TRUE(html_of({table}).contains(QStringLiteral("α</i><sub>"))) << html_of({table}).toStdString();
 }
 
+TEST_F(DesignSession, NothingIsLeftToStopAfterIt) {
+    open_project("lsm-network", "recommended");
+    ASSERT_FALSE(analysis().designs.empty());
+    window_->runner().designs().run(to_qt(analysis().id), to_qt(analysis().designs.front().id));
+    ASSERT_TRUE(window_->runner().designs().wait_until_idle(60'000));
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(action(QStringLiteral("Stop"))->isEnabled());
+}
+
 TEST_F(DesignSession, AVariableIsSearchedTakenOverAsOneEditAndTakenBack) {
     open_project("lsm-network", "recommended");
     const std::size_t before = analysis().designs.size();
