@@ -42,6 +42,11 @@ const std::vector<Notation>& notations() {
     return all;
 }
 
+/// Letters and abbreviations (u, U, k, p, MPE) are the same in every language.
+bool is_translated(std::string_view word) {
+    return word.size() > 1 && word != "MPE";
+}
+
 tl::unexpected<Error> not_read(Message message) {
     return fail(ErrorCode::bad_input, std::move(message));
 }
@@ -363,15 +368,14 @@ std::vector<std::string> statement_words() {
     std::vector<std::string> words;
     for (const Notation& notation : notations())
         for (const std::string_view word : {notation.words.front(), notation.second})
-            if (word.size() > 1 && word != "MPE") words.emplace_back(word);
+            if (is_translated(word)) words.emplace_back(word);
     return words;
 }
 
 std::string statement_text(const TypedStatement& statement, const Unit& unit,
                            const std::function<std::string(double)>& number, const WordOf& word) {
     const auto say = [&](std::string_view english) {
-        const bool has_forms = word && english.size() > 1 && english != "MPE";
-        return has_forms ? word(std::string(english)) : std::string(english);
+        return word && is_translated(english) ? word(std::string(english)) : std::string(english);
     };
     for (const Notation& notation : notations()) {
         if (notation.kind != statement.kind) continue;

@@ -44,6 +44,12 @@ Cell interval(double si, const Unit& unit) {
     return Measured{si, Scale::interval, unit, {}};
 }
 
+std::vector<BudgetRow> rows_at(const UncertaintyResult& result, const std::vector<BudgetPlace>& places) {
+    std::vector<BudgetRow> rows;
+    for (const BudgetPlace& place : places) rows.push_back(result.budget.rows[place.output][place.row]);
+    return rows;
+}
+
 /// The unit that all places have in common.
 std::optional<Unit> common_unit(const UncertaintyResult& result, const std::vector<BudgetPlace>& places) {
     for (const BudgetPlace& place : places)
@@ -76,10 +82,6 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
                    const DocumentLanguage& language) {
     const std::optional<Unit> unit = common_unit(result, at);
     const auto places = std::make_shared<const std::vector<BudgetPlace>>(std::move(at));
-    std::vector<BudgetRow> rows;
-    for (const auto& [output, row] : *places) rows.push_back(result.budget.rows[output][row]);
-    const auto labels =
-        std::make_shared<const std::vector<Text>>(component_labels(result.budget, rows, language));
     Table table{"budget", "Uncertainty budgets", places->size()};
     using L = const BudgetLine&;
     const auto add = [&](const char* key, auto get) -> Column& {
@@ -92,7 +94,15 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
         .print("Symbol")
         .window("Quantities", "Input quantities that the component is part of")
         .of_symbols();
-    table.add("label", [labels](std::size_t i) -> Cell { return (*labels)[i]; })
+    // Made when they are asked for: files of thousands of rows have none.
+    const auto labels = std::make_shared<std::vector<Text>>();
+    table
+        .add("label",
+             [&result, places, labels, language](std::size_t i) -> Cell {
+                 if (labels->empty())
+                     *labels = component_labels(result.budget, rows_at(result, *places), language);
+                 return (*labels)[i];
+             })
         .window("Input quantity", "Quantity or component of uncertainty, as at the bars of the chart")
         .not_in_files();
     add("component", [](L l) -> Cell { return l.component.name; }).window("Component of uncertainty");
