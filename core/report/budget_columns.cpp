@@ -44,12 +44,6 @@ Cell interval(double si, const Unit& unit) {
     return Measured{si, Scale::interval, unit, {}};
 }
 
-std::vector<BudgetRow> rows_at(const UncertaintyResult& result, const std::vector<BudgetPlace>& places) {
-    std::vector<BudgetRow> rows;
-    for (const BudgetPlace& place : places) rows.push_back(result.budget.rows[place.output][place.row]);
-    return rows;
-}
-
 /// The unit that all places have in common.
 std::optional<Unit> common_unit(const UncertaintyResult& result, const std::vector<BudgetPlace>& places) {
     for (const BudgetPlace& place : places)
@@ -76,6 +70,12 @@ std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std:
                !(row.one_at_a_time && *row.one_at_a_time > 1e-9 * combined);
     });
     return places;
+}
+
+std::vector<BudgetRow> rows_at(const UncertaintyResult& result, const std::vector<BudgetPlace>& places) {
+    std::vector<BudgetRow> rows;
+    for (const BudgetPlace& place : places) rows.push_back(result.budget.rows[place.output][place.row]);
+    return rows;
 }
 
 Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,

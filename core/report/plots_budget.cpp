@@ -36,9 +36,7 @@ std::size_t bars_to_show(const std::vector<BudgetRow>& rows, std::size_t most) {
 
 Bars bars_of(const UncertaintyResult& result, std::size_t output, std::size_t most,
              const DocumentLanguage& language) {
-    std::vector<BudgetRow> all;
-    for (const BudgetPlace& place : places_that_count(result, output))
-        all.push_back(result.budget.rows[output][place.row]);
+    const std::vector<BudgetRow> all = rows_at(result, places_that_count(result, output));
     const std::size_t shown = bars_to_show(all, most);
     const std::vector<BudgetRow> rows(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(shown));
     const double u = result.outputs[output].standard_uncertainty;

@@ -33,6 +33,7 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> pla
 std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::size_t output);
 /// Without components whose contribution is only rounding of a sensitivity coefficient of zero.
 std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std::size_t output);
+std::vector<BudgetRow> rows_at(const UncertaintyResult& result, const std::vector<BudgetPlace>& places);
 
 /// A row about quantities with equal components, or about one share of a quantity.
 struct InputRow {

@@ -30,9 +30,9 @@ std::string format_estimate(double value, double uncertainty);
 /// 000, where k of a t distribution differs from the normal one by less than 0.03 %.
 double shown_degrees_of_freedom(double nu);
 std::string format_degrees_of_freedom(double nu);
-/// Behind the number of a cell, with its space, where the head of the column does not give it.
 /// 0 for a length or angle below a femtometre or femtoradian, which is rounding of a computation.
 double without_residue(double shown, const Unit& unit);
+/// Behind the number of a cell, with its space, where the head of the column does not give it.
 std::string unit_of_cell(const Quantity& quantity, const TableColumn& column);
 /// Cell as people read it, in the column's unit.
 std::string format_cell(const TableCell& cell, const TableColumn& column);
