@@ -52,6 +52,21 @@ std::optional<Unit> common_unit(const UncertaintyResult& result, const std::vect
     return result.outputs[places.front().output].quantity.unit;
 }
 
+/// Made when they are asked for: files of thousands of rows have none.
+void add_labels(Table& table, const UncertaintyResult& result, const Places& places,
+                const DocumentLanguage& language) {
+    const auto labels = std::make_shared<std::vector<Text>>();
+    table
+        .add("label",
+             [&result, places, labels, language](std::size_t i) -> Cell {
+                 if (labels->empty())
+                     *labels = component_labels(result.budget, rows_at(result, *places), language);
+                 return (*labels)[i];
+             })
+        .window("Input quantity", "Quantity or component of uncertainty, as at the bars of the chart")
+        .not_in_files();
+}
+
 }  // namespace
 
 std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::size_t output) {
@@ -94,17 +109,7 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
         .print("Symbol")
         .window("Quantities", "Input quantities that the component is part of")
         .of_symbols();
-    // Made when they are asked for: files of thousands of rows have none.
-    const auto labels = std::make_shared<std::vector<Text>>();
-    table
-        .add("label",
-             [&result, places, labels, language](std::size_t i) -> Cell {
-                 if (labels->empty())
-                     *labels = component_labels(result.budget, rows_at(result, *places), language);
-                 return (*labels)[i];
-             })
-        .window("Input quantity", "Quantity or component of uncertainty, as at the bars of the chart")
-        .not_in_files();
+    add_labels(table, result, places, language);
     add("component", [](L l) -> Cell { return l.component.name; }).window("Component of uncertainty");
     add("component in words",
         [](L l) -> Cell {
