@@ -423,7 +423,9 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void SceneView::wheelEvent(QWheelEvent* event) {
     const double factor = std::pow(1.0015, event->angleDelta().y());
-    post_framing([factor](SceneRenderer& renderer) { renderer.zoom(factor); });
+    post_framing([factor, about = pixel_at(event->position())](SceneRenderer& renderer) {
+        renderer.zoom(factor, about);
+    });
     event->accept();
 }
 

@@ -162,4 +162,11 @@ Camera zoomed(const Camera& camera, double factor) {
     return result;
 }
 
+Camera zoomed(const Camera& camera, double factor, PictureSize size, Pixel about) {
+    Camera result = zoomed(camera, factor);
+    const Eigen::Vector3d p_W = world_at(camera, size, about, camera.focal_point);
+    result.focal_point = p_W + result.half_height / camera.half_height * (camera.focal_point - p_W);
+    return result;
+}
+
 }  // namespace covaria

@@ -77,5 +77,7 @@ Camera orbited(const Camera& camera, PictureSize size, double dx, double dy);
 Camera panned(const Camera& camera, PictureSize size, double dx, double dy);
 /// factor > 1 shows things larger.
 Camera zoomed(const Camera& camera, double factor);
+/// What is under the pixel, in the plane through the focal point, stays there.
+Camera zoomed(const Camera& camera, double factor, PictureSize size, Pixel about);
 
 }  // namespace covaria

@@ -195,6 +195,9 @@ void SceneRenderer::pan(double dx, double dy) {
 void SceneRenderer::zoom(double factor) {
     set_camera(zoomed(implementation_->camera, factor));
 }
+void SceneRenderer::zoom(double factor, Pixel about) {
+    set_camera(zoomed(implementation_->camera, factor, implementation_->size, about));
+}
 Camera SceneRenderer::camera() const {
     return implementation_->camera;
 }

@@ -72,6 +72,7 @@ public:
     void orbit(double dx, double dy);        ///< pixels of a drag
     void pan(double dx, double dy);
     void zoom(double factor);
+    void zoom(double factor, Pixel about);  ///< what is there stays there
     Camera camera() const;
     void set_camera(const Camera& camera);
 

@@ -127,6 +127,15 @@ TEST(Camera, PanMovesWithThePointerAndZoomScales) {
     EXPECT_NEAR(b.y - a.y, -12, 1e-9);
     EXPECT_NEAR(zoomed(camera, 2).half_height, camera.half_height / 2, 1e-15);
     EXPECT_EQ(zoomed(camera, 0).half_height, camera.half_height);
+    for (const bool perspective : {false, true}) {
+        Camera about = camera;
+        about.perspective = perspective;
+        const Pixel pointer{100, 333};
+        const Eigen::Vector3d under = world_at(about, size, pointer, about.focal_point);
+        const Pixel after = project(zoomed(about, 1.7, size, pointer), size, under);
+        EXPECT_NEAR(after.x, pointer.x, 1e-9) << "what is under the pointer stays there";
+        EXPECT_NEAR(after.y, pointer.y, 1e-9);
+    }
 }
 
 TEST(Pick, FindsEachPointUnderItsPixel) {
