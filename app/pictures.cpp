@@ -104,6 +104,7 @@ Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest&
     SceneOptions options;
     options.group = request.group;
     options.context = request.context;
+    options.units = evaluated.analysis->style.units;
     options.magnification = request.magnification;
     options.probability =
         request.probability > 0 ? request.probability : evaluated.analysis->options.coverage_probability;

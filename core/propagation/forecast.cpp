@@ -20,6 +20,11 @@ double end_point_variance(double probability) {
     return q * (1.0 - q) / (density * density);
 }
 
+/// "2 100 000": to two digits, which is more than a forecast knows.
+std::string rounded_count(double number) {
+    return format_decimals(number, std::min(0, decimals_for(number)));
+}
+
 }  // namespace
 
 Message AdaptiveForecast::words() const {
@@ -28,7 +33,7 @@ Message AdaptiveForecast::words() const {
                                               : tell<"%1 of %2">(output.symbol, said_name(output.group));
     return tell<"a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)">(
         format_short(output.unit.interval_from_si(tolerance), 2), unit, name,
-        format_short(output.unit.interval_from_si(u), 2), format_short(trials, 2), format_short(batches, 2));
+        format_short(output.unit.interval_from_si(u), 2), rounded_count(trials), rounded_count(batches));
 }
 
 std::optional<AdaptiveForecast> forecast_adaptive(const MeasurementModel& model,

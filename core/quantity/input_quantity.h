@@ -44,7 +44,9 @@ struct UncertaintyComponent {
     /// Who brings it in, for results with all of a contributor held: the id of an asset, "" = the set-up.
     std::string contributor = {};
     std::string contributor_name = {};  ///< for people; empty: as `contributor`
-    std::vector<GroupTag> tags = {};    ///< beside those of its quantities
+    /// Id of the asset that states it, where that is not the contributor: a sensor of a network.
+    std::string stated_by = {};
+    std::vector<GroupTag> tags = {};  ///< beside those of its quantities
     /// Of one point, whose coordinates share it only because they do not lie along its direction: an edit of
     /// one of them takes its place there.
     bool local = false;

@@ -41,7 +41,7 @@ void name_apart(std::vector<ListedPoint>& points, Proposals& proposals) {
     }
     if (again > 0)
         proposals.found.push_back(
-            again == 1 ? tell<"1 name occur again and have got a number: first %1">(example)
+            again == 1 ? tell<"1 name occurs again and has got a number: first %1">(example)
                        : tell<"%1 names occur again and have got a number: first %2">(again, example));
 }
 

@@ -1,4 +1,5 @@
 // The uncertainty budget.
+#include <algorithm>
 #include <memory>
 
 #include "core/report/component_labels.h"
@@ -10,6 +11,8 @@ namespace {
 
 using Scale = Measured::Scale;
 using Places = std::shared_ptr<const std::vector<BudgetPlace>>;
+
+constexpr double least_total_index = 1e-3;  // of a component that the law of propagation does not see
 
 /// A line of a budget and what it is about.
 struct BudgetLine {
@@ -37,7 +40,7 @@ Cell estimate_cell(const BudgetLine& line, const NumberLocale& numbers) {
         return Measured{c.estimate, Scale::value, c.unit, {}};
     const std::string number = grouped_digits(
         format_to_match(unit.from_si(c.estimate), unit.interval_from_si(c.standard_uncertainty)), numbers);
-    return number + (unit == Unit::of("deg") ? "" : "\u00a0") + unit.display();
+    return number + unit_after_number(unit);
 }
 
 Cell interval(double si, const Unit& unit) {
@@ -50,6 +53,34 @@ std::optional<Unit> common_unit(const UncertaintyResult& result, const std::vect
         if (place.output != places.front().output) return std::nullopt;
     if (places.empty()) return std::nullopt;
     return result.outputs[places.front().output].quantity.unit;
+}
+
+/// That of the component at a place, which correlated ones share; null: not evaluated, or left out.
+const SobolIndex* sobol_at(const UncertaintyResult& result, const BudgetPlace& place) {
+    if (place.output >= result.sobol.size()) return nullptr;
+    const std::size_t component = result.budget.rows[place.output][place.row].component;
+    for (const SobolIndex& index : result.sobol[place.output])
+        if (std::find(index.components.begin(), index.components.end(), component) != index.components.end())
+            return &index;
+    return nullptr;
+}
+
+/// For the window: files and reports have a table of them.
+void add_sobol_columns(Table& table, const UncertaintyResult& result, const Places& places) {
+    const auto add = [&](const char* key, double SobolIndex::*share) -> Column& {
+        return table
+            .add(key,
+                 [&result, places, share](std::size_t i) -> Cell {
+                     const SobolIndex* index = sobol_at(result, (*places)[i]);
+                     return index ? Cell(Measured{index->*share}) : Cell();
+                 })
+            .round({.decimals = 1, .percent = true})
+            .not_in_files();
+    };
+    add("sobol", &SobolIndex::first)
+        .window("S / %", "Share of the variance that the component causes by itself (Sobol index)");
+    add("sobol total", &SobolIndex::total)
+        .window("S total / %", "Share of the variance with all interactions of the component with others");
 }
 
 /// Made when they are asked for: files of thousands of rows have none.
@@ -81,8 +112,10 @@ std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std:
     std::vector<BudgetPlace> places = budget_places(result, output);
     std::erase_if(places, [&](const BudgetPlace& place) {
         const BudgetRow& row = result.budget.rows[output][place.row];
+        const SobolIndex* index = sobol_at(result, place);
         return row.contribution < 1e-9 * combined &&
-               !(row.one_at_a_time && *row.one_at_a_time > 1e-9 * combined);
+               !(row.one_at_a_time && *row.one_at_a_time > 1e-9 * combined) &&
+               !(index && index->total > least_total_index);
     });
     return places;
 }
@@ -162,6 +195,7 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
         .window("u one at a time", "By Monte Carlo with every other component kept constant")
         .digits(2)
         .in(unit);
+    add_sobol_columns(table, result, places);
     add("held", [](L l) -> Cell { return Answer{l.component.held}; });
     add("origin", [](L l) -> Cell {
         return l.component.origin;

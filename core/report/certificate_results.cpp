@@ -56,10 +56,9 @@ void add_lines(Blocks& blocks, const UncertaintyResult& result, const std::vecto
     FactsBlock lines;
     for (const std::size_t i : outputs) {
         const OutputResult& output = result.outputs[i];
-        lines.facts.emplace_back(name_of_result(output.quantity, in),
-                                 symbol_in_text(output.quantity.symbol) + " = " +
-                                     value_statement(output, true, in) + ", " +
-                                     coverage_statement(output, result, in));
+        lines.facts.emplace_back(
+            name_of_result(output.quantity, in),
+            symbol_in_text(output.quantity.symbol) + " = " + result_statement(output, result, in));
     }
     blocks.push_back(std::move(lines));
 }

@@ -1,11 +1,13 @@
 // Results beside each other, and the difference of their budgets.
 #include "core/report/comparison_columns.h"
-#include "core/base/own_names.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numeric>
+
+#include "core/base/own_names.h"
+#include "core/report/component_labels.h"
 
 namespace covaria {
 namespace {
@@ -167,6 +169,21 @@ std::optional<Unit> unit_of_all(const ResultComparison& comparison,
     return pair_of(comparison, places.front()).output.unit;
 }
 
+/// Made when they are asked for: files of thousands of rows have none.
+void add_labels(Table& table, const ResultComparison& comparison,
+                const std::shared_ptr<const std::vector<ComparedPlace>>& places,
+                const DocumentLanguage& language) {
+    const auto labels = std::make_shared<std::vector<Text>>();
+    table
+        .add("label",
+             [&comparison, places, labels, language](std::size_t row) -> Cell {
+                 if (labels->empty()) *labels = compared_labels(comparison, *places, language);
+                 return (*labels)[row];
+             })
+        .window("Input quantity", "Quantity or component of uncertainty, as at the bars of the chart")
+        .not_in_files();
+}
+
 }  // namespace
 
 Table compared_results_table(const ResultComparison& comparison, std::vector<std::size_t> outputs) {
@@ -194,7 +211,16 @@ bool has_changed(const ResultComparison& comparison, const ComparedPlace& place)
     return std::abs(place.component.change()) > 1e-12 * scale;
 }
 
-Table compared_budget_table(const ResultComparison& comparison, std::vector<ComparedPlace> at) {
+std::vector<Text> compared_labels(const ResultComparison& comparison,
+                                  const std::vector<ComparedPlace>& places,
+                                  const DocumentLanguage& language) {
+    std::vector<const BudgetComponent*> components;
+    for (const ComparedPlace& place : places) components.push_back(&pair_of(comparison, place).either());
+    return component_labels(components, language);
+}
+
+Table compared_budget_table(const ResultComparison& comparison, std::vector<ComparedPlace> at,
+                            const DocumentLanguage& language) {
     const std::optional<Unit> unit = unit_of_all(comparison, at);
     const auto places = std::make_shared<const std::vector<ComparedPlace>>(std::move(at));
     Table table{"compared-budget", "Budgets before and after", places->size()};
@@ -211,6 +237,7 @@ Table compared_budget_table(const ResultComparison& comparison, std::vector<Comp
         .print("Symbol")
         .window("Input quantity")
         .of_symbols();
+    add_labels(table, comparison, places, language);
     add("component", [](P p) -> Cell { return p.either().name; })
         .print("Component")
         .window("Component of uncertainty");

@@ -20,8 +20,12 @@ struct ComparedPlace {
     std::size_t output = 0;  ///< index into `ResultComparison::outputs`
     ComparedComponent component = {};
 };
-/// A row for each place.
-Table compared_budget_table(const ResultComparison& comparison, std::vector<ComparedPlace> places);
+/// A row for each place. `language`: of the labels of rows.
+Table compared_budget_table(const ResultComparison& comparison, std::vector<ComparedPlace> places,
+                            const DocumentLanguage& language = {});
+/// Names of the components of these places that tell them apart.
+std::vector<Text> compared_labels(const ResultComparison& comparison,
+                                  const std::vector<ComparedPlace>& places, const DocumentLanguage& language);
 /// Every component of the output, by falling change.
 std::vector<ComparedPlace> compared_places(const ResultComparison& comparison, std::size_t output);
 /// Whether its part of the variance is another, beyond rounding.

@@ -44,18 +44,6 @@ void extend(PlotAxis& axis, const PlottedOutput& y, bool first) {
     axis.high = first ? high : std::max(axis.high, high);
 }
 
-Text component_label(const ResultComparison& comparison, const ComparedPlace& place,
-                     const DocumentLanguage& language) {
-    const Table table = compared_budget_table(comparison, {place});
-    const Cell cell = table.cell(0, "quantity");
-    const Symbols& symbols = std::get<Symbols>(cell);
-    const std::string name = language.say(std::get<Message>(table.cell(0, "component")));
-    const Text words = running_text(name);
-    if (symbols.size() != 1) return name.empty() ? Text(std::get<std::string>(table.cell(0, "id"))) : words;
-    const Text symbol = symbol_text(symbols.front());
-    return name.empty() ? symbol : symbol + ", " + words;
-}
-
 }  // namespace
 
 PlotSpecification compared_distributions_plot(const ResultComparison& comparison, std::size_t output,
@@ -113,13 +101,14 @@ PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::s
     PlotSeries bars{"", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.72};
     const std::size_t shown = places.size() <= rows ? places.size() : rows - 1;
     double rest = 0.0;
+    plot.y.categories = compared_labels(
+        comparison, {places.begin(), places.begin() + static_cast<std::ptrdiff_t>(shown)}, language);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const double change = 100.0 * places[i].component.change() / (u * u);
         if (i >= shown) {
             rest += change;
             continue;
         }
-        plot.y.categories.push_back(component_label(comparison, places[i], language));
         bars.x.push_back(change);
     }
     if (shown < places.size()) {

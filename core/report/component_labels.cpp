@@ -12,13 +12,13 @@ namespace {
 enum class IdPart { first, all_but_last };
 
 /// Labels that several rows have get what their component is of, from its id: "b_1.tracker.azimuth".
-void tell_apart(std::vector<Text>& labels, const UncertaintyBudget& budget,
-                const std::vector<BudgetRow>& rows, IdPart part) {
+void tell_apart(std::vector<Text>& labels, const std::vector<const BudgetComponent*>& components,
+                IdPart part) {
     std::map<Text, int> uses;
     for (const Text& label : labels) ++uses[label];
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (uses[labels[i]] < 2) continue;
-        const std::string& id = budget.components[rows[i].component].id;
+        const std::string& id = components[i]->id;
         const std::size_t end = part == IdPart::first ? id.find('.') : id.rfind('.');
         labels[i] = symbols_text(id.substr(0, end)) + ": " + labels[i];
     }
@@ -38,20 +38,25 @@ Text label_of(const BudgetComponent& component, bool alone, const DocumentLangua
 
 }  // namespace
 
-std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,
+std::vector<Text> component_labels(const std::vector<const BudgetComponent*>& components,
                                    const DocumentLanguage& in) {
     std::map<std::vector<std::string>, int> uses;
-    for (const BudgetRow& row : rows) ++uses[budget.components[row.component].quantities];
+    for (const BudgetComponent* component : components) ++uses[component->quantities];
     std::vector<Text> labels;
-    for (const BudgetRow& row : rows) {
-        const BudgetComponent& component = budget.components[row.component];
-        labels.push_back(label_of(component, uses[component.quantities] == 1, in));
-    }
+    for (const BudgetComponent* component : components)
+        labels.push_back(label_of(*component, uses[component->quantities] == 1, in));
     std::vector<Text> shorter = labels;
-    tell_apart(shorter, budget, rows, IdPart::first);
+    tell_apart(shorter, components, IdPart::first);
     if (are_different(shorter)) return shorter;
-    tell_apart(labels, budget, rows, IdPart::all_but_last);
+    tell_apart(labels, components, IdPart::all_but_last);
     return labels;
+}
+
+std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,
+                                   const DocumentLanguage& in) {
+    std::vector<const BudgetComponent*> components;
+    for (const BudgetRow& row : rows) components.push_back(&budget.components[row.component]);
+    return component_labels(components, in);
 }
 
 }  // namespace covaria

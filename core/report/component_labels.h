@@ -11,6 +11,9 @@ namespace covaria {
 
 /// "b₁ₓ" if that names the component among these rows, else "b₁ₓ, calibration"; the name alone where several
 /// quantities share the component, after what it is of: "b₁: Laser tracker, azimuth".
+std::vector<Text> component_labels(const std::vector<const BudgetComponent*>& components,
+                                   const DocumentLanguage& in);
+/// Of the components of these rows.
 std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,
                                    const DocumentLanguage& in);
 

@@ -37,7 +37,8 @@ inline const Phrase of_second_order{
     "as "
     "Monte Carlo shows"};
 inline const Phrase contributions{"Contributions to u(%1)"};
-inline const Phrase share{"share of the variance (%)"};
+inline const Phrase first_order_differs{"%1 (u of first order: %2 of that by Monte Carlo)"};
+inline const Phrase share{"share of the variance, first order (%)"};
 inline const Phrase first_order{"first order"};
 inline const Phrase one_at_a_time{"one at a time, Monte Carlo"};
 inline const Phrase others{"%1 others"};

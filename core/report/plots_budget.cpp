@@ -10,6 +10,7 @@
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
+#include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -17,6 +18,8 @@ namespace {
 
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
+
+constexpr double unnoticed_difference = 0.05;  // of u by the two methods
 
 struct Bars {
     std::vector<Text> labels;
@@ -65,6 +68,17 @@ bool is_of_second_order(const OutputResult& output) {
     return output.first_order.standard_uncertainty < 1e-9 * output.standard_uncertainty;
 }
 
+/// "Contributions to u(x), pose 1"; with how much of u they are contributions to, where that is not all.
+Text title_of_contributions(const PlottedOutput& y, const DocumentLanguage& language) {
+    const std::string& group = y.output().quantity.group;
+    const Text title = language.say_text(plot_words::contributions, {y.symbol()}) +
+                       (group.empty() ? "" : ", " + language.say(said_name(group)));
+    const double part = y.output().first_order.standard_uncertainty / y.output().standard_uncertainty;
+    if (!std::isfinite(part) || std::abs(part - 1.0) <= unnoticed_difference) return title;
+    return language.say_text(plot_words::first_order_differs,
+                             {title, percent_text(0.01 * std::round(100.0 * part), language.numbers())});
+}
+
 std::vector<double> counted(std::size_t n) {
     std::vector<double> positions;
     for (std::size_t i = 0; i < n; ++i) positions.push_back(static_cast<double>(i));
@@ -85,9 +99,7 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
     Bars bars = bars_of(result, output, std::max<std::size_t>(rows, 2), language);
     PlotSpecification plot;
     plot.id = id;
-    plot.title =
-        language.say_text(plot_words::contributions, {y.symbol()}) +
-        (y.output().quantity.group.empty() ? "" : ", " + language.say(said_name(y.output().quantity.group)));
+    plot.title = title_of_contributions(y, language);
     plot.horizontal_bars = true;
     plot.x.title = language.say(plot_words::share);
     plot.y.categories = bars.labels;

@@ -15,12 +15,6 @@ bool is_one(const Unit& unit) {
     return unit.text() == "1";
 }
 
-/// A space between number and unit, except before the degree sign of plane angle (SI Brochure 5.4.3).
-std::string unit_after_number(const Unit& unit) {
-    if (is_one(unit)) return {};
-    return (unit.text() == "deg" ? "" : "\u00a0") + unit.display();
-}
-
 }  // namespace
 
 PlottedOutput::PlottedOutput(const UncertaintyResult& result, std::size_t output, const DisplayUnits& units,

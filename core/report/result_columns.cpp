@@ -258,7 +258,8 @@ private:
             .digits(3);
         table_.add("nu_eff", pure(first(&F::effective_degrees_of_freedom)))
             .print_symbol("nu_eff")
-            .window(symbol_text("nu_eff"), "Effective degrees of freedom (JCGM 100 G.4)")
+            .window(result_.trials > 0 ? Text("\u03bd (first order)") : symbol_text("nu_eff"),
+                    "Effective degrees of freedom (JCGM 100 G.4)")
             .round({.degrees_of_freedom = true});
         table_.add("k first order", pure(first(&F::coverage_factor)));
         table_.add("U first order", interval(first(&F::expanded_uncertainty)))

@@ -45,13 +45,6 @@ std::string power_words(int exponent) {
     return exponent == 0 ? "" : "×" + power_of_ten(exponent);
 }
 
-/// With the blank before it, which a degree has none of.
-std::string unit_words(const Unit& unit) {
-    const std::string text = unit.text() == "1" ? "" : unit.display();
-    const bool raised = text.starts_with("°") && text.size() == std::string("°").size();
-    return text.empty() || raised ? text : "\u00a0" + text;
-}
-
 }  // namespace
 
 std::string value_statement(const OutputResult& output, bool with_unit, const DocumentLanguage& in) {
@@ -62,13 +55,32 @@ std::string value_statement(const OutputResult& output, bool with_unit, const Do
 std::string value_statement(double estimate, double uncertainty, const Unit& unit, int digits, bool with_unit,
                             const DocumentLanguage& in) {
     const double y = unit.from_si(estimate), U = unit.interval_from_si(uncertainty);
-    const std::string in_unit = with_unit ? unit_words(unit) : "";
+    const std::string in_unit = with_unit ? unit_after_number(unit) : "";
     if (!has_interval(y, U))
         return in.say(U == 0.0 ? certificate_words::exact : certificate_words::not_finite,
                       {grouped_digits(format_typed(y), in.numbers()) + in_unit});
     const Place place = place_for(y, U, digits, in.numbers());
     const std::string pair = place(y) + " ± " + place(U), power = power_words(place.exponent);
     return in_unit.empty() && power.empty() ? pair : "(" + pair + ")" + power + in_unit;
+}
+
+std::string result_statement(const OutputResult& output, const UncertaintyResult& result,
+                             const DocumentLanguage& in) {
+    const std::string interval = skewed_interval(output, result, in);
+    if (interval.empty() || expanded_by(result) == ExpandedBy::fixed_factor) {
+        const std::string value = value_statement(output, true, in);
+        return output.expanded_uncertainty == 0.0 ? value
+                                                  : value + ", " + coverage_statement(output, result, in);
+    }
+    const Unit& unit = output.quantity.unit;
+    const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
+    const Place place = place_for(y, U, 2, in.numbers());
+    const std::string behind = power_words(place.exponent) + unit_after_number(unit);
+    std::string words = place(y) + behind;
+    if (std::isfinite(output.standard_uncertainty))
+        words += ", u = " + place(unit.interval_from_si(output.standard_uncertainty)) + behind;
+    return words + ", p = " + probability_text(stated_probability(output, result), in) + ", " +
+           in.say(certificate_words::coverage_interval, {interval});
 }
 
 double stated_probability(const OutputResult& output, const UncertaintyResult& result) {
@@ -121,7 +133,8 @@ std::string skewed_interval(const OutputResult& output, const UncertaintyResult&
         return {};
     const Place place = place_for(y, U, 2, in.numbers());
     const char* between = in.numbers().decimal == "," ? "; " : ", ";
-    return "[" + place(low) + between + place(high) + "]" + power_words(place.exponent) + unit_words(unit);
+    return "[" + place(low) + between + place(high) + "]" + power_words(place.exponent) +
+           unit_after_number(unit);
 }
 
 }  // namespace covaria

@@ -93,7 +93,7 @@ private:
         return tell<
             "%1 = %2, u_c = %3, effective degrees of freedom %4, k = %5, p = %6 (law of propagation).">(
             output_label(output_.quantity), value,
-            number(format_significant(u, digits_)) + (unit == Unit{} ? "" : "\u00a0" + unit.display()),
+            number(format_significant(u, digits_)) + unit_after_number(unit),
             number(format_degrees_of_freedom(first.effective_degrees_of_freedom)),
             number(format_decimals(first.coverage_factor, 2)),
             probability_text(stated_probability(first, result_), in_));

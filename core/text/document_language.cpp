@@ -55,7 +55,8 @@ PlotSpecification DocumentLanguage::say_plot(PlotSpecification plot) const {
     const auto say = [this](Text& text) { text = say_title(text); };
     for (Text* text : {&plot.title, &plot.x.title, &plot.x.short_title, &plot.y.title, &plot.y.short_title})
         say(*text);
-    for (PlotSeries& series : plot.series) say(series.name);
+    for (PlotSeries& series : plot.series)
+        if (!series.is_named) say(series.name);
     for (PlotMark& mark : plot.marks) say(mark.label);
     for (PlotBand& band : plot.bands) say(band.label);
     return plot;

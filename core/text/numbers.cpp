@@ -155,9 +155,13 @@ double without_residue(double shown, const Unit& unit) {
     return is_measured && std::abs(unit.interval_to_si(shown)) < 1e-15 ? 0.0 : shown;
 }
 
+std::string unit_after_number(const Unit& unit) {
+    if (unit.text() == "1") return {};
+    return (unit.text() == "deg" ? "" : "\u00a0") + unit.display();
+}
+
 std::string unit_of_cell(const Quantity& quantity, const TableColumn& column) {
-    const std::string unit = quantity.unit.text() == "1" ? "" : quantity.unit.display();
-    return unit.empty() || quantity.unit == column.unit ? "" : "\u00a0" + unit;
+    return quantity.unit == column.unit ? "" : unit_after_number(quantity.unit);
 }
 
 std::string format_cell(const TableCell& cell, const TableColumn& column) {

@@ -32,6 +32,8 @@ double shown_degrees_of_freedom(double nu);
 std::string format_degrees_of_freedom(double nu);
 /// 0 for a length or angle below a femtometre or femtoradian, which is rounding of a computation.
 double without_residue(double shown, const Unit& unit);
+/// With a space before it, except the degree sign of plane angle (SI Brochure 5.4.3); empty for 1.
+std::string unit_after_number(const Unit& unit);
 /// Behind the number of a cell, with its space, where the head of the column does not give it.
 std::string unit_of_cell(const Quantity& quantity, const TableColumn& column);
 /// Cell as people read it, in the column's unit.

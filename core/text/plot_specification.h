@@ -47,6 +47,7 @@ struct PlotSeries {
     SeriesRole role = SeriesRole::data;
     std::vector<double> x, y, z;
     double bar_width = 0.0;  ///< in x units (horizontal bars: y units)
+    bool is_named = false;   ///< by somebody: the name is as it is in every language
 };
 
 /// A vertical (or horizontal) line with a label: mean, ends of an interval, a target.

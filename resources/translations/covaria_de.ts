@@ -4832,10 +4832,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Beiträge zu u(%1)</translation>
     </message>
     <message>
-        <source>share of the variance (%)</source>
-        <translation>Anteil an der Varianz (%)</translation>
-    </message>
-    <message>
         <source>first order</source>
         <translation>erste Ordnung</translation>
     </message>
@@ -10232,7 +10228,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>%1 Punkte</translation>
     </message>
     <message>
-        <source>1 name occur again and have got a number: first %1</source>
+        <source>1 name occurs again and has got a number: first %1</source>
         <translation>1 Name kommt mehrfach vor und hat eine Nummer erhalten: zuerst %1</translation>
     </message>
     <message>
@@ -13063,6 +13059,38 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>scale bar %1</source>
         <translation>Maßstab %1</translation>
     </message>
+    <message>
+        <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
+        <translation>%1 (u erster Ordnung: %2 dessen von Monte Carlo)</translation>
+    </message>
+    <message>
+        <source>share of the variance, first order (%)</source>
+        <translation>Anteil an der Varianz, erste Ordnung (%)</translation>
+    </message>
+    <message>
+        <source>S / %</source>
+        <translation>S / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance that the component causes by itself (Sobol index)</source>
+        <translation>Anteil an der Varianz, den die Komponente allein verursacht (Sobol-Index)</translation>
+    </message>
+    <message>
+        <source>S total / %</source>
+        <translation>S gesamt / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance with all interactions of the component with others</source>
+        <translation>Anteil an der Varianz mit allen Wechselwirkungen der Komponente mit anderen</translation>
+    </message>
+    <message>
+        <source>ν (first order)</source>
+        <translation>ν (erste Ordnung)</translation>
+    </message>
+    <message>
+        <source>%1 out of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13311,14 +13339,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Erweiterte Unsicherheit</translation>
     </message>
     <message>
-        <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>Die Analyse ist noch nicht vollständig: was noch anzugeben ist, steht unten.</translation>
-    </message>
-    <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation>Die Analyse hat Probleme; sie sind unten aufgeführt.</translation>
-    </message>
-    <message>
         <source>the picture shows no result of the analysis</source>
         <translation>das Bild kein Ergebnis der Analyse zeigt</translation>
     </message>
@@ -13463,10 +13483,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Als PDF speichern</translation>
     </message>
     <message>
-        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
-        <translation>Bericht als PDF in der Werkzeugleiste (Strg+P) schreibt den Bericht mit dem Projekt darin, so dass Covaria ihn wieder öffnen kann. Der Kalibrierschein steht im Menü Datei unter Exportieren.</translation>
-    </message>
-    <message>
         <source># Keys
 
 | Key | Does |
@@ -13519,6 +13535,18 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>The analysis is not complete yet: what must still be given is listed under Problems.</source>
+        <translation>Die Analyse ist noch nicht vollständig: was noch anzugeben ist, steht unter „Probleme“.</translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed under Problems.</source>
+        <translation>Die Analyse hat Probleme; sie stehen unter „Probleme“.</translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
+        <translation>Bericht als PDF in der Werkzeugleiste (Strg+P) schreibt den Bericht mit dem Projekt darin, so dass Covaria ihn wieder öffnen kann. Solange der Reiter Bericht den Kalibrierschein zeigt, schreibt die Schaltfläche diesen; er steht auch im Menü Datei unter Exportieren.</translation>
     </message>
 </context>
 <context>
@@ -13654,6 +13682,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
         <translation>%1 ist keine Einheit für eine Größe in %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number of degrees of freedom.</source>
+        <translation>„%1“ ist keine Anzahl von Freiheitsgraden.</translation>
     </message>
 </context>
 <context>
@@ -13928,6 +13960,18 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Reset components of %1</source>
         <translation>Komponenten von %1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Its uncertainty comes from another analysis.</source>
+        <translation>Ihre Unsicherheit kommt aus einer anderen Analyse.</translation>
+    </message>
+    <message>
+        <source>Components that it shares with other quantities are edited where they are stated.</source>
+        <translation>Komponenten, die sie mit anderen Größen teilt, werden dort bearbeitet, wo sie angegeben sind.</translation>
+    </message>
+    <message>
+        <source>It has no component of uncertainty yet.</source>
+        <translation>Sie hat noch keine Unsicherheitskomponente.</translation>
     </message>
 </context>
 <context>
@@ -15271,8 +15315,8 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <translation>Eingangsgrößen</translation>
     </message>
     <message>
-        <source>Take From an Analysis…</source>
-        <translation>Aus einer Analyse nehmen…</translation>
+        <source>Take From an Analysis …</source>
+        <translation>Aus einer Analyse nehmen …</translation>
     </message>
     <message>
         <source>Remove Link</source>
@@ -17454,8 +17498,8 @@ und Großraummetrologie</translation>
         <translation>Zeilen löschen</translation>
     </message>
     <message>
-        <source>Import CSV…</source>
-        <translation>CSV importieren…</translation>
+        <source>Import CSV …</source>
+        <translation>CSV importieren …</translation>
     </message>
     <message>
         <source>Read from %1</source>

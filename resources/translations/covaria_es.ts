@@ -4832,10 +4832,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Contribuciones a u(%1)</translation>
     </message>
     <message>
-        <source>share of the variance (%)</source>
-        <translation>parte de la varianza (%)</translation>
-    </message>
-    <message>
         <source>first order</source>
         <translation>primer orden</translation>
     </message>
@@ -10232,7 +10228,7 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>%1 puntos</translation>
     </message>
     <message>
-        <source>1 name occur again and have got a number: first %1</source>
+        <source>1 name occurs again and has got a number: first %1</source>
         <translation>1 nombre se repite y ha recibido un número: el primero, %1</translation>
     </message>
     <message>
@@ -13063,6 +13059,38 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>scale bar %1</source>
         <translation>regla patrón %1</translation>
     </message>
+    <message>
+        <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
+        <translation>%1 (u de primer orden: %2 de la de Monte Carlo)</translation>
+    </message>
+    <message>
+        <source>share of the variance, first order (%)</source>
+        <translation>parte de la varianza, primer orden (%)</translation>
+    </message>
+    <message>
+        <source>S / %</source>
+        <translation>S / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance that the component causes by itself (Sobol index)</source>
+        <translation>Parte de la varianza que la componente causa por sí sola (índice de Sobol)</translation>
+    </message>
+    <message>
+        <source>S total / %</source>
+        <translation>S total / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance with all interactions of the component with others</source>
+        <translation>Parte de la varianza con todas las interacciones de la componente con otras</translation>
+    </message>
+    <message>
+        <source>ν (first order)</source>
+        <translation>ν (primer orden)</translation>
+    </message>
+    <message>
+        <source>%1 out of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13311,14 +13339,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Incertidumbre expandida</translation>
     </message>
     <message>
-        <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>El análisis aún no está completo: lo que falta se enumera abajo.</translation>
-    </message>
-    <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation>El análisis tiene problemas; se enumeran abajo.</translation>
-    </message>
-    <message>
         <source>the picture shows no result of the analysis</source>
         <translation>la imagen no muestra ningún resultado del análisis</translation>
     </message>
@@ -13463,10 +13483,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Guardarlo como PDF</translation>
     </message>
     <message>
-        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
-        <translation>Informe en PDF en la barra de herramientas (Ctrl+P) escribe el informe con el proyecto dentro, de modo que Covaria puede abrirlo de nuevo. El certificado está en el menú Archivo, en Exportar.</translation>
-    </message>
-    <message>
         <source># Keys
 
 | Key | Does |
@@ -13519,6 +13535,18 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>The analysis is not complete yet: what must still be given is listed under Problems.</source>
+        <translation>El análisis aún no está completo: lo que falta figura en Problemas.</translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed under Problems.</source>
+        <translation>El análisis tiene problemas; figuran en Problemas.</translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
+        <translation>Informe en PDF en la barra de herramientas (Ctrl+P) escribe el informe con el proyecto dentro, de modo que Covaria puede abrirlo de nuevo. Mientras la pestaña Informe muestra el certificado, el botón escribe este; también está en el menú Archivo, en Exportar.</translation>
     </message>
 </context>
 <context>
@@ -13654,6 +13682,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
         <translation>%1 no es unidad para una magnitud en %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number of degrees of freedom.</source>
+        <translation>«%1» no es un número de grados de libertad.</translation>
     </message>
 </context>
 <context>
@@ -13928,6 +13960,18 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>Reset components of %1</source>
         <translation>Restablecer componentes de %1</translation>
+    </message>
+    <message>
+        <source>Its uncertainty comes from another analysis.</source>
+        <translation>Su incertidumbre proviene de otro análisis.</translation>
+    </message>
+    <message>
+        <source>Components that it shares with other quantities are edited where they are stated.</source>
+        <translation>Las componentes que comparte con otras magnitudes se editan donde se declaran.</translation>
+    </message>
+    <message>
+        <source>It has no component of uncertainty yet.</source>
+        <translation>Aún no tiene ninguna componente de incertidumbre.</translation>
     </message>
 </context>
 <context>
@@ -15271,8 +15315,8 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <translation>Magnitudes de entrada</translation>
     </message>
     <message>
-        <source>Take From an Analysis…</source>
-        <translation>Tomar de un análisis…</translation>
+        <source>Take From an Analysis …</source>
+        <translation>Tomar de un análisis …</translation>
     </message>
     <message>
         <source>Remove Link</source>
@@ -17454,8 +17498,8 @@ y metrología de grandes dimensiones</translation>
         <translation>Eliminar filas</translation>
     </message>
     <message>
-        <source>Import CSV…</source>
-        <translation>Importar CSV…</translation>
+        <source>Import CSV …</source>
+        <translation>Importar CSV …</translation>
     </message>
     <message>
         <source>Read from %1</source>

@@ -4832,10 +4832,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>u(%1)에 대한 기여</translation>
     </message>
     <message>
-        <source>share of the variance (%)</source>
-        <translation>분산의 몫 (%)</translation>
-    </message>
-    <message>
         <source>first order</source>
         <translation>1차</translation>
     </message>
@@ -10232,7 +10228,7 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>점 %1개</translation>
     </message>
     <message>
-        <source>1 name occur again and have got a number: first %1</source>
+        <source>1 name occurs again and has got a number: first %1</source>
         <translation>이름 1개가 다시 나와 번호를 붙임: 첫째 %1</translation>
     </message>
     <message>
@@ -13063,6 +13059,38 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>scale bar %1</source>
         <translation>기준자 %1</translation>
     </message>
+    <message>
+        <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
+        <translation>%1(1차 u: 몬테카를로의 %2)</translation>
+    </message>
+    <message>
+        <source>share of the variance, first order (%)</source>
+        <translation>분산의 몫, 1차 (%)</translation>
+    </message>
+    <message>
+        <source>S / %</source>
+        <translation>S / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance that the component causes by itself (Sobol index)</source>
+        <translation>성분이 단독으로 일으키는 분산의 비율(소볼 지수)</translation>
+    </message>
+    <message>
+        <source>S total / %</source>
+        <translation>총 S / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance with all interactions of the component with others</source>
+        <translation>다른 성분과의 모든 상호작용을 포함한 분산의 비율</translation>
+    </message>
+    <message>
+        <source>ν (first order)</source>
+        <translation>ν (1차)</translation>
+    </message>
+    <message>
+        <source>%1 out of %2</source>
+        <translation>%2개 중 %1개</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13311,14 +13339,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>확장불확도</translation>
     </message>
     <message>
-        <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>분석이 아직 완전하지 않습니다: 더 입력해야 할 것이 아래에 있습니다.</translation>
-    </message>
-    <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation>분석에 문제가 있습니다. 아래에 나열되어 있습니다.</translation>
-    </message>
-    <message>
         <source>the picture shows no result of the analysis</source>
         <translation>그림이 이 분석의 결과를 보여 주지 않습니다</translation>
     </message>
@@ -13463,10 +13483,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>PDF로 저장</translation>
     </message>
     <message>
-        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
-        <translation>도구 모음의 PDF 보고서(Ctrl+P)는 프로젝트를 담은 보고서를 써서 Covaria가 다시 열 수 있게 합니다. 성적서는 파일 메뉴의 내보내기에 있습니다.</translation>
-    </message>
-    <message>
         <source># Keys
 
 | Key | Does |
@@ -13519,6 +13535,18 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>&amp;Undo</source>
         <translation>실행 취소(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The analysis is not complete yet: what must still be given is listed under Problems.</source>
+        <translation>분석이 아직 완전하지 않습니다. 더 필요한 것은 ‘문제’에 나열되어 있습니다.</translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed under Problems.</source>
+        <translation>분석에 문제가 있습니다. ‘문제’에 나열되어 있습니다.</translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
+        <translation>도구 모음의 PDF 보고서(Ctrl+P)는 프로젝트를 담은 보고서를 써서 Covaria가 다시 열 수 있게 합니다. 보고서 탭이 성적서를 보여 주는 동안에는 그 단추가 성적서를 씁니다. 성적서는 파일 메뉴의 내보내기에도 있습니다.</translation>
     </message>
 </context>
 <context>
@@ -13654,6 +13682,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
         <translation>%1은(는) %2 단위의 양에 맞는 단위가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number of degrees of freedom.</source>
+        <translation>“%1”은(는) 자유도가 아닙니다.</translation>
     </message>
 </context>
 <context>
@@ -13928,6 +13960,18 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>Reset components of %1</source>
         <translation>%1의 성분 초기화</translation>
+    </message>
+    <message>
+        <source>Its uncertainty comes from another analysis.</source>
+        <translation>불확도는 다른 분석에서 옵니다.</translation>
+    </message>
+    <message>
+        <source>Components that it shares with other quantities are edited where they are stated.</source>
+        <translation>다른 양과 공유하는 성분은 명시된 곳에서 편집합니다.</translation>
+    </message>
+    <message>
+        <source>It has no component of uncertainty yet.</source>
+        <translation>아직 불확도 성분이 없습니다.</translation>
     </message>
 </context>
 <context>
@@ -15268,8 +15312,8 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>입력량</translation>
     </message>
     <message>
-        <source>Take From an Analysis…</source>
-        <translation>분석에서 가져오기…</translation>
+        <source>Take From an Analysis …</source>
+        <translation>분석에서 가져오기 …</translation>
     </message>
     <message>
         <source>Remove Link</source>
@@ -17450,8 +17494,8 @@ and large-scale metrology</source>
         <translation>행 삭제</translation>
     </message>
     <message>
-        <source>Import CSV…</source>
-        <translation>CSV 가져오기…</translation>
+        <source>Import CSV …</source>
+        <translation>CSV 가져오기 …</translation>
     </message>
     <message>
         <source>Read from %1</source>

@@ -4832,10 +4832,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Contribuições para u(%1)</translation>
     </message>
     <message>
-        <source>share of the variance (%)</source>
-        <translation>parcela da variância (%)</translation>
-    </message>
-    <message>
         <source>first order</source>
         <translation>primeira ordem</translation>
     </message>
@@ -10232,7 +10228,7 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>%1 pontos</translation>
     </message>
     <message>
-        <source>1 name occur again and have got a number: first %1</source>
+        <source>1 name occurs again and has got a number: first %1</source>
         <translation>1 nome se repete e recebeu um número: primeiro %1</translation>
     </message>
     <message>
@@ -13063,6 +13059,38 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>scale bar %1</source>
         <translation>barra de escala %1</translation>
     </message>
+    <message>
+        <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
+        <translation>%1 (u de primeira ordem: %2 da de Monte Carlo)</translation>
+    </message>
+    <message>
+        <source>share of the variance, first order (%)</source>
+        <translation>parcela da variância, primeira ordem (%)</translation>
+    </message>
+    <message>
+        <source>S / %</source>
+        <translation>S / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance that the component causes by itself (Sobol index)</source>
+        <translation>Parcela da variância que a componente causa sozinha (índice de Sobol)</translation>
+    </message>
+    <message>
+        <source>S total / %</source>
+        <translation>S total / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance with all interactions of the component with others</source>
+        <translation>Parcela da variância com todas as interações da componente com outras</translation>
+    </message>
+    <message>
+        <source>ν (first order)</source>
+        <translation>ν (primeira ordem)</translation>
+    </message>
+    <message>
+        <source>%1 out of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13311,14 +13339,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Incerteza expandida</translation>
     </message>
     <message>
-        <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>A análise ainda não está completa: o que falta está listado abaixo.</translation>
-    </message>
-    <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation>A análise tem problemas; estão listados abaixo.</translation>
-    </message>
-    <message>
         <source>the picture shows no result of the analysis</source>
         <translation>a imagem não mostra nenhum resultado da análise</translation>
     </message>
@@ -13463,10 +13483,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Salvar como PDF</translation>
     </message>
     <message>
-        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
-        <translation>Relatório em PDF na barra de ferramentas (Ctrl+P) grava o relatório com o projeto dentro, para que o Covaria possa abri-lo de novo. O certificado está no menu Arquivo, em Exportar.</translation>
-    </message>
-    <message>
         <source># Keys
 
 | Key | Does |
@@ -13519,6 +13535,18 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Desfazer</translation>
+    </message>
+    <message>
+        <source>The analysis is not complete yet: what must still be given is listed under Problems.</source>
+        <translation>A análise ainda não está completa: o que falta consta em Problemas.</translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed under Problems.</source>
+        <translation>A análise tem problemas; constam em Problemas.</translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
+        <translation>Relatório em PDF na barra de ferramentas (Ctrl+P) grava o relatório com o projeto dentro, para que o Covaria possa abri-lo de novo. Enquanto a aba Relatório mostra o certificado, o botão grava este; está também no menu Arquivo, em Exportar.</translation>
     </message>
 </context>
 <context>
@@ -13654,6 +13682,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
         <translation>%1 não é unidade para uma grandeza em %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number of degrees of freedom.</source>
+        <translation>“%1” não é um número de graus de liberdade.</translation>
     </message>
 </context>
 <context>
@@ -13928,6 +13960,18 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Reset components of %1</source>
         <translation>Restaurar componentes de %1</translation>
+    </message>
+    <message>
+        <source>Its uncertainty comes from another analysis.</source>
+        <translation>A sua incerteza vem de outra análise.</translation>
+    </message>
+    <message>
+        <source>Components that it shares with other quantities are edited where they are stated.</source>
+        <translation>As componentes que partilha com outras grandezas são editadas onde são declaradas.</translation>
+    </message>
+    <message>
+        <source>It has no component of uncertainty yet.</source>
+        <translation>Ainda não tem nenhuma componente de incerteza.</translation>
     </message>
 </context>
 <context>
@@ -15271,8 +15315,8 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <translation>Grandezas de entrada</translation>
     </message>
     <message>
-        <source>Take From an Analysis…</source>
-        <translation>Tomar de uma análise…</translation>
+        <source>Take From an Analysis …</source>
+        <translation>Tomar de uma análise …</translation>
     </message>
     <message>
         <source>Remove Link</source>
@@ -17454,8 +17498,8 @@ e metrologia de grandes volumes</translation>
         <translation>Excluir linhas</translation>
     </message>
     <message>
-        <source>Import CSV…</source>
-        <translation>Importar CSV…</translation>
+        <source>Import CSV …</source>
+        <translation>Importar CSV …</translation>
     </message>
     <message>
         <source>Read from %1</source>

@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>set</source>
-        <translation>集合</translation>
+        <translation>点组</translation>
     </message>
     <message>
         <source>&quot;base&quot;, or the name of a pose.</source>
@@ -641,7 +641,7 @@
     </message>
     <message>
         <source>elevation</source>
-        <translation>高度角</translation>
+        <translation>俯仰角</translation>
     </message>
     <message>
         <source>Vertical angle above the sensor&apos;s xy-plane.</source>
@@ -1057,7 +1057,7 @@
     </message>
     <message>
         <source>The arm as designed: directions of the frames, definitions of base and last link, and the arm of a simulation.</source>
-        <translation>设计的机械臂：各坐标系的方向、基座和末端连杆的定义，以及仿真所用的机械臂。</translation>
+        <translation>设计的机械臂：各坐标系的方向、基座和末端连杆的定义，以及模拟所用的机械臂。</translation>
     </message>
     <message>
         <source>Points are</source>
@@ -1065,7 +1065,7 @@
     </message>
     <message>
         <source>Measured: a table. Simulated: those of the nominal robot, to see what an experiment would give.</source>
-        <translation>实测：一个表格。仿真：标称机器人的点，用于查看实验会给出什么。</translation>
+        <translation>实测：一个表格。模拟：标称机器人的点，用于查看实验会给出什么。</translation>
     </message>
     <message>
         <source>measured</source>
@@ -1073,7 +1073,7 @@
     </message>
     <message>
         <source>simulated</source>
-        <translation>仿真</translation>
+        <translation>模拟</translation>
     </message>
     <message>
         <source>Points of the ball at the flange in the order in which they were measured, joint by joint, in the frame of the instrument&apos;s world; typed or from a CSV file.</source>
@@ -1193,7 +1193,7 @@
     </message>
     <message>
         <source>The arm as designed: start of the fit, values of what the poses cannot tell, uncertainty of the readings of its joints, and the arm of a simulation.</source>
-        <translation>设计的机械臂：拟合的初值、位姿无法确定的参数值、关节读数的不确定度，以及仿真所用的机械臂。</translation>
+        <translation>设计的机械臂：拟合的初值、位姿无法确定的参数值、关节读数的不确定度，以及模拟所用的机械臂。</translation>
     </message>
     <message>
         <source>Poses are</source>
@@ -1285,7 +1285,7 @@
     </message>
     <message>
         <source>Poses of the simulated experiment, spread over the range of all joints, always the same.</source>
-        <translation>仿真实验的位姿，分布在所有关节的范围内，每次相同。</translation>
+        <translation>模拟实验的位姿，分布在所有关节的范围内，每次相同。</translation>
     </message>
     <message>
         <source>From the zero reading on, as far as the limits of the joint allow.</source>
@@ -1525,7 +1525,7 @@
     </message>
     <message>
         <source>Rectangular over the width of the loop: in proportion to the load on the channel&apos;s axis, or the full width at any load.</source>
-        <translation>在滞后环宽度上的矩形分布：与通道所在轴的载荷成比例，或在任意载荷下取全宽。</translation>
+        <translation>在滞后回线宽度上的矩形分布：与通道所在轴的载荷成比例，或在任意载荷下取全宽。</translation>
     </message>
     <message>
         <source>in proportion to the load</source>
@@ -1621,7 +1621,7 @@
     </message>
     <message>
         <source>How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>其不确定度的已知方式；a 和 b 相应为：u；U 和 k；U 和 p(%)；半宽（及其不准确度，或上底与下底之比）；下限和上限；示值的步进；允许误差和值的百分数；计数；平均值的观测次数（合并）。留空：常量。</translation>
+        <translation>其不确定度的已知方式；a 和 b 相应为：u；U 和 k；U 和 p（%）；半宽（及其不准确度，或上底与下底之比）；下限和上限；示值的步进；允许误差和值的百分数；计数；平均值的观测次数（合并）。留空：常量。</translation>
     </message>
     <message>
         <source>constant</source>
@@ -1801,7 +1801,7 @@
     </message>
     <message>
         <source>Standard uncertainty of x; empty: none. Used with stated uncertainties.</source>
-        <translation>x 的标准不确定度；留空：无。用于给定不确定度的情形。</translation>
+        <translation>x 的标准不确定度；留空：无。采用给出的不确定度时使用。</translation>
     </message>
     <message>
         <source>Observed quantity, in its unit.</source>
@@ -1809,7 +1809,7 @@
     </message>
     <message>
         <source>Standard uncertainty of y. Used, and needed, with stated uncertainties.</source>
-        <translation>y 的标准不确定度。用于给定不确定度的情形，且此时必须给出。</translation>
+        <translation>y 的标准不确定度。采用给出的不确定度时使用，且必须给出。</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -2005,7 +2005,7 @@
     </message>
     <message>
         <source>Artefact with calibrated points</source>
-        <translation>带校准点的实物标准器</translation>
+        <translation>带已校准点的实物标准器</translation>
     </message>
     <message>
         <source>Artefact</source>
@@ -2133,7 +2133,7 @@
     </message>
     <message>
         <source>Systematic error of indication</source>
-        <translation>系统示值误差</translation>
+        <translation>示值的系统误差</translation>
     </message>
     <message>
         <source>What becomes of the mean error b. The paper leaves it uncorrected and counts |b| as a standard uncertainty; JCGM 100 3.2.4 asks for a correction.</source>
@@ -2357,7 +2357,7 @@
     </message>
     <message>
         <source>Reads the elevation</source>
-        <translation>读取高度角</translation>
+        <translation>读取俯仰角</translation>
     </message>
     <message>
         <source>Whether the sensor reads a vertical angle.</source>
@@ -2393,7 +2393,7 @@
     </message>
     <message>
         <source>Elevation</source>
-        <translation>高度角</translation>
+        <translation>俯仰角</translation>
     </message>
     <message>
         <source>Figure for the vertical angle.</source>
@@ -2493,7 +2493,7 @@
     </message>
     <message>
         <source>Index of the elevation</source>
-        <translation>高度角的指标差</translation>
+        <translation>俯仰角的指标差</translation>
     </message>
     <message>
         <source>Standard uncertainty of the zero of the vertical circle.</source>
@@ -2505,7 +2505,7 @@
     </message>
     <message>
         <source>Standard uncertainty of the angle between beam and tilting axis off square: the azimuth changes by it over the cosine of the elevation.</source>
-        <translation>光束与横轴之间夹角偏离直角的标准不确定度：方位角的变化为该值除以高度角的余弦。</translation>
+        <translation>光束与横轴之间夹角偏离直角的标准不确定度：方位角的变化为该值除以俯仰角的余弦。</translation>
     </message>
     <message>
         <source>Squareness of the axes</source>
@@ -2513,7 +2513,7 @@
     </message>
     <message>
         <source>Standard uncertainty of the angle between the two axes off square: the azimuth changes by it times the tangent of the elevation.</source>
-        <translation>两轴之间夹角偏离直角的标准不确定度：方位角的变化为该值乘以高度角的正切。</translation>
+        <translation>两轴之间夹角偏离直角的标准不确定度：方位角的变化为该值乘以俯仰角的正切。</translation>
     </message>
     <message>
         <source>Offset of the beam</source>
@@ -2529,7 +2529,7 @@
     </message>
     <message>
         <source>Standard uncertainty of k: the elevation changes by k L/(2 × 6371 km) over a distance L.</source>
-        <translation>k 的标准不确定度：在距离 L 上高度角的变化为 k L/(2 × 6371 km)。</translation>
+        <translation>k 的标准不确定度：在距离 L 上俯仰角的变化为 k L/(2 × 6371 km)。</translation>
     </message>
     <message>
         <source>The distribution of what all readings share; what is stated is its standard uncertainty, whatever the shape.</source>
@@ -2613,7 +2613,7 @@
     </message>
     <message>
         <source>Specification of a measured point</source>
-        <translation>测点技术指标</translation>
+        <translation>实测点技术指标</translation>
     </message>
     <message>
         <source>Figure of the data sheet</source>
@@ -2797,7 +2797,7 @@
     </message>
     <message>
         <source>A largest distance from the mean position, or RP of ISO 9283: the mean distance plus three times its standard deviation. A normal law has no largest distance, so its figure is always RP.</source>
-        <translation>到平均位置的最大距离，或 ISO 9283 的 RP：平均距离加三倍其标准偏差。正态律没有最大距离，因此其指标总是 RP。</translation>
+        <translation>到平均位置的最大距离，或 ISO 9283 的 RP：平均距离加三倍其标准偏差。正态分布没有最大距离，因此其指标总是 RP。</translation>
     </message>
     <message>
         <source>the largest distance r</source>
@@ -2993,7 +2993,7 @@
     </message>
     <message>
         <source>Where the figures come from: repeatability, sampling, range, certificate ...</source>
-        <translation>数值的出处：重复性、抽样、范围、证书等。</translation>
+        <translation>数值的出处：重复性、采样、范围、证书等。</translation>
     </message>
     <message>
         <source>Number of the joint; empty: all joints, each with a deviation of its own.</source>
@@ -3325,7 +3325,7 @@
     </message>
     <message>
         <source>Runs</source>
-        <translation>系列数</translation>
+        <translation>测次数</translation>
     </message>
     <message>
         <source>Calibration series of each axis: n of Eqs 2 to 4.</source>
@@ -4045,7 +4045,7 @@
     </message>
     <message>
         <source>GNU Gama network</source>
-        <translation>GNU Gama 网</translation>
+        <translation>GNU Gama 网络</translation>
     </message>
     <message>
         <source>Comp3D coordinates</source>
@@ -4185,7 +4185,7 @@
     </message>
     <message>
         <source>Expanded uncertainty as a part of its target: above 1 the target is not met</source>
-        <translation>扩展不确定度与其目标值之比：大于 1 则未达到目标</translation>
+        <translation>扩展不确定度与其目标值之比：大于 1 则不满足目标值</translation>
     </message>
     <message>
         <source>Requirement</source>
@@ -4193,7 +4193,7 @@
     </message>
     <message>
         <source>Whether the target uncertainty is met and the value is accepted</source>
-        <translation>是否达到目标不确定度且值被接受</translation>
+        <translation>是否满足目标不确定度且值被接受</translation>
     </message>
     <message>
         <source>Input quantity</source>
@@ -4406,7 +4406,7 @@ nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm：标准不确定度
 2 ppm：标准不确定度，为值的一部分
 U = 0.3 um, k = 2（或 p = 95 %）：证书
-矩形 0.5（或 rect、±）：值两侧的界限；三角、反正弦 同理
+矩形 0.5（或 rect、±）：值两侧的界限；三角、反正弦与此相同
 界限 19.5 至 20.5：由界限给出值
 分辨力 0.01、MPE 3 + 0.1 %、观测值、计数 12、常量
 以上任一项之后加 nu 18：自由度</translation>
@@ -4425,7 +4425,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Of the tolerance; empty: none.</source>
-        <translation>公差的界限;留空：无。</translation>
+        <translation>容差的界限；留空：无。</translation>
     </message>
     <message>
         <source>Upper limit</source>
@@ -4437,7 +4437,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
-        <translation>公差内取 U 的这一倍数作为保护带:1 证明合格(ISO 14253-1),0 为简单接受，负值有利于生产方。</translation>
+        <translation>容差内取 U 的这一倍数作为保护带：1 证明合格（ISO 14253-1），0 为简单接受，负值有利于生产方。</translation>
     </message>
     <message>
         <source>Prior mean</source>
@@ -4445,7 +4445,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
-        <translation>测量前对此类量的认知，以正态分布表示（生产过程）:用于 JCGM 106 的全局风险。</translation>
+        <translation>测量前对此类量的认知，以正态分布表示（生产过程）：用于 JCGM 106 的全局风险。</translation>
     </message>
     <message>
         <source>Prior standard deviation</source>
@@ -4453,7 +4453,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Of the production process.</source>
-        <translation>生产过程的。</translation>
+        <translation>生产过程的标准偏差。</translation>
     </message>
     <message>
         <source>Language</source>
@@ -4477,7 +4477,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>— not stated —</source>
-        <translation>— 未说明 —</translation>
+        <translation>— 未给出 —</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -4605,7 +4605,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Conforming</source>
-        <translation>符合概率</translation>
+        <translation>合格概率</translation>
     </message>
     <message>
         <source>by</source>
@@ -4641,7 +4641,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>guarded rejection (w = −%1)</source>
-        <translation>带保护的拒收（w = −%1）</translation>
+        <translation>带保护的拒绝（w = −%1）</translation>
     </message>
     <message>
         <source>Results before and after</source>
@@ -4689,7 +4689,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Where the origin of the file stands in the world frame, and how its axes are turned.</source>
-        <translation>文件的原点在世界坐标系中的位置，以及其各轴的转动。</translation>
+        <translation>文件的原点在世界坐标系中的位置，以及其各轴的旋转。</translation>
     </message>
     <message>
         <source>Appearance</source>
@@ -4729,7 +4729,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
-        <translation>100 % 会遮住曲面后面的东西；较小的值能看到被测点。</translation>
+        <translation>100 % 会遮住曲面后面的东西；较小的值能看到实测点。</translation>
     </message>
     <message>
         <source>largest U/target</source>
@@ -4809,7 +4809,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>mean %1</source>
-        <translation>均值 %1</translation>
+        <translation>平均值 %1</translation>
     </message>
     <message>
         <source>Normal quantiles of %1</source>
@@ -4832,16 +4832,12 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>对 u(%1) 的贡献</translation>
     </message>
     <message>
-        <source>share of the variance (%)</source>
-        <translation>方差占比 (%)</translation>
-    </message>
-    <message>
         <source>first order</source>
         <translation>一阶</translation>
     </message>
     <message>
         <source>one at a time, Monte Carlo</source>
-        <translation>逐个计算，蒙特卡洛</translation>
+        <translation>逐一，蒙特卡洛</translation>
     </message>
     <message>
         <source>%1 others</source>
@@ -4953,7 +4949,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>best found</source>
-        <translation>找到的最优</translation>
+        <translation>找到的最佳</translation>
     </message>
     <message>
         <source>kept</source>
@@ -4969,7 +4965,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>What a smaller uncertainty costs</source>
-        <translation>减小不确定度的代价</translation>
+        <translation>减小不确定度的成本</translation>
     </message>
     <message>
         <source>largest U / target</source>
@@ -4981,15 +4977,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>cheapest reductions</source>
-        <translation>最便宜的减小方案</translation>
+        <translation>成本最低的减小项</translation>
     </message>
     <message>
         <source>cheapest rows</source>
-        <translation>最便宜的行</translation>
+        <translation>成本最低的行</translation>
     </message>
     <message>
         <source>targets</source>
-        <translation>目标</translation>
+        <translation>目标值</translation>
     </message>
     <message>
         <source>The way of the search</source>
@@ -4997,11 +4993,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>evaluations</source>
-        <translation>求值次数</translation>
+        <translation>评定次数</translation>
     </message>
     <message>
         <source>best so far</source>
-        <translation>目前最优</translation>
+        <translation>目前最佳</translation>
     </message>
     <message>
         <source>both</source>
@@ -5061,7 +5057,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Robot arms</source>
-        <translation>机器人手臂</translation>
+        <translation>机械臂</translation>
     </message>
     <message>
         <source>Total stations</source>
@@ -5069,7 +5065,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Uncertainty budget of a measured point</source>
-        <translation>测量点的不确定度预算</translation>
+        <translation>实测点的不确定度预算</translation>
     </message>
     <message>
         <source>Errors of indication (Eq 1)</source>
@@ -5145,11 +5141,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Identified parameters beside the nominal ones</source>
-        <translation>辨识参数与名义参数对照</translation>
+        <translation>辨识参数与标称参数对照</translation>
     </message>
     <message>
         <source>nominal</source>
-        <translation>名义值</translation>
+        <translation>标称值</translation>
     </message>
     <message>
         <source>identified</source>
@@ -5173,7 +5169,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Strongest correlation of each unknown</source>
-        <translation>每个未知量的最强相关</translation>
+        <translation>每个未知数的最强相关</translation>
     </message>
     <message>
         <source>Residuals of the fit, measured less calculated</source>
@@ -5197,7 +5193,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>nominal, distance</source>
-        <translation>名义值，距离</translation>
+        <translation>标称值，距离</translation>
     </message>
     <message>
         <source>U (k = 2), largest</source>
@@ -5213,7 +5209,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>arc</source>
-        <translation>弧</translation>
+        <translation>圆弧</translation>
     </message>
     <message>
         <source>radius</source>
@@ -5245,7 +5241,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>runs</source>
-        <translation>测量循环</translation>
+        <translation>测次数</translation>
     </message>
     <message>
         <source>steps</source>
@@ -5257,11 +5253,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>spread of the preloads</source>
-        <translation>预加载的离散</translation>
+        <translation>预加载的分散性</translation>
     </message>
     <message>
         <source>Rated output and non-zero error of each sensor (Kim, Table 1)</source>
-        <translation>各传感器的额定输出与零点误差（Kim，表 1）</translation>
+        <translation>各传感器的额定输出与回零误差（Kim，表 1）</translation>
     </message>
     <message>
         <source>rated load</source>
@@ -5289,19 +5285,19 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Means and standard deviations of the net values (Eqs 1 to 4)</source>
-        <translation>净值的均值与标准差（式 1 至 4）</translation>
+        <translation>净值的平均值与标准偏差（式 1 至 4）</translation>
     </message>
     <message>
         <source>mean, decreasing</source>
-        <translation>均值，递减</translation>
+        <translation>平均值，递减</translation>
     </message>
     <message>
         <source>Stated values beside the computed ones</source>
-        <translation>给定值与计算值对照</translation>
+        <translation>给出的值与计算值对照</translation>
     </message>
     <message>
         <source>stated</source>
-        <translation>给定</translation>
+        <translation>给出</translation>
     </message>
     <message>
         <source>computed</source>
@@ -5357,11 +5353,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>increasing, mean</source>
-        <translation>递增，均值</translation>
+        <translation>递增，平均值</translation>
     </message>
     <message>
         <source>decreasing, mean</source>
-        <translation>递减，均值</translation>
+        <translation>递减，平均值</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Fx</source>
@@ -5373,7 +5369,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Hysteresis loop, magnified, of Fx</source>
-        <translation>Fx 的放大迟滞回线</translation>
+        <translation>Fx 的滞后回线（放大）</translation>
     </message>
     <message>
         <source>deviation from the line (µV/V)</source>
@@ -5393,7 +5389,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Hysteresis loop, magnified, of Fy</source>
-        <translation>Fy 的放大迟滞回线</translation>
+        <translation>Fy 的滞后回线（放大）</translation>
     </message>
     <message>
         <source>Calibration curve of Fz</source>
@@ -5409,7 +5405,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Hysteresis loop, magnified, of Fz</source>
-        <translation>Fz 的放大迟滞回线</translation>
+        <translation>Fz 的滞后回线（放大）</translation>
     </message>
     <message>
         <source>Calibration curve of Mx</source>
@@ -5425,7 +5421,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Hysteresis loop, magnified, of Mx</source>
-        <translation>Mx 的放大迟滞回线</translation>
+        <translation>Mx 的滞后回线（放大）</translation>
     </message>
     <message>
         <source>Calibration curve of My</source>
@@ -5441,7 +5437,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Hysteresis loop, magnified, of My</source>
-        <translation>My 的放大迟滞回线</translation>
+        <translation>My 的滞后回线（放大）</translation>
     </message>
     <message>
         <source>Calibration curve of Mz</source>
@@ -5457,7 +5453,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Hysteresis loop, magnified, of Mz</source>
-        <translation>Mz 的放大迟滞回线</translation>
+        <translation>Mz 的滞后回线（放大）</translation>
     </message>
     <message>
         <source>The paper&apos;s U and the GUM&apos;s, per cent of rated output</source>
@@ -5501,7 +5497,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>non-zero</source>
-        <translation>零点</translation>
+        <translation>回零</translation>
     </message>
     <message>
         <source>all</source>
@@ -5581,7 +5577,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>case</source>
-        <translation>情形</translation>
+        <translation>工况</translation>
     </message>
     <message>
         <source>reading</source>
@@ -5629,7 +5625,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Scatter of a pose that the robot is sent to again</source>
-        <translation>机器人重复到达同一位姿的离散</translation>
+        <translation>机器人重复到达同一位姿的分散性</translation>
     </message>
     <message>
         <source>deviation</source>
@@ -5637,7 +5633,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Rotations of the flange</source>
-        <translation>法兰的转动</translation>
+        <translation>法兰的旋转</translation>
     </message>
     <message>
         <source>about</source>
@@ -5693,7 +5689,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>u of the mean</source>
-        <translation>均值的 u</translation>
+        <translation>平均值的 u</translation>
     </message>
     <message>
         <source>number of the observation</source>
@@ -5725,11 +5721,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>validated (clause 8)</source>
-        <translation>已验证（第 8 条）</translation>
+        <translation>已验证（第 8 章）</translation>
     </message>
     <message>
         <source>cost per unit of target</source>
-        <translation>每单位目标的成本</translation>
+        <translation>每单位目标值的成本</translation>
     </message>
     <message>
         <source>Values</source>
@@ -5817,7 +5813,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>evaluation</source>
-        <translation>求值</translation>
+        <translation>评定</translation>
     </message>
     <message>
         <source>search</source>
@@ -5833,7 +5829,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>U without %1</source>
-        <translation>无 %1 时的 U</translation>
+        <translation>去掉 %1 后的 U</translation>
     </message>
     <message>
         <source>Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by the law of propagation</source>
@@ -5881,7 +5877,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>where the figure comes from</source>
-        <translation>数值的来源</translation>
+        <translation>数值的出处</translation>
     </message>
     <message>
         <source>not read</source>
@@ -5889,7 +5885,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>name of the point</source>
-        <translation>点名</translation>
+        <translation>点的名称</translation>
     </message>
     <message>
         <source>standard uncertainty of x, y, z</source>
@@ -5929,7 +5925,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Fields of the set-up</source>
-        <translation>设置的字段</translation>
+        <translation>测量设置的字段</translation>
     </message>
     <message>
         <source>Equations as evaluated</source>
@@ -5997,7 +5993,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Position and orientation of a moving frame in a base frame, both defined by measured points: the platform of a robot measured with a total station or laser tracker.</source>
-        <translation>运动坐标系在基坐标系中的位置和姿态，两者均由测得的点定义：用全站仪或激光跟踪仪测量的机器人平台。</translation>
+        <translation>动坐标系在基坐标系中的位置和姿态，两者均由实测点定义：用全站仪或激光跟踪仪测量的机器人平台。</translation>
     </message>
     <message>
         <source>Eq 19 is corrected: o_p − o_b must be expressed in the base frame. As printed, the pose does not depend on the orientation of the base, and U(x) of all poses is the same.</source>
@@ -6005,11 +6001,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Eq 20 is corrected: R = R_bᵀ R_p. The printed R_p R_bᵀ is the same rotation expressed in frame 0.</source>
-        <translation>式 20 已更正：R = R_bᵀ R_p。原文的 R_p R_bᵀ 是在坐标系 0 中表示的同一转动。</translation>
+        <translation>式 20 已更正：R = R_bᵀ R_p。原文的 R_p R_bᵀ 是在坐标系 0 中表示的同一旋转。</translation>
     </message>
     <message>
         <source>Eqs 21-23 are corrected: as printed they are Z-Y-Z angles, undefined without tilt; the text and Table 3 use Z-Y-X angles, R = Rz(γ) Ry(β) Rx(α).</source>
-        <translation>式 21-23 已更正：按原文它们是 Z-Y-Z 角，无倾斜时不确定；正文和表 3 使用 Z-Y-X 角，R = Rz(γ) Ry(β) Rx(α)。</translation>
+        <translation>式 21-23 已更正：按原文它们是 Z-Y-Z 角，无倾斜时无定义；正文和表 3 使用 Z-Y-X 角，R = Rz(γ) Ry(β) Rx(α)。</translation>
     </message>
     <message>
         <source>b₃ lies at negative y of its frame (Eq 10) and p₃ at positive y of its own (Eq 14); other arrangements can be chosen.</source>
@@ -6017,11 +6013,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Typed uncertainties lie along the axes of the frame that the points define (those of the moving frame along the base&apos;s on request) and are turned into frame 0; those of an instrument lie along and across its line of sight.</source>
-        <translation>输入的不确定度沿各点所定义的坐标系的轴（运动坐标系的可按要求沿基坐标系的轴），并转换到坐标系 0；仪器的不确定度沿其视线和垂直于视线。</translation>
+        <translation>输入的不确定度沿各点所定义的坐标系的轴（动坐标系的可按要求沿基坐标系的轴），并转换到坐标系 0；仪器的不确定度沿其视线和垂直于视线。</translation>
     </message>
     <message>
         <source>Measured points of a least-squares frame are tested against their nominal coordinates: residuals, redundancy, chi-square with the full covariance of the stated uncertainties.</source>
-        <translation>最小二乘坐标系的测得点与其标称坐标比对检验：残差、冗余度、采用所述不确定度全协方差的卡方。</translation>
+        <translation>最小二乘坐标系的实测点与其标称坐标比对检验：残差、冗余度、采用给出的不确定度的全协方差的卡方。</translation>
     </message>
     <message>
         <source>All poses of an analysis share one measurement of the base, so their results are correlated.</source>
@@ -6029,11 +6025,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The uncertainty of the mean of repeated measurements (a posteriori) is taken as that of one measurement, as in the paper: the systematic part does not average out.</source>
-        <translation>重复测量均值的不确定度（验后）按论文取一次测量的不确定度：系统部分不会平均掉。</translation>
+        <translation>重复测量平均值的不确定度（后验）按论文取一次测量的不确定度：系统部分不会平均掉。</translation>
     </message>
     <message>
         <source>Angles are undefined in gimbal lock; the set-up then warns. Rotation vector and quaternion are free of it.</source>
-        <translation>万向锁时角度不确定；测量设置会给出警告。旋转向量和四元数没有此问题。</translation>
+        <translation>万向节锁定时角度无定义；测量设置会给出警告。旋转矢量和四元数没有此问题。</translation>
     </message>
     <message>
         <source>Coordinates of targets and distances between them, measured by any mix of trackers, total stations, cameras and distance meters placed in space.</source>
@@ -6041,7 +6037,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The uncertainty of the stations does not contribute marginally to the position of a target, as the paper says: only distances within one set-up are nearly free of it. Eq 5 is the precision of the readings; it is shown beside the total, never as the uncertainty of a position.</source>
-        <translation>测站的不确定度对目标位置的贡献并不像论文所说的那样微小：只有一次设站内的距离几乎不受其影响。式 5 是读数的精密度；它显示在总量旁边，从不作为位置的不确定度。</translation>
+        <translation>测站的不确定度对目标点位置的贡献并不像论文所说的那样微小：只有一次设站内的距离几乎不受其影响。式 5 是读数的精密度；它显示在总量旁边，从不作为位置的不确定度。</translation>
     </message>
     <message>
         <source>Weights from the readings alone, as in the paper, are inefficient for positions; those with the stations are the default.</source>
@@ -6053,11 +6049,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The linearised equations have the measured angles in M: their estimate shrinks towards the sensors, the non-linear one moves outwards by half as much. It matters beyond a milliradian (3.5 mrad, cameras alone: −6.9 mm against +3.3 mm) and not for the paper&apos;s network.</source>
-        <translation>线性化方程的 M 中含测得的角度：其估计向传感器收缩，非线性估计则向外移动一半的量。超过一毫弧度时才重要（3.5 mrad，仅相机：−6.9 mm 对 +3.3 mm），对论文的网络不重要。</translation>
+        <translation>线性化方程的 M 中含实测角度：其估计向传感器收缩，非线性估计则向外移动一半的量。超过一毫弧度时才重要（3.5 mrad，仅相机：−6.9 mm 对 +3.3 mm），对论文的网络不重要。</translation>
     </message>
     <message>
         <source>Stations are located once for a set-up: all its targets share their deviations. &quot;New set-up&quot; at a target draws them anew.</source>
-        <translation>一次设站的测站只定位一次：其所有目标共用其偏差。目标处的“重新设站”重新抽取偏差。</translation>
+        <translation>一次设站的测站只定位一次：其所有目标点共用其偏差。目标点处的“重新设站”重新抽取偏差。</translation>
     </message>
     <message>
         <source>A distance without angles has no linear equation; the non-linear estimator uses it, from the nominal coordinates as start.</source>
@@ -6065,11 +6061,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>A calibrated length as a check is not used in the estimation: its difference is to be judged by its uncertainty. As a constraint it carries its own uncertainty; a scale that the instruments share is corrected by it.</source>
-        <translation>作为检核的校准长度不用于估计：其差值按其不确定度判断。作为约束时它带有自身的不确定度；各仪器共有的尺度由它修正。</translation>
+        <translation>作为检核的已校准长度不用于估计：其差值按其不确定度判断。作为约束时它带有自身的不确定度；各仪器共有的尺度由它修正。</translation>
     </message>
     <message>
         <source>With more than 600 readings in one set-up each target is estimated by itself, weighted with the stations.</source>
-        <translation>一次设站的读数超过 600 个时，每个目标单独估计，与测站一起加权。</translation>
+        <translation>一次设站的读数超过 600 个时，每个目标点单独估计，与测站一起加权。</translation>
     </message>
     <message>
         <source>Azimuths may be given with any number of whole turns.</source>
@@ -6077,7 +6073,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The tool centre point of a robot: the flange turns about its own axes, telescopic ballbars measure where the ball at the tool goes, and planes and a sphere give the flange&apos;s axes and centre.</source>
-        <translation>机器人的工具中心点：法兰绕其自身的轴转动，伸缩球杆仪测量工具处的球到达哪里，由平面和球面得出法兰的轴和中心。</translation>
+        <translation>机器人的工具中心点：法兰绕其自身的轴转动，伸缩式球杆仪测量工具处的球到达哪里，由平面和球面得出法兰的轴和中心。</translation>
     </message>
     <message>
         <source>The paper states neither the tool, nor the flange&apos;s orientation, start angles, how the frame is made, nor how the points are averaged. With a tool of (0, 0, 100) mm, the flange pointing down, arcs from -60° to 140° and from -90° to 90° and u(L) = 1.55 µm, the published values reproduce within 1.5 % (root mean square).</source>
@@ -6101,7 +6097,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>With the stated U(L) = 4 µm the same geometry gives U(TCP) 8.46, 11.31, 5.16 µm and points up to 7.53, 7.37, 3.07 µm: differs, because the stated 4 µm and the published points cannot both hold. U(z) of a point at most 577 mm above the supports is 2.4 µm only for U(L) near 3.1 µm; all six figures of the instrument alone are 0.78 of what 4 µm gives.</source>
-        <translation>按所述 U(L) = 4 µm，同样的几何给出 U(TCP) 8.46, 11.31, 5.16 µm，点至多 7.53, 7.37, 3.07 µm：不同，因为所述的 4 µm 与发表的点不能同时成立。支座上方至多 577 mm 的点，只有 U(L) 接近 3.1 µm 时 U(z) 才为 2.4 µm；仅仪器的六个数值均为 4 µm 所给出的 0.78 倍。</translation>
+        <translation>按给出的 U(L) = 4 µm，同样的几何给出 U(TCP) 8.46, 11.31, 5.16 µm，点至多 7.53, 7.37, 3.07 µm：不同，因为给出的 4 µm 与发表的点不能同时成立。支座上方至多 577 mm 的点，只有 U(L) 接近 3.1 µm 时 U(z) 才为 2.4 µm；仅仪器的六个数值均为 4 µm 所给出的 0.78 倍。</translation>
     </message>
     <message>
         <source>The centre of the sphere is the centre of the flange, not the tool centre point as section 4 says: its U is 5.96, 7.42, 6.94 µm.</source>
@@ -6109,7 +6105,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Eq 8 needs perpendicular axes, which two measured normals are not: U(x) of the tool is 8.16, 8.37 or 8.66 µm with y first, symmetric or x first.</source>
-        <translation>式 8 需要垂直的轴，而两条测得的法线并不垂直：工具的 U(x) 在先取 y、对称或先取 x 时为 8.16、8.37 或 8.66 µm。</translation>
+        <translation>式 8 需要垂直的轴，而两条实测法线并不垂直：工具的 U(x) 在先取 y、对称或先取 x 时为 8.16、8.37 或 8.66 µm。</translation>
     </message>
     <message>
         <source>A trial whose lengths do not meet (negative root of Eq 3) has no value: it is counted and reported.</source>
@@ -6165,7 +6161,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Eq 8 is a standard deviation of the mean of repeats. The paper applies it to different ranges and numbers of points, which are no repeats: the ±10° run dominates, and the noise is counted three times. Here the covariance is that of the chosen experiment.</source>
-        <translation>式 8 是重复测量均值的标准偏差。论文将其用于不同范围和点数，它们并非重复：±10° 的运行占主导，噪声被计算三次。此处的协方差是所选实验的。</translation>
+        <translation>式 8 是重复测量平均值的标准偏差。论文将其用于不同范围和点数，它们并非重复：±10° 的测次占主导，噪声被计算三次。此处的协方差是所选实验的。</translation>
     </message>
     <message>
         <source>The standard deviation falls with the square of the range (factor 30 from ±10° to ±60°) and with the root of the number of points.</source>
@@ -6181,11 +6177,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Geometric parameters of a serial robot by least squares from measured positions or poses of its tool, with observability, residuals and validation.</source>
-        <translation>由测得的工具位置或位姿按最小二乘法求串联机器人的几何参数，含可观测性、残差和验证。</translation>
+        <translation>由实测的工具位置或位姿按最小二乘法求串联机器人的几何参数，含可观测性、残差和验证。</translation>
     </message>
     <message>
         <source>The paper identifies parameters by joint trajectories; least squares on measured positions or poses is the other usual way, with the same model of the arm (Eq 5).</source>
-        <translation>论文由关节轨迹辨识参数；对测得的位置或位姿作最小二乘是另一种常用方法，臂的模型相同（式 5）。</translation>
+        <translation>论文由关节轨迹辨识参数；对实测的位置或位姿作最小二乘是另一种常用方法，机械臂的模型相同（式 5）。</translation>
     </message>
     <message>
         <source>Parameters that the poses cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, then ball or tool, then joint by joint) stays nominal and is named with its partners.</source>
@@ -6193,7 +6189,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Weights are the inverse variances of the measured coordinates. Shared deviations of an instrument and the readings of the joints do not change the weights, but are propagated in full.</source>
-        <translation>权为测得坐标方差的倒数。仪器的共有偏差和关节的读数不改变权，但完整传播。</translation>
+        <translation>权为实测坐标方差的倒数。仪器的共有偏差和关节的读数不改变权，但完整传播。</translation>
     </message>
     <message>
         <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature, below 1e-9 m here.</source>
@@ -6213,7 +6209,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>By the GUM (k = 2) with unknown loads on the other five axes: 1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %. With all others at rated load interference alone reaches 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %, more than U of the paper for all six: its linear sum is no bound.</source>
-        <translation>按 GUM (k = 2)，其他五轴有未知载荷时：1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %。其他各轴均为额定载荷时，仅串扰即达 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %，六个轴均超过论文的 U：其线性和不是界限。</translation>
+        <translation>按 GUM（k = 2），其他五轴有未知载荷时：1.446, 1.425, 2.123, 2.637, 2.990, 1.388 %。其他各轴均为额定载荷时，仅干扰即达 2.70, 2.12, 3.33, 4.59, 3.70, 2.27 %，六个轴均超过论文的 U：其线性和不是界限。</translation>
     </message>
     <message>
         <source>Monte Carlo intervals are a little shorter than k = 2 because a few rectangular loads dominate.</source>
@@ -6233,11 +6229,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Forces and moments that act together, from the readings of all channels of a multi-axis sensor: the calibration matrix takes the interference between them away.</source>
-        <translation>由多轴传感器所有通道的读数得出共同作用的力和力矩：校准矩阵消除其间的串扰。</translation>
+        <translation>由多轴传感器所有通道的读数得出共同作用的力和力矩：校准矩阵消除其间的干扰。</translation>
     </message>
     <message>
         <source>Kim prints no signs of the interference: nothing can be compensated from the paper. The readings of the example have signs of their own.</source>
-        <translation>Kim 没有给出串扰的符号：由论文不能作任何补偿。示例的读数有其自己的符号。</translation>
+        <translation>Kim 没有给出干扰的符号：由论文不能作任何补偿。示例的读数有其自己的符号。</translation>
     </message>
     <message>
         <source>U (k = 2) in % of rated load with all six axes at rated load: 0.184, 0.192, 0.152, 0.226, 0.219, 0.261; without load 0.149, 0.159, 0.144, 0.188, 0.179, 0.180. Compensation lowers the uncertainty under combined loads by a factor of 5 to 13 against U of the paper.</source>
@@ -6249,7 +6245,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The machine&apos;s deviation is common to all readings under one load: a column of the matrix, and so a scale of the load on that axis.</source>
-        <translation>试验机的偏差为一个载荷下所有读数所共有：矩阵的一列，即该轴上载荷的尺度。</translation>
+        <translation>校准机的偏差为一个载荷下所有读数所共有：矩阵的一列，即该轴上载荷的尺度。</translation>
     </message>
     <message>
         <source>Repeatability is that of one reading, the largest of the steps; hysteresis is rectangular over the loop, in proportion to the load.</source>
@@ -6257,11 +6253,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Not covered: products of loads in the interference, misalignment of loads, creep, temperature, remounting.</source>
-        <translation>未涵盖：串扰中载荷的乘积、载荷的不对中、蠕变、温度、重新安装。</translation>
+        <translation>未涵盖：干扰中载荷的乘积、载荷的不对中、蠕变、温度、重新安装。</translation>
     </message>
     <message>
         <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
-        <translation>任意测量方程：输入方程，说明对其各量所知道的，得到不确定度预算。可有多个结果、中间定义、条件，以及在每次试验中求解的方程。</translation>
+        <translation>任意测量方程：输入方程，给出对其中各量的已知信息，得到不确定度预算。可有多个结果、中间定义、条件，以及在每次试验中求解的方程。</translation>
     </message>
     <message>
         <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
@@ -6273,7 +6269,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
-        <translation>n 个观测值的均值由自由度为 n − 1 的 t 分布抽取（JCGM 101 6.4.9）。同时观测的均值由高斯 copula 相关；JCGM 102 5.3.2 的多元 t 分布在 n − N ≤ 2 时没有协方差，故不提供。</translation>
+        <translation>n 个观测值的平均值由自由度为 n − 1 的 t 分布抽取（JCGM 101 6.4.9）。同时观测的平均值由高斯 copula 相关；JCGM 102 5.3.2 的多元 t 分布在 n − N ≤ 2 时没有协方差，故不提供。</translation>
     </message>
     <message>
         <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
@@ -6285,7 +6281,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Computed with polynomials that are orthonormal over the points, so results do not depend on the origin, up to degree 10. From the residuals their coefficients are drawn from a multivariate t distribution: one estimate of the scatter, n - p degrees of freedom for every result.</source>
-        <translation>用在各点上正交归一的多项式计算，因此结果不取决于原点，最高 10 次。由残差得出时，其系数由多元 t 分布抽取：对所有结果只有一个分散的估计，自由度为 n - p。</translation>
+        <translation>用在各点上正交归一的多项式计算，因此结果不取决于原点，最高 10 次。由残差得出时，其系数由多元 t 分布抽取：对所有结果只有一个分散性的估计，自由度为 n - p。</translation>
     </message>
     <message>
         <source>JCGM 100 H.3, published y₁ = −0.1712 °C, y₂ = 0.002 18, u(y₁) = 0.0029 °C, u(y₂) = 0.000 67, b(30 °C) = −0.1494 °C with u = 0.0041 °C: reproduces.</source>
@@ -6293,11 +6289,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The uncertainty of b(x) is that of the curve: the scatter of a further observation is not part of it.</source>
-        <translation>b(x) 的不确定度是曲线的不确定度：不包括另一个观测值的分散。</translation>
+        <translation>b(x) 的不确定度是曲线的不确定度：不包括另一个观测值的分散性。</translation>
     </message>
     <message>
         <source>The mean of observations made on several days, with several instruments or by several operators, and an analysis of variance that says whether these have an effect.</source>
-        <translation>在若干天、用若干仪器或由若干人员所得观测值的均值，以及说明这些因素是否有影响的方差分析。</translation>
+        <translation>在若干天、用若干仪器或由若干操作者所得观测值的平均值，以及说明这些因素是否有影响的方差分析。</translation>
     </message>
     <message>
         <source>Groups may have different numbers of observations; n_0 = (N − Σ n_j²/N)/(J − 1) is then their size in the components of variance.</source>
@@ -6309,7 +6305,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>A plate or frame with calibrated nests, measured repeatedly where the real points will be. Its errors of indication give the uncertainty of each coordinate of a measured point.</source>
-        <translation>带校准靶座的板或框架，在实际测点所在处重复测量。其示值误差给出测得点每个坐标的不确定度。</translation>
+        <translation>带已校准靶座的板或框架，在实际点所在处重复测量。其示值误差给出实测点每个坐标的不确定度。</translation>
     </message>
     <message>
         <source>u_i² = u_cal² + u_var,i² + u_T,i² + b_i² (Eq 2) with u_T = L_max α ΔT/√3 (Eq 3).</source>
@@ -6317,15 +6313,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The paper draws all parts independently for each point; calibration, temperature and bias are in truth common to all points, which can be chosen.</source>
-        <translation>论文对每个点独立抽取所有部分；校准、温度和偏倚实际上为所有点所共有，可以选择。</translation>
+        <translation>论文对每个点独立抽取所有部分；校准、温度和偏移实际上为所有点所共有，可以选择。</translation>
     </message>
     <message>
         <source>The noise of the three points that define the artefact&apos;s frame is part of the errors of the others; the errors of the defining coordinates themselves are never observed.</source>
-        <translation>定义标准件坐标系的三个点的噪声是其他点误差的一部分；定义坐标本身的误差从未被观测到。</translation>
+        <translation>定义实物标准器坐标系的三个点的噪声是其他点误差的一部分；定义坐标本身的误差从未被观测到。</translation>
     </message>
     <message>
         <source>A bar of calibrated length, measured in many positions and orientations. Its errors of indication give one figure for every coordinate of a measured point.</source>
-        <translation>已校准长度的杆，在许多位置和姿态测量。其示值误差为测得点的每个坐标给出一个数值。</translation>
+        <translation>已校准长度的杆，在许多位置和姿态测量。其示值误差为实测点的每个坐标给出一个数值。</translation>
     </message>
     <message>
         <source>u² = u_cal² + u_var² + u_T² + b² (Eq 5) with u_T = L α ΔT/√3 (Eq 6).</source>
@@ -6341,7 +6337,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The distance has the figure a + b L, each angle its own; these are independent from reading to reading. Scale, zero, index, collimation, squareness, beam offset and refraction are shared by all readings.</source>
-        <translation>距离的数值为 a + b L，每个角度各有其值；它们在各读数间独立。尺度、零点、指标差、照准差、轴不垂直度、光束偏移和折射为所有读数所共有。</translation>
+        <translation>距离的数值为 a + b L，每个角度各有其值；它们在各读数间独立。尺度、零点、指标差、视准差、轴系垂直度、光束偏移和折光为所有读数所共有。</translation>
     </message>
     <message>
         <source>Only a sensor that reads a distance and both angles can say by itself where a point is.</source>
@@ -6349,7 +6345,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Instruments of the project that measure the same points together. Points measured by the network keep what they share: the scale and the station of each instrument.</source>
-        <translation>一起测量相同点的项目仪器。由网络测得的点保留其共有部分：每台仪器的尺度和测站。</translation>
+        <translation>项目中一起测量相同点的若干仪器。由网络测得的点保留其共有部分：每台仪器的尺度和测站。</translation>
     </message>
     <message>
         <source>A point&apos;s deviations are the least-squares gain times those of the readings and stations, linearised at the point: exact to first order, and in Monte Carlo as long as the angles&apos; deviations stay below about a milliradian.</source>
@@ -6361,7 +6357,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>A sensor contributes to a point that is in its range and field of view, and no others.</source>
-        <translation>传感器只对位于其量程和视场内的点作贡献。</translation>
+        <translation>传感器只对位于其测程和视场内的点作贡献。</translation>
     </message>
     <message>
         <source>One figure of a data sheet for all coordinates: a standard uncertainty or a maximum permissible error.</source>
@@ -6369,11 +6365,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>A specification taken alike in all directions overestimates, by a factor of 2 to 5 in the paper&apos;s example; an instrument that stands somewhere (spherical instrument) is closer to the truth.</source>
-        <translation>在所有方向相同的规格会高估，在论文的示例中为 2 至 5 倍；位于某处的仪器（球坐标仪器）更接近实际。</translation>
+        <translation>在所有方向相同的技术指标会高估，在论文的示例中为 2 至 5 倍；位于某处的仪器（球坐标仪器）更接近实际。</translation>
     </message>
     <message>
         <source>Three or more telescopic ballbars that measure the lengths from their supports to one ball at once, and with it where the ball is.</source>
-        <translation>三个或更多伸缩球杆仪同时测量从其支座到一个球的长度，从而得出球的位置。</translation>
+        <translation>三个或更多伸缩式球杆仪同时测量从其支座到一个球的长度，从而得出球的位置。</translation>
     </message>
     <message>
         <source>The supports&apos; frame follows from the lengths between them (Eqs 4 to 7), measured once: their deviations are common to all points.</source>
@@ -6393,7 +6389,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>A robot as a source of uncertainty: each time it goes to a pose it misses it by a distance in a random direction, and perhaps by small rotations.</source>
-        <translation>机器人作为不确定度的来源：每次到达位姿时，它在随机方向上偏离一段距离，也可能有小的转动。</translation>
+        <translation>机器人作为不确定度的来源：每次到达位姿时，它在随机方向上偏离一段距离，也可能有小的旋转。</translation>
     </message>
     <message>
         <source>The paper takes the distance as rectangular in [0, r], r being the data sheet&apos;s ± 0.02 mm; u along an axis is then r/3. RP of ISO 9283 is the mean distance plus three standard deviations, which is another figure: for that law RP = 1.366 r, in a ball 1.331 r, on a sphere r, and 3.616 u for normal coordinates.</source>
@@ -6401,11 +6397,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The paper leaves the orientation out. A rotation by e moves the tool by about e times its length.</source>
-        <translation>论文不计姿态。转动 e 使工具移动约 e 乘以其长度。</translation>
+        <translation>论文不计姿态。旋转 e 使工具移动约 e 乘以其长度。</translation>
     </message>
     <message>
         <source>An arm of joints that turn or slide: parameters in a Denavit-Hartenberg convention with one or more components of uncertainty each, their correlation, limits, encoders, base and tool.</source>
-        <translation>由转动或滑动关节构成的臂：Denavit-Hartenberg 约定下的参数，每个有一个或多个不确定度分量，及其相关、限位、编码器、基座和工具。</translation>
+        <translation>由转动或移动关节构成的机械臂：Denavit-Hartenberg 约定下的参数，每个有一个或多个不确定度分量，及其相关、限位、编码器、基座和工具。</translation>
     </message>
     <message>
         <source>Eq. 5: T = Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta). Where an axis is parallel to the next, beta is a parameter and d is 0 by definition; elsewhere beta is 0.</source>
@@ -6417,7 +6413,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d in the same way.</source>
-        <translation>关节角为 theta 加读数减零位读数；滑动关节以同样方式将其读数加到 d。</translation>
+        <translation>关节角为 theta 加读数减零位读数；移动关节以同样方式将其读数加到 d。</translation>
     </message>
     <message>
         <source>Loads a multi-axis force/moment sensor with one force or moment at a time.</source>
@@ -6433,11 +6429,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Tables 1 to 4 reproduce from raw readings that are consistent with them, to the printed digits, with relative uncertainties of the machine of 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4 and 1.7e-3.</source>
-        <translation>表 1 至 4 由与之一致的原始读数重现到印出的位数，试验机的相对不确定度为 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4 和 1.7e-3。</translation>
+        <translation>表 1 至 4 由与之一致的原始读数重现到印出的位数，校准机的相对不确定度为 8.6e-4, 8.7e-4, 1.2e-5, 8.7e-4, 8.6e-4 和 1.7e-3。</translation>
     </message>
     <message>
         <source>Type B, Table 3: differs for five of six sensors, because the stated uncertainties of the machine (2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4) give 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V and not 0.27, 0.31, 0.28, 0.41, 0.40, 0.62. The list equals the Type A column in five places: most likely copied there.</source>
-        <translation>B 类，表 3：六个传感器中五个不同，因为所述的试验机不确定度 (2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4) 给出 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V，而不是 0.27, 0.31, 0.28, 0.41, 0.40, 0.62。该列有五处与 A 类列相同：很可能是抄自那里。</translation>
+        <translation>B 类，表 3：六个传感器中五个不同，因为给出的校准机不确定度（2.1e-4, 1.8e-4, 1.2e-5, 3.1e-4, 2.9e-4, 2.4e-4）给出 0.16, 0.23, 0.28, 0.31, 0.30, 0.36 µV/V，而不是 0.27, 0.31, 0.28, 0.41, 0.40, 0.62。该列有五处与 A 类列相同：很可能是抄自那里。</translation>
     </message>
     <message>
         <source>Table 4, Mx under Fy: differs, printed 1.55 %, is 0.15 %; the largest for Mx is 1.38 %, and the difference to its U 0.30 %, not 0.13 %.</source>
@@ -6449,7 +6445,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Eq 12 adds hysteresis and interference, limits that are not standard uncertainties, to an expanded uncertainty: the sum is neither a standard uncertainty nor a coverage interval.</source>
-        <translation>式 12 将滞后和串扰（并非标准不确定度的界限）加到扩展不确定度上：其和既不是标准不确定度也不是包含区间。</translation>
+        <translation>式 12 将滞后和干扰（并非标准不确定度的界限）加到扩展不确定度上：其和既不是标准不确定度也不是包含区间。</translation>
     </message>
     <message>
         <source>The largest values of Type A and Type B need not occur at the same step. Eq 5 takes the rated output at every step. In 2.1.1 &quot;h=2&quot; of My and Mz is a slip.</source>
@@ -6461,7 +6457,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The picture is fitted to what is measured, not to the mesh, which may be a whole hall.</source>
-        <translation>图片适应所测量的内容，而不是可能为整个厂房的网格。</translation>
+        <translation>画面按所测量的内容缩放，而不是按网格，因为网格可能是整个厂房。</translation>
     </message>
     <message>
         <source>A file that is missing or damaged is warned of; analyses keep their results.</source>
@@ -6557,7 +6553,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>write a product with &apos;*&apos; (&quot;N*m&quot;, &quot;W/(m*K)&quot;), not with a blank.</source>
-        <translation>乘积请用 &apos;*&apos; (&quot;N*m&quot;, &quot;W/(m*K)&quot;)，不要用空格。</translation>
+        <translation>乘积请用 &apos;*&apos;（&quot;N*m&quot;、&quot;W/(m*K)&quot;），不要用空格。</translation>
     </message>
     <message>
         <source>a parenthesis is not closed.</source>
@@ -6565,7 +6561,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the exponent must be a whole number between -9 and 9, not 0 (&quot;mm^2&quot;).</source>
-        <translation>指数必须是 -9 到 9 之间不为 0 的整数 (&quot;mm^2&quot;)。</translation>
+        <translation>指数必须是 -9 到 9 之间不为 0 的整数（&quot;mm^2&quot;）。</translation>
     </message>
     <message>
         <source>the exponents are too large.</source>
@@ -6617,7 +6613,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>&apos;%1&apos; is defined by itself here, directly or through other definitions; an equation that is to be solved is written &apos;solve %1 = 1: ... = ...&apos;, with a starting value</source>
-        <translation>&apos;%1&apos; 在此直接或通过其他定义由自身定义；要求解的方程写作 &apos;solve %1 = 1: ... = ...&apos;，并给出初始值</translation>
+        <translation>&apos;%1&apos; 在此直接或通过其他定义由自身定义；要求解的方程写作 &apos;solve %1 = 1: ... = ...&apos;，并给出初值</translation>
     </message>
     <message>
         <source>the expression in columns %1-%2</source>
@@ -6625,7 +6621,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>&apos;%1&apos; is neither defined nor one of the quantities: give it a row in the table of quantities</source>
-        <translation>&apos;%1&apos; 既未定义也不是量之一：请在量的表中给它一行</translation>
+        <translation>&apos;%1&apos; 既未定义，也不在各量之中：请在量的表中为它添加一行</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: its unit is K, not %2</source>
@@ -6661,7 +6657,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>&apos;%1&apos; is to be given in %2, but is %3</source>
-        <translation>&apos;%1&apos; 要以 %2 给出，但它是 %3</translation>
+        <translation>&apos;%1&apos; 要以 %2 给出，但它是%3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2, which has no unit of its own</source>
@@ -6729,7 +6725,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>measured in %1</source>
-        <translation>以 %1 计量</translation>
+        <translation>以 %1 计量的量</translation>
     </message>
     <message>
         <source>%1 is a temperature in degC, %2 a difference of temperatures: give differences in K</source>
@@ -6741,7 +6737,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 is a sum of temperatures in degC, which means nothing: give differences in K, or divide the sum by the number of temperatures for their mean</source>
-        <translation>%1 是以 degC 表示的温度之和，没有意义：温度差请以 K 给出，求均值请将和除以温度的个数</translation>
+        <translation>%1 是以 degC 表示的温度之和，没有意义：温度差请以 K 给出，求平均值请将和除以温度的个数</translation>
     </message>
     <message>
         <source>%1 is not a condition: write a comparison, as in if(x &gt; 0, x, 0)</source>
@@ -6801,7 +6797,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the word &apos;%1&apos; is not expected here</source>
-        <translation>此处不应有词 &apos;%1&apos;</translation>
+        <translation>此处不应有关键字 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>an operator, a comma or &apos;)&apos; is expected here, not %1</source>
@@ -6829,7 +6825,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>a name with its starting value is expected here: y = 1</source>
-        <translation>此处应为带初始值的名称：y = 1</translation>
+        <translation>此处应为带初值的名称：y = 1</translation>
     </message>
     <message>
         <source>a function</source>
@@ -6837,7 +6833,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>a word of the language</source>
-        <translation>语言的词</translation>
+        <translation>方程语言的关键字</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2: choose another name</source>
@@ -6897,7 +6893,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the limits give the estimate: leave the value empty, or state a half-width</source>
-        <translation>界限给出估计值：请将值留空，或说明半宽</translation>
+        <translation>界限给出估计值：请将值留空，或给出半宽</translation>
     </message>
     <message>
         <source>the lower limit is above the upper limit</source>
@@ -6921,7 +6917,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>&apos;%1&apos; is not used by this statement: leave it empty</source>
-        <translation>此表述不使用 &apos;%1&apos;：请留空</translation>
+        <translation>此给出方式不使用 &apos;%1&apos;：请留空</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing: %2</source>
@@ -6945,11 +6941,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>there is no statement &apos;%1&apos;</source>
-        <translation>没有表述 &apos;%1&apos;</translation>
+        <translation>没有给出方式 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not understood here</source>
-        <translation>此处不理解 &apos;%1&apos;</translation>
+        <translation>无法理解此处的 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a number is missing after &apos;%1&apos;</source>
@@ -6957,7 +6953,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>&apos;%1&apos; is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant</source>
-        <translation>&apos;%1&apos; 不是表述不确定度的方式。例如：75 nm; U = 0.3 um, k = 2; 矩形 0.5; 分辨力 0.01; 常量</translation>
+        <translation>&apos;%1&apos; 不是给出不确定度的方式。例如：75 nm；U = 0.3 um, k = 2；矩形 0.5；分辨力 0.01；常量</translation>
     </message>
     <message>
         <source>%1 has %2 figure</source>
@@ -6973,11 +6969,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>a figure is missing: it is noted as %1</source>
-        <translation>缺少数值：记为 %1</translation>
+        <translation>缺少数值：写法为 %1</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no part of it: it is noted as %2</source>
-        <translation>&apos;%1&apos; 不属于它：记为 %2</translation>
+        <translation>&apos;%1&apos; 不属于它：写法为 %2</translation>
     </message>
     <message>
         <source>it has no unit</source>
@@ -7001,7 +6997,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>a part of the value needs the value</source>
-        <translation>该值的一部分需要该值本身</translation>
+        <translation>以值的一部分给出时，需要该值</translation>
     </message>
     <message>
         <source>%1 is no unit for a quantity in %2</source>
@@ -7021,11 +7017,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the covariance of two means needs observations made in pairs: the series have different lengths.</source>
-        <translation>两个均值的协方差需要成对的观测值：各系列的长度不同。</translation>
+        <translation>两个平均值的协方差需要成对的观测值：各系列的长度不同。</translation>
     </message>
     <message>
         <source>the covariance of two means needs at least two pairs.</source>
-        <translation>两个均值的协方差至少需要两对。</translation>
+        <translation>两个平均值的协方差至少需要两对。</translation>
     </message>
     <message>
         <source>the components %1 and %2 are given two different correlations; a quantity that combines its components arithmetically needs +1 or -1.</source>
@@ -7053,7 +7049,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the component %1 is a coordinate of a vector of random direction and cannot be correlated with another component; give it a normal distribution first.</source>
-        <translation>分量 %1 是随机方向向量的一个坐标，不能与其他分量相关；请先赋予它正态分布。</translation>
+        <translation>分量 %1 是随机方向矢量的一个坐标，不能与其他分量相关；请先赋予它正态分布。</translation>
     </message>
     <message>
         <source>the estimate of variance &quot;%1&quot; has component number %2, which does not exist or rests on two estimates.</source>
@@ -7097,7 +7093,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the inexactness of the limits must not exceed half the distance between them.</source>
-        <translation>界限的不精确度不得超过其间距的一半。</translation>
+        <translation>界限的不准确度不得超过其间距的一半。</translation>
     </message>
     <message>
         <source>the ratio beta of top to base must lie between 0 and 1.</source>
@@ -7157,7 +7153,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 in row %2 of %3</source>
-        <translation>%3 第 %2 行的 %1</translation>
+        <translation>%3第 %2 行的%1</translation>
     </message>
     <message>
         <source>greater than %1 and at most %2</source>
@@ -7485,7 +7481,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%2 的 %1</translation>
+        <translation>%2 的%1</translation>
     </message>
     <message>
         <source>no trial has a value</source>
@@ -7537,7 +7533,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no spread</source>
-        <translation>没有分散</translation>
+        <translation>无分散性</translation>
     </message>
     <message>
         <source>normal as far as so few trials can tell</source>
@@ -7629,11 +7625,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>1 vector of random direction has coordinates with different distributions after editing: they are drawn independently.</source>
-        <translation>1 个随机方向的向量在编辑后各坐标的分布不同：它们被独立抽取。</translation>
+        <translation>1 个随机方向的矢量在编辑后各坐标的分布不同：它们被独立抽取。</translation>
     </message>
     <message>
         <source>%1 vectors of random direction have coordinates with different distributions after editing: they are drawn independently.</source>
-        <translation>%1 个随机方向的向量在编辑后各坐标的分布不同：它们被独立抽取。</translation>
+        <translation>%1 个随机方向的矢量在编辑后各坐标的分布不同：它们被独立抽取。</translation>
     </message>
     <message>
         <source>The angle %1 is hardly determined: its standard uncertainty by the law of propagation exceeds 1 rad.</source>
@@ -7645,7 +7641,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>to correct the bias of coordinate %1, give the number of observations n in its row: the uncertainty of the correction is u_var/sqrt(n)</source>
-        <translation>要修正坐标 %1 的偏倚，请在其行中给出观测次数 n：修正的不确定度为 u_var/sqrt(n)</translation>
+        <translation>要修正坐标 %1 的偏移，请在其行中给出观测次数 n：修正的不确定度为 u_var/sqrt(n)</translation>
     </message>
     <message>
         <source>there are two points called &apos;%1&apos;; rename one</source>
@@ -7653,7 +7649,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>there is no calibrated point called &apos;%1&apos;</source>
-        <translation>没有名为 &apos;%1&apos; 的校准点</translation>
+        <translation>没有名为 &apos;%1&apos; 的已校准点</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must consist of the letters x, y and z</source>
@@ -7661,7 +7657,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>coordinate %1 has fewer than two observations that do not define the frame: measure more points or runs</source>
-        <translation>坐标 %1 不定义坐标系的观测少于两个：请测量更多点或次数</translation>
+        <translation>坐标 %1 不定义坐标系的观测值少于两个：请测量更多的点或测次</translation>
     </message>
     <message>
         <source>coordinate %1 has %2 rows; it must have one</source>
@@ -7669,7 +7665,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the length standard needs at least two observations</source>
-        <translation>长度标准至少需要两个观测值</translation>
+        <translation>长度标准器至少需要两个观测值</translation>
     </message>
     <message>
         <source>the table must have one row; it has %1</source>
@@ -7689,7 +7685,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>it is out of the range or field of view of the instrument</source>
-        <translation>它在仪器的量程或视场之外</translation>
+        <translation>它在仪器的测程或视场之外</translation>
     </message>
     <message>
         <source>correlated coordinates of a station are combinations of independent deviations, which are normal: leave the distribution normal, or the correlation out</source>
@@ -7701,7 +7697,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the range ends before it begins: the longest distance must be greater than the shortest</source>
-        <translation>量程在开始之前结束：最长距离必须大于最短距离</translation>
+        <translation>测程的终点在起点之前：最长距离必须大于最短距离</translation>
     </message>
     <message>
         <source>the sensor reads nothing: choose a distance or an angle</source>
@@ -7721,27 +7717,27 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>it cannot be localised from what %1 read: the readings leave a direction undetermined; add a sensor or a reading</source>
-        <translation>不能由 %1 的读数定位：读数使一个方向不确定；请增加传感器或读数</translation>
+        <translation>不能由 %1 的读数定位：有一个方向不能由读数确定；请增加传感器或读数</translation>
     </message>
     <message>
         <source>the readings do not lead to a position of every target: the estimation does not converge from the nominal coordinates; look for exchanged or mistyped readings</source>
-        <translation>读数不能得出每个目标的位置：由标称坐标开始的估计不收敛；请查找对调或误输的读数</translation>
+        <translation>读数不能得出每个目标点的位置：由标称坐标开始的估计不收敛；请查找对调或误输的读数</translation>
     </message>
     <message>
         <source>%1 looks away from target %2: its angles point to the opposite side</source>
-        <translation>%1 背向目标 %2：其角度指向相反一侧</translation>
+        <translation>%1 背向目标点 %2：其角度指向相反一侧</translation>
     </message>
     <message>
         <source>there is no target %1</source>
-        <translation>没有目标 %1</translation>
+        <translation>没有目标点 %1</translation>
     </message>
     <message>
         <source>%1 does not see target %2: it is out of its range or field of view</source>
-        <translation>%1 看不到目标 %2：它在其量程或视场之外</translation>
+        <translation>%1 看不到目标点 %2：它在其测程或视场之外</translation>
     </message>
     <message>
         <source>%1 does not see %2 of the %3 targets: they are out of its range or field of view</source>
-        <translation>%1 看不到 %3 个目标中的 %2 个：它们在其量程或视场之外</translation>
+        <translation>%1 看不到 %3 个目标点中的 %2 个：它们在其测程或视场之外</translation>
     </message>
     <message>
         <source>the sensor %1 is not listed in the network</source>
@@ -7753,15 +7749,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>more than %1 rows for target %2</source>
-        <translation>目标 %2 超过 %1 行</translation>
+        <translation>目标点 %2 超过 %1 行</translation>
     </message>
     <message>
         <source>target %1 is at the place of %2</source>
-        <translation>目标 %1 位于 %2 的位置</translation>
+        <translation>目标点 %1 位于 %2 的位置</translation>
     </message>
     <message>
         <source>target %1 is behind the camera %2</source>
-        <translation>目标 %1 在相机 %2 之后</translation>
+        <translation>目标点 %1 在相机 %2 之后</translation>
     </message>
     <message>
         <source>a network has at most %1 sensors; divide it into several analyses</source>
@@ -7769,51 +7765,51 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>two targets are called %1</source>
-        <translation>有两个目标名为 %1</translation>
+        <translation>有两个目标点名为 %1</translation>
     </message>
     <message>
         <source>a distance needs two targets at different places</source>
-        <translation>距离需要位于不同位置的两个目标</translation>
+        <translation>距离需要位于不同位置的两个目标点</translation>
     </message>
     <message>
         <source>a calibrated length needs two targets at different places</source>
-        <translation>校准长度需要位于不同位置的两个目标</translation>
+        <translation>已校准长度需要位于不同位置的两个目标点</translation>
     </message>
     <message>
         <source>the calibrated length is missing</source>
-        <translation>缺少校准长度</translation>
+        <translation>缺少已校准长度</translation>
     </message>
     <message>
         <source>the nominal targets of the %1 are at another distance than its calibrated length; the design takes their distance</source>
-        <translation>%1 的标称目标之间的距离与其校准长度不同；设计取它们的距离</translation>
+        <translation>%1 的标称目标点之间的距离与其已校准长度不同；设计取它们的距离</translation>
     </message>
     <message>
         <source>a calibrated length can be a constraint only of the non-linear estimator with weights from readings and stations</source>
-        <translation>只有非线性估计且权来自读数和测站时，校准长度才能作为约束</translation>
+        <translation>只有非线性估计且权来自读数和测站时，已校准长度才能作为约束</translation>
     </message>
     <message>
         <source>the targets of the %1 belong to two set-ups, which are estimated one after the other: it can only be a check</source>
-        <translation>%1 的目标属于两次设站，两者先后估计：它只能作为检核</translation>
+        <translation>%1 的目标点属于两次设站，两者先后估计：它只能作为检核</translation>
     </message>
     <message>
         <source>the targets of an angle must be at three places off one line: at 0° and 180° an angle has no sign and no derivative</source>
-        <translation>角度的目标必须在不共线的三个位置：在 0° 和 180° 处角度没有符号也没有导数</translation>
+        <translation>角度的目标点必须在不共线的三个位置：在 0° 和 180° 处角度没有符号也没有导数</translation>
     </message>
     <message>
         <source>the name %1 is taken by another frame or a target</source>
-        <translation>名称 %1 已被另一坐标系或目标使用</translation>
+        <translation>名称 %1 已被另一坐标系或目标点使用</translation>
     </message>
     <message>
         <source>the three targets of frame %1 lie on one line: its axes are undefined</source>
-        <translation>坐标系 %1 的三个目标在一条直线上：其轴不确定</translation>
+        <translation>坐标系 %1 的三个目标点在一条直线上：其轴无定义</translation>
     </message>
     <message>
         <source>the x-axis of frame %1 is vertical: its Z-Y-X angles are undefined (gimbal lock)</source>
-        <translation>坐标系 %1 的 x 轴是竖直的：其 Z-Y-X 角不确定（万向锁）</translation>
+        <translation>坐标系 %1 的 x 轴是竖直的：其 Z-Y-X 角无定义（万向节锁定）</translation>
     </message>
     <message>
         <source>scale bar %1 – %2</source>
-        <translation>标尺 %1 – %2</translation>
+        <translation>基准尺 %1 – %2</translation>
     </message>
     <message>
         <source>the sensor %1 is listed twice</source>
@@ -7833,7 +7829,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>elevation of %1 by %2</source>
-        <translation>%2 所测 %1 的仰角</translation>
+        <translation>%2 所测 %1 的俯仰角</translation>
     </message>
     <message>
         <source>length of the %1</source>
@@ -7849,27 +7845,27 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>target %1 has no linear equations that localise it (a distance without angles has none): use the non-linear estimator</source>
-        <translation>目标 %1 没有能将其定位的线性方程（没有角度的距离没有）：请使用非线性估计</translation>
+        <translation>目标点 %1 没有能将其定位的线性方程（没有角度的距离没有线性方程）：请使用非线性估计</translation>
     </message>
     <message>
         <source>target %1 cannot be localised from what %2 read: the readings leave a direction undetermined; add a sensor or a reading</source>
-        <translation>目标 %1 不能由 %2 的读数定位：读数使一个方向不确定；请增加传感器或读数</translation>
+        <translation>目标点 %1 不能由 %2 的读数定位：有一个方向不能由读数确定；请增加传感器或读数</translation>
     </message>
     <message>
         <source>target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m</source>
-        <translation>目标 %1 几乎不能定位：在一个方向上，距离 %3 m 处 u 为 %2 m</translation>
+        <translation>目标点 %1 几乎不能定位：在一个方向上，距离 %3 m 处 u 为 %2 m</translation>
     </message>
     <message>
         <source>the stations that measure target %1 lie in one plane and read distances only: its mirror image behind that plane fits as well; the one near the nominal coordinates is taken</source>
-        <translation>测量目标 %1 的测站在一个平面内且只读取距离：其在该平面后的镜像同样符合；取靠近标称坐标的那个</translation>
+        <translation>测量目标点 %1 的测站在一个平面内且只读取距离：其在该平面后的镜像同样符合；取靠近标称坐标的那个</translation>
     </message>
     <message>
         <source>a calibrated length cannot be a constraint of a set-up with more than %1 readings (this one has %2): make it a check</source>
-        <translation>校准长度不能作为读数超过 %1 个的设站的约束（此设站有 %2 个）：请改为检核</translation>
+        <translation>已校准长度不能作为读数超过 %1 个的设站的约束（此设站有 %2 个）：请改为检核</translation>
     </message>
     <message>
         <source>the %1 readings of one set-up are too many to be weighed together: each target is estimated from its own readings, weighted with the stations</source>
-        <translation>一次设站的 %1 个读数过多，不能一起加权：每个目标由其自身的读数估计，与测站一起加权</translation>
+        <translation>一次设站的 %1 个读数过多，不能一起加权：每个目标点由其自身的读数估计，与测站一起加权</translation>
     </message>
     <message>
         <source>the standard uncertainty of a coordinate, %1 mm, is more than a tenth of the distance of point %2 from the x-axis, %3 mm: the law of propagation is not reliable here, look at Monte Carlo</source>
@@ -7881,15 +7877,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1: beta is within 2° of ±90°, where Z-Y-X angles are undefined (gimbal lock); state the orientation as a rotation vector</source>
-        <translation>%1：beta 距 ±90° 不足 2°，该处 Z-Y-X 角不确定（万向锁）；请以旋转向量说明姿态</translation>
+        <translation>%1：beta 距 ±90° 不足 2°，该处 Z-Y-X 角无定义（万向节锁定）；请以旋转矢量表示姿态</translation>
     </message>
     <message>
         <source>%1: beta is within 2° of 0° or 180°, where Z-Y-Z angles are undefined (gimbal lock); state the orientation as Z-Y-X angles or a rotation vector</source>
-        <translation>%1：beta 距 0° 或 180° 不足 2°，该处 Z-Y-Z 角不确定（万向锁）；请以 Z-Y-X 角或旋转向量说明姿态</translation>
+        <translation>%1：beta 距 0° 或 180° 不足 2°，该处 Z-Y-Z 角无定义（万向节锁定）；请以 Z-Y-X 角或旋转矢量表示姿态</translation>
     </message>
     <message>
         <source>%1: the rotation is within 4° of half a turn, where the sign of the axis is undefined; state the orientation as angles</source>
-        <translation>%1：转动距半圈不足 4°，该处轴的符号不确定；请以角度说明姿态</translation>
+        <translation>%1：旋转距半圈不足 4°，该处轴的符号无定义；请以角度表示姿态</translation>
     </message>
     <message>
         <source>the analysis %1 has no point called &apos;%2&apos;</source>
@@ -7905,11 +7901,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the base frame is undefined</source>
-        <translation>基坐标系不确定</translation>
+        <translation>基坐标系无定义</translation>
     </message>
     <message>
         <source>the moving frame is undefined</source>
-        <translation>运动坐标系不确定</translation>
+        <translation>动坐标系无定义</translation>
     </message>
     <message>
         <source>points %1 and %2 coincide: %3</source>
@@ -7921,11 +7917,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>all points lie on one line or coincide: their frame is undefined</source>
-        <translation>所有点在一条直线上或重合：其坐标系不确定</translation>
+        <translation>所有点在一条直线上或重合：其坐标系无定义</translation>
     </message>
     <message>
         <source>not used: the uncertainties come from an artefact or instrument</source>
-        <translation>不使用：不确定度来自标准件或仪器</translation>
+        <translation>不使用：不确定度来自实物标准器或仪器</translation>
     </message>
     <message>
         <source>there are two poses called &apos;%1&apos;; rename one</source>
@@ -7933,7 +7929,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no pose may be called &apos;base&apos;: that names the base among the measured points</source>
-        <translation>位姿不得名为 &apos;base&apos;：它在测得的点中指基座</translation>
+        <translation>位姿不得名为 &apos;base&apos;：它在实测点中指基座</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is neither &apos;base&apos; nor the name of a pose</source>
@@ -7961,7 +7957,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the points of &apos;%1&apos; do not fit their nominal coordinates within the stated uncertainties: chi-square %2 with %3 degrees of freedom; the largest normalised residual is %4 (%5)</source>
-        <translation>&apos;%1&apos; 的点在所述不确定度内与其标称坐标不符：卡方 %2，自由度 %3；最大标准化残差为 %4（%5）</translation>
+        <translation>&apos;%1&apos; 的点在给出的不确定度内与其标称坐标不符：卡方 %2，自由度 %3；最大标准化残差为 %4（%5）</translation>
     </message>
     <message>
         <source>the lengths between the supports make no triangle: the longest of %1, %2 and %3 exceeds the sum of the others</source>
@@ -7969,7 +7965,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the three supports lie on a line (%1, %2 and %3): they leave the place of the ball undetermined; move one of them aside</source>
-        <translation>三个支座（%1、%2 和 %3）在一条直线上：它们使球的位置不确定；请将其中一个移开</translation>
+        <translation>三个支座（%1、%2 和 %3）在一条直线上：它们不能确定球的位置；请将其中一个移开</translation>
     </message>
     <message>
         <source>the lengths of support %1 do not meet at its height: they miss by %2</source>
@@ -7981,23 +7977,23 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the rotation about %1</source>
-        <translation>绕 %1 的转动</translation>
+        <translation>绕 %1 的旋转</translation>
     </message>
     <message>
         <source>%1 has %2 points; a plane needs three, and some more to be checked</source>
-        <translation>%1 有 %2 个点；平面需要三个，以及另外一些供检核</translation>
+        <translation>%1有 %2 个点；平面需要三个，以及另外一些供检核</translation>
     </message>
     <message>
         <source>%1 has a span of zero: all its points coincide</source>
-        <translation>%1 的跨度为零：其所有点重合</translation>
+        <translation>%1的跨度为零：其所有点重合</translation>
     </message>
     <message>
         <source>the tool centre point lies on the axis of %1 (or the tool has no length): it traces no circle; turn about another axis</source>
-        <translation>工具中心点位于 %1 的轴上（或工具没有长度）：它不画圆；请绕另一轴转动</translation>
+        <translation>工具中心点位于%1的轴上（或工具没有长度）：它不画圆；请绕另一轴转动</translation>
     </message>
     <message>
         <source>the arc of %1 spans only %2°: uncertainties grow as the inverse square of the span and may be %3 times those of half a turn</source>
-        <translation>%1 的圆弧仅跨 %2°：不确定度按跨度平方的倒数增大，可能为半圈时的 %3 倍</translation>
+        <translation>%1的圆弧仅跨 %2°：不确定度按跨度平方的倒数增大，可能为半圈时的 %3 倍</translation>
     </message>
     <message>
         <source>point %1 is %2 mm on the other side of the supports&apos; plane, where the ballbars look for no solution; change their placement or their side</source>
@@ -8009,7 +8005,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the measured points determine no sphere and no axes: they lie on one circle, or coincide; check their axes and angles</source>
-        <translation>测得的点不能确定球面和轴：它们在一个圆上或重合；请检查其轴和角度</translation>
+        <translation>实测点不能确定球面和轴：它们在一个圆上或重合；请检查其轴和角度</translation>
     </message>
     <message>
         <source>a procedure has at most %1 points</source>
@@ -8021,15 +8017,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the flange turns about %1 in two rotations; put their points into one</source>
-        <translation>法兰在两个转动中绕 %1 转动；请将其点合并为一个</translation>
+        <translation>法兰在两次旋转中绕 %1 转动；请将其点合并为一个</translation>
     </message>
     <message>
         <source>one rotation traces one circle, which leaves the centre of the flange and its axes undetermined: add a rotation about another axis</source>
-        <translation>一个转动画一个圆，法兰的中心和轴仍不确定：请添加绕另一轴的转动</translation>
+        <translation>一次旋转画一个圆，法兰的中心和轴仍未确定：请添加绕另一轴的旋转</translation>
     </message>
     <message>
         <source>no rotation measures axis %1: choose another way to make the axes, or add the rotation</source>
-        <translation>没有转动测量轴 %1：请选择其他构成轴的方式，或添加该转动</translation>
+        <translation>没有旋转测量轴 %1：请选择其他构成轴的方式，或添加该旋转</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not offer &apos;%2&apos;</source>
@@ -8045,15 +8041,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>others follow it at the end of the arm, as in a gripper</source>
-        <translation>其他关节在臂末端跟随它，如同夹爪</translation>
+        <translation>其他关节在机械臂末端跟随它，如同夹爪</translation>
     </message>
     <message>
         <source>it slides by less than 100 mm at the end of the arm, as in a gripper</source>
-        <translation>它在臂末端滑动不足 100 mm，如同夹爪</translation>
+        <translation>它在机械臂末端移动不足 100 mm，如同夹爪</translation>
     </message>
     <message>
         <source>it is one of several at the end of the arm, as in a hand</source>
-        <translation>它是臂末端若干关节之一，如同手</translation>
+        <translation>它是机械臂末端若干关节之一，如同手</translation>
     </message>
     <message>
         <source>no joint leads to a link called %1</source>
@@ -8077,15 +8073,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no arm: joint %1 was left out because %2</source>
-        <translation>不是臂：关节 %1 被省略，因为 %2</translation>
+        <translation>不是机械臂：关节 %1 被省略，因为 %2</translation>
     </message>
     <message>
         <source>no arm: joint %1 is of the type %2</source>
-        <translation>不是臂：关节 %1 的类型为 %2</translation>
+        <translation>不是机械臂：关节 %1 的类型为 %2</translation>
     </message>
     <message>
         <source>no arm: joint %1 follows joint %2</source>
-        <translation>不是臂：关节 %1 跟随关节 %2</translation>
+        <translation>不是机械臂：关节 %1 跟随关节 %2</translation>
     </message>
     <message>
         <source>left out: it is of the type %1</source>
@@ -8109,7 +8105,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the file has several arms of equal length, ending at %1 and %2: name the tip link of the one to import</source>
-        <translation>文件有多条等长的臂，末端为 %1 和 %2：请指明要导入者的末端连杆</translation>
+        <translation>文件有多条等长的机械臂，末端为 %1 和 %2：请指明要导入者的末端连杆</translation>
     </message>
     <message>
         <source>frozen: %1</source>
@@ -8141,7 +8137,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the file has xacro macros: expand them first (xacro FILE &gt; arm.urdf)</source>
-        <translation>文件有 xacro 宏：请先展开 (xacro FILE &gt; arm.urdf)</translation>
+        <translation>文件有 xacro 宏：请先展开（xacro FILE &gt; arm.urdf）</translation>
     </message>
     <message>
         <source>link %1 hangs on two joints; URDF describes trees</source>
@@ -8169,15 +8165,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>an arm has at most %1 joints here</source>
-        <translation>此处臂最多有 %1 个关节</translation>
+        <translation>此处机械臂最多有 %1 个关节</translation>
     </message>
     <message>
         <source>joint %1 slides: state its readings as lengths, in the columns of s</source>
-        <translation>关节 %1 是滑动的：请在 s 的各列中以长度给出其读数</translation>
+        <translation>关节 %1 是移动关节：请在 s 的各列中以长度给出其读数</translation>
     </message>
     <message>
         <source>joint %1 turns: state its readings as angles, or give it the type sliding</source>
-        <translation>关节 %1 是转动的：请以角度给出其读数，或将其类型设为滑动</translation>
+        <translation>关节 %1 是转动关节：请以角度给出其读数，或将其类型设为移动</translation>
     </message>
     <message>
         <source>joint %1</source>
@@ -8193,7 +8189,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the lowest reading of %1 is not below its highest</source>
-        <translation>%1 的最小读数不低于其最大读数</translation>
+        <translation>%1 的最小读数不小于其最大读数</translation>
     </message>
     <message>
         <source>the robot has no joint %1</source>
@@ -8233,7 +8229,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>pose %1: the orientation is within 2° of one that %2 cannot state (gimbal lock, half turn); state it otherwise</source>
-        <translation>位姿 %1：姿态距 %2 不能表述的姿态不足 2°（万向锁、半圈）；请以其他方式说明</translation>
+        <translation>位姿 %1：姿态与%2不能表示的姿态相差不足 2°（万向节锁定、半圈）；请以其他方式表示</translation>
     </message>
     <message>
         <source>%1 has only %2 joints; leave %3 empty</source>
@@ -8241,11 +8237,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>joint %1 of %2 slides: its reading is %3</source>
-        <translation>%2 的关节 %1 是滑动的：其读数为 %3</translation>
+        <translation>%2 的关节 %1 是移动关节：其读数为 %3</translation>
     </message>
     <message>
         <source>joint %1 of %2 turns: its reading is %3</source>
-        <translation>%2 的关节 %1 是转动的：其读数为 %3</translation>
+        <translation>%2 的关节 %1 是转动关节：其读数为 %3</translation>
     </message>
     <message>
         <source>pose %1: give all three angles or none</source>
@@ -8269,11 +8265,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 mm, turned by %2 deg</source>
-        <translation>%1 mm，转动 %2 deg</translation>
+        <translation>%1 mm，旋转 %2 deg</translation>
     </message>
     <message>
         <source>joint %1: %2, slides, %3</source>
-        <translation>关节 %1：%2，滑动，%3</translation>
+        <translation>关节 %1：%2，移动，%3</translation>
     </message>
     <message>
         <source>joint %1: %2, turns, %3</source>
@@ -8297,11 +8293,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the chain to %1 has %2 moving joints; an arm has at most %3 here: freeze those before the arm, --freeze %4=0</source>
-        <translation>通向 %1 的链有 %2 个活动关节；此处臂最多有 %3 个：请固定臂之前的关节，--freeze %4=0</translation>
+        <translation>通向 %1 的链有 %2 个活动关节；此处机械臂最多有 %3 个：请固定机械臂之前的关节，--freeze %4=0</translation>
     </message>
     <message>
         <source>pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). Look at this pose first; hold it back by use = check</source>
-        <translation>位姿 %1：其 %2 的残差是其标准不确定度的 %3 倍（限值 %4）。请先查看此位姿；以 use = check 将其保留</translation>
+        <translation>位姿 %1：其%2的残差是其标准不确定度的 %3 倍（限值 %4）。请先查看此位姿；设“用途 = 检核”可将其留作检验</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the uncertainties of points and readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
@@ -8313,7 +8309,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no parameter of the arm can be told from these poses: every one of them is coupled with others or held</source>
-        <translation>由这些位姿不能得出臂的任何参数：每个参数都与其他参数耦合或被固定</translation>
+        <translation>由这些位姿不能得出机械臂的任何参数：每个参数都与其他参数耦合或被固定</translation>
     </message>
     <message>
         <source>the poses of the fit give %1 coordinates, no more than there are unknowns to find: measure more poses, or hold parameters</source>
@@ -8321,7 +8317,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, and for a nominal robot that is another arm</source>
-        <translation>拟合不收敛：请查找对调的位姿、符号或单位错误的读数，以及是否为另一种臂的标称机器人</translation>
+        <translation>拟合不收敛：请查找对调的位姿、符号或单位错误的读数，以及是否为另一种机械臂的标称机器人</translation>
     </message>
     <message>
         <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
@@ -8329,7 +8325,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
-        <translation>关节 %1 是滑动的：只辨识关节均转动的臂；请取不含它的臂，保持测量时的状态</translation>
+        <translation>关节 %1 是移动关节：只辨识关节均转动的机械臂；请取不含它的机械臂，保持测量时的状态</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
@@ -8349,7 +8345,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>rotation about %1</source>
-        <translation>绕 %1 的转动</translation>
+        <translation>绕 %1 的旋转</translation>
     </message>
     <message>
         <source>base %1</source>
@@ -8361,7 +8357,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the points do not lead to parameters of the arm</source>
-        <translation>这些点不能得出臂的参数</translation>
+        <translation>这些点不能得出机械臂的参数</translation>
     </message>
     <message>
         <source>the points of %1 run against the positive direction of the joint: reverse their order, or give its readings</source>
@@ -8373,11 +8369,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 are nearly parallel (%2): they are described by beta with d = 0, because the place of their common perpendicular is hardly determined</source>
-        <translation>%1 几乎平行（%2）：以 beta 且 d = 0 描述，因为其公垂线的位置几乎不能确定</translation>
+        <translation>%1几乎平行（%2）：以 beta 且 d = 0 描述，因为其公垂线的位置几乎不能确定</translation>
     </message>
     <message>
         <source>%1 are %2 apart: they are described by d without beta, although the nominal robot has beta</source>
-        <translation>%1 相距 %2：以 d 而无 beta 描述，尽管标称机器人有 beta</translation>
+        <translation>%1相距 %2：以 d 而无 beta 描述，尽管标称机器人有 beta</translation>
     </message>
     <message>
         <source>the axes of joints %1 and %2 are the same line: nothing tells their frames apart</source>
@@ -8389,11 +8385,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>joint %1 slides and draws no circle: take an arm without it, as it stands during the measurement</source>
-        <translation>关节 %1 是滑动的，不画圆：请取不含它的臂，保持测量时的状态</translation>
+        <translation>关节 %1 是移动关节，不画圆：请取不含它的机械臂，保持测量时的状态</translation>
     </message>
     <message>
         <source>an arm of one joint has no parameters between two axes</source>
-        <translation>只有一个关节的臂没有两轴之间的参数</translation>
+        <translation>只有一个关节的机械臂没有两轴之间的参数</translation>
     </message>
     <message>
         <source>the robot has no %1</source>
@@ -8441,7 +8437,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>two cases are called &apos;%1&apos;</source>
-        <translation>有两种情况名为 &apos;%1&apos;</translation>
+        <translation>有两个工况名为 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>channel %1 has no reading: all channels are needed</source>
@@ -8465,7 +8461,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the interference of %1 is known without signs: it cannot be compensated. Give raw readings, or a table with signs</source>
-        <translation>%1 的串扰不知符号：不能补偿。请给出原始读数，或带符号的表</translation>
+        <translation>%1 的干扰不知符号：不能补偿。请给出原始读数，或带符号的表</translation>
     </message>
     <message>
         <source>quadratic terms need raw readings; %1 has a summary only</source>
@@ -8489,7 +8485,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 states no uncertainty of its load on %2: add it to its certificate</source>
-        <translation>%1 没有说明其在 %2 上载荷的不确定度：请将其加入其证书</translation>
+        <translation>%1 未给出其在 %2 上载荷的不确定度：请将其加入其证书</translation>
     </message>
     <message>
         <source>increasing loads</source>
@@ -8501,23 +8497,23 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>run %1 of %2 has no %3: it is left out</source>
-        <translation>%2 的第 %1 次运行没有%3：将其省略</translation>
+        <translation>%2 的第 %1 测次没有%3：将其省略</translation>
     </message>
     <message>
         <source>%1 was not calibrated: there are no runs with its axis loaded</source>
-        <translation>%1 没有校准：没有其轴受载的运行</translation>
+        <translation>%1 没有校准：没有对其轴加载的测次</translation>
     </message>
     <message>
         <source>%1 has one run only: its repeatability needs two or more</source>
-        <translation>%1 只有一次运行：其重复性需要两次或更多</translation>
+        <translation>%1 只有一个测次：其重复性需要两个或更多</translation>
     </message>
     <message>
         <source>%1 has %2 runs, %3 are planned: its means have %4 degrees of freedom</source>
-        <translation>%1 有 %2 次运行，计划为 %3 次：其均值的自由度为 %4</translation>
+        <translation>%1 有 %2 个测次，计划为 %3 个：其平均值的自由度为 %4</translation>
     </message>
     <message>
         <source>%1 has %2 preloads, %3 are planned</source>
-        <translation>%1 有 %2 次预载，计划为 %3 次</translation>
+        <translation>%1 有 %2 次预加载，计划为 %3 次</translation>
     </message>
     <message>
         <source>, and it says nothing about repeatability</source>
@@ -8525,7 +8521,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>step %1 of %2 is missing in %3 of %4 runs: its mean is that of %5%6</source>
-        <translation>%2 的第 %1 级在 %4 次运行中的 %3 次缺失：其均值为 %5 次的均值%6</translation>
+        <translation>%2 的第 %1 级在 %4 个测次中的 %3 个缺失：其平均值取自 %5 个测次%6</translation>
     </message>
     <message>
         <source>%1 was loaded in %2 steps, %3 are planned</source>
@@ -8537,11 +8533,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 has the same reading in all runs: its repeatability is evaluated as zero</source>
-        <translation>%1 在所有运行中读数相同：其重复性评定为零</translation>
+        <translation>%1 在所有测次中读数相同：其重复性评定为零</translation>
     </message>
     <message>
         <source>%1 has no unloaded readings after a run: its non-zero error is taken as zero</source>
-        <translation>%1 在运行之后没有空载读数：其零点误差取为零</translation>
+        <translation>%1 在测次之后没有空载读数：其回零误差取为零</translation>
     </message>
     <message>
         <source>%1 has no decreasing loads: its hysteresis is not known and is taken as zero</source>
@@ -8549,15 +8545,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>run %1 of %2 reads the same at steps %3 and %4 although the load rises: the indicator is saturated or the channel is stuck</source>
-        <translation>%2 的第 %1 次运行在第 %3 级和第 %4 级读数相同，尽管载荷上升：指示器饱和或通道卡住</translation>
+        <translation>%2 的第 %1 测次在第 %3 级和第 %4 级读数相同，尽管载荷上升：指示器饱和或通道卡住</translation>
     </message>
     <message>
         <source>run %1 of %2: only %3 s between steps %4 and %5, %6 s are planned</source>
-        <translation>%2 的第 %1 次运行：第 %4 级和第 %5 级之间仅 %3 s，计划为 %6 s</translation>
+        <translation>%2 的第 %1 测次：第 %4 级和第 %5 级之间仅 %3 s，计划为 %6 s</translation>
     </message>
     <message>
         <source>run %1 of %2 begins %3 s after the one before was unloaded, %4 s are planned</source>
-        <translation>%2 的第 %1 次运行在前一次卸载后 %3 s 开始，计划为 %4 s</translation>
+        <translation>%2 的第 %1 测次在前一测次卸载后 %3 s 开始，计划为 %4 s</translation>
     </message>
     <message>
         <source>channel %1 does not respond to its load: %2 at the rated load; look at its cable and its column</source>
@@ -8601,11 +8597,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>this run has its unloaded reading already</source>
-        <translation>此次运行已有空载读数</translation>
+        <translation>此测次已有空载读数</translation>
     </message>
     <message>
         <source>step %1 of this run is given twice</source>
-        <translation>此次运行的第 %1 级给出了两次</translation>
+        <translation>此测次的第 %1 级给出了两次</translation>
     </message>
     <message>
         <source>channel %1 has no row in the summary</source>
@@ -8613,7 +8609,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 has no row in the table of interference: taken as zero</source>
-        <translation>%1 在串扰表中没有行：取为零</translation>
+        <translation>%1 在干扰表中没有行：取为零</translation>
     </message>
     <message>
         <source>axis %1 is listed twice</source>
@@ -8625,7 +8621,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the name is one of a function or a word of the equations; choose another</source>
-        <translation>该名称是方程的函数或词；请另选一个</translation>
+        <translation>该名称是方程所用的函数名或关键字；请另选一个</translation>
     </message>
     <message>
         <source>a symbol is made of letters, Greek ones too, digits and &apos;_&apos;, a letter first</source>
@@ -8641,7 +8637,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>a further row states a component of uncertainty</source>
-        <translation>其后的行说明一个不确定度分量</translation>
+        <translation>其后的行给出一个不确定度分量</translation>
     </message>
     <message>
         <source>the instrument of the project is missing</source>
@@ -8661,7 +8657,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the value is missing, and no statement gives it</source>
-        <translation>缺少值，也没有表述给出它</translation>
+        <translation>缺少值，给出方式也不提供它</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has observations and no row in the table of quantities</source>
@@ -8669,7 +8665,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Newton&apos;s method finds no solution of this equation from the starting value, at the estimates of the quantities</source>
-        <translation>在各量的估计值处，牛顿法从初始值出发找不到此方程的解</translation>
+        <translation>在各量的估计值处，牛顿法从初值出发找不到此方程的解</translation>
     </message>
     <message>
         <source>this operation has no value at the estimates of the quantities (division by zero, root or logarithm of a negative number, or a number too large)</source>
@@ -8685,7 +8681,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>&apos;a&apos; is missing: number of observations of which the value is the mean</source>
-        <translation>缺少 &apos;a&apos;：该值为其均值的观测次数</translation>
+        <translation>缺少 &apos;a&apos;：该值为其平均值的观测次数</translation>
     </message>
     <message>
         <source>there is no equation: write one, y = x_1 + x_2</source>
@@ -8717,7 +8713,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no group has more than one observation: nothing tells the scatter within the groups from that between them</source>
-        <translation>没有组有一个以上的观测值：无法区分组内与组间的分散</translation>
+        <translation>没有组有一个以上的观测值：无法区分组内与组间的分散性</translation>
     </message>
     <message>
         <source>the curve does not reach %1</source>
@@ -8729,11 +8725,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the curve reaches %1 at x = %2%3: say in &apos;near&apos; which of them is meant</source>
-        <translation>曲线在 x = %2 处达到 %1%3：请在 &apos;near&apos; 中说明指哪一个</translation>
+        <translation>曲线在 x = %2 处达到 %1%3：请在“邻近”中说明指哪一个</translation>
     </message>
     <message>
         <source>no curve of this degree was found: the iteration for the uncertainties of x does not settle on these points</source>
-        <translation>没有找到此次数的曲线：计入 x 的不确定度的迭代对这些点不稳定</translation>
+        <translation>没有找到此次数的曲线：计入 x 的不确定度的迭代在这些点上不收敛</translation>
     </message>
     <message>
         <source>the points do not determine a curve of this degree</source>
@@ -8753,7 +8749,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>readings have the scatter of the residuals, which stated uncertainties do not use: give u_y in row %1</source>
-        <translation>读数具有残差的分散，而所述的不确定度不使用它：请在第 %1 行给出 u_y</translation>
+        <translation>读数具有残差的分散性，而给出的不确定度不使用它：请在第 %1 行给出 u_y</translation>
     </message>
     <message>
         <source>a curve through the origin needs differences: give y in K</source>
@@ -8769,7 +8765,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>residuals say nothing about the uncertainty unless there are more points than coefficients: add points, or state u_y</source>
-        <translation>除非点多于系数，残差不能说明不确定度：请添加点，或说明 u_y</translation>
+        <translation>除非点多于系数，残差不能说明不确定度：请添加点，或给出 u_y</translation>
     </message>
     <message>
         <source>line %1, %2</source>
@@ -8849,7 +8845,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the prior of %1 is of use only with a tolerance: give a limit</source>
-        <translation>%1 的先验只有在有公差时才有用：请给出限值</translation>
+        <translation>%1 的先验只有在有容差时才有用：请给出界限</translation>
     </message>
     <message>
         <source> in %1</source>
@@ -8913,7 +8909,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>a temperature in %1 cannot be multiplied; add to it, or give its values</source>
-        <translation>以 %1 表示的温度不能相乘；请对其相加，或给出其值</translation>
+        <translation>以 %1 表示的温度不能乘以因子；请加上增量，或给出其值</translation>
     </message>
     <message>
         <source>a difference of temperatures is given in K</source>
@@ -9061,7 +9057,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
-        <translation>&apos;digits&apos; 必须为 1 或 2 (JCGM 100 7.2.6)</translation>
+        <translation>&apos;digits&apos; 必须为 1 或 2（JCGM 100 7.2.6）</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
@@ -9145,7 +9141,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the columns of the CSV file of %1 must be an object in braces: a header of the file and the column it stands for</source>
-        <translation>%1 的 CSV 文件的列必须是花括号中的对象：文件的标题及其所代表的列</translation>
+        <translation>%1 的 CSV 文件的列必须是花括号中的对象：文件的列标题及其所代表的列</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must stand for a column of %2 (a text), or for none (an empty text)</source>
@@ -9329,7 +9325,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>more than %1 analyses feed each other in a row</source>
-        <translation>连续互相输入的分析超过 %1 个</translation>
+        <translation>依次相互提供输入的分析超过 %1 个</translation>
     </message>
     <message>
         <source>the analysis %1 has no output %2%3</source>
@@ -9445,7 +9441,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the item cannot have been calibrated before it was received</source>
-        <translation>被校物不可能在收到之前校准</translation>
+        <translation>被校物品不可能在收到之前校准</translation>
     </message>
     <message>
         <source>the certificate cannot have been issued before the calibration</source>
@@ -9457,11 +9453,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>&apos;%1&apos;%2 must be stated (ISO/IEC 17025 %3)</source>
-        <translation>必须说明 &apos;%1&apos;%2 (ISO/IEC 17025 %3)</translation>
+        <translation>必须给出 &apos;%1&apos;%2（ISO/IEC 17025 %3）</translation>
     </message>
     <message>
         <source>&apos;%1&apos; must be stated (Digital Calibration Certificate)</source>
-        <translation>必须说明 &apos;%1&apos;（数字校准证书）</translation>
+        <translation>必须给出 &apos;%1&apos;（数字校准证书）</translation>
     </message>
     <message>
         <source>the certificate</source>
@@ -9533,7 +9529,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the cheapest reductions are a design of their own, without variables and rows</source>
-        <translation>最省费用的减小是单独的设计，没有变量和行</translation>
+        <translation>成本最低的减小项是单独的一种设计，没有变量和行</translation>
     </message>
     <message>
         <source>a design has at most %1 reductions</source>
@@ -9545,7 +9541,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the cost is that of rows with &apos;prices&apos;: it needs a table to choose from, and no variables</source>
-        <translation>费用是带 &apos;prices&apos; 的行的费用：它需要供选择的表，且没有变量</translation>
+        <translation>成本是带 &apos;prices&apos; 的行的成本：它需要供选择的表，且没有变量</translation>
     </message>
     <message>
         <source>a tolerance must not be negative</source>
@@ -9609,7 +9605,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>there are 1 to %1 starts</source>
-        <translation>起始点为 1 至 %1 个</translation>
+        <translation>起点数为 1 至 %1</translation>
     </message>
     <message>
         <source>at least one evaluation is needed</source>
@@ -9677,7 +9673,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the notes of a quantity</source>
-        <translation>量的备注</translation>
+        <translation>量的附注</translation>
     </message>
     <message>
         <source>an output of an analysis</source>
@@ -9725,7 +9721,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
-        <translation>%1 和 %2 共有分量 %3，因而相关；请改为说明其他分量的相关</translation>
+        <translation>%1 和 %2 共有分量 %3，因而相关；请改为给出其他分量的相关</translation>
     </message>
     <message>
         <source>%1 is edited twice</source>
@@ -9749,11 +9745,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no calibration of a robot: &apos;kinematics&apos; is missing</source>
-        <translation>不是机器人的标定：缺少 &apos;kinematics&apos;</translation>
+        <translation>不是机器人的校准数据：缺少 &apos;kinematics&apos;</translation>
     </message>
     <message>
         <source>calibration %1</source>
-        <translation>标定 %1</translation>
+        <translation>校准 %1</translation>
     </message>
     <message>
         <source>lengths in m, angles in rad, about fixed axes as in URDF</source>
@@ -9865,11 +9861,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1: no starting value</source>
-        <translation>%1：没有初始值</translation>
+        <translation>%1：没有初值</translation>
     </message>
     <message>
         <source>%1: state the unit of what is solved for under &apos;units&apos;</source>
-        <translation>%1：请在 &apos;units&apos; 下说明所求量的单位</translation>
+        <translation>%1：请在 &apos;units&apos; 下给出所求量的单位</translation>
     </message>
     <message>
         <source>a correlation needs var1 and var2, two inputs, and cor, a number between -1 and 1</source>
@@ -9877,7 +9873,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no unit can be stated for %1%2</source>
-        <translation>不能为 %1 说明单位%2</translation>
+        <translation>不能为 %1 给出单位%2</translation>
     </message>
     <message>
         <source>the file has no Excel workbook in it</source>
@@ -9913,7 +9909,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>an alias (*name): write out what it stands for, aliases are not expanded</source>
-        <translation>别名 (*name)：请写出它所代表的内容，别名不展开</translation>
+        <translation>别名（*name）：请写出它所代表的内容，别名不展开</translation>
     </message>
     <message>
         <source>more than %1 entries are not read</source>
@@ -9985,11 +9981,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no network of GNU Gama: &lt;gama-local&gt; with a &lt;network&gt; is expected</source>
-        <translation>不是 GNU Gama 的网：应为带 &lt;network&gt; 的 &lt;gama-local&gt;</translation>
+        <translation>不是 GNU Gama 的网络：应为带 &lt;network&gt; 的 &lt;gama-local&gt;</translation>
     </message>
     <message>
         <source>the stated unit of lengths: coordinates of Gama are in metres</source>
-        <translation>所述的长度单位：Gama 的坐标以米为单位</translation>
+        <translation>给出的长度单位：Gama 的坐标以米为单位</translation>
     </message>
     <message>
         <source>&lt;parameters&gt;</source>
@@ -10009,7 +10005,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the network has no points with coordinates x and y</source>
-        <translation>网中没有带坐标 x 和 y 的点</translation>
+        <translation>网络中没有带坐标 x 和 y 的点</translation>
     </message>
     <message>
         <source>%1 points are to be adjusted: their coordinates are approximate ones</source>
@@ -10105,7 +10101,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the stated unit of lengths: words of GSI state theirs</source>
-        <translation>所述的长度单位：GSI 的字自带单位</translation>
+        <translation>给出的长度单位：GSI 的字自带单位</translation>
     </message>
     <message>
         <source>words %1 (%2)</source>
@@ -10113,7 +10109,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 readings of reflectors above their points: the targets are the reflectors</source>
-        <translation>%1 个对点上方反射器的读数：目标为反射器</translation>
+        <translation>%1 个对点上方反射器的读数：目标点为反射器</translation>
     </message>
     <message>
         <source>the file has neither coordinates nor readings with a distance</source>
@@ -10181,7 +10177,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>neither a section [...] nor a line name=value of one</source>
-        <translation>既不是节 [...] 也不是其中的行 名称=值</translation>
+        <translation>既不是节 [...]，也不是节中的“名称=值”行</translation>
     </message>
     <message>
         <source>no quantity with a value and an uncertainty</source>
@@ -10189,7 +10185,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the file has no equation (Model[1]=)</source>
-        <translation>文件没有方程 (Model[1]=)</translation>
+        <translation>文件没有方程（Model[1]=）</translation>
     </message>
     <message>
         <source>log may be the natural or the decimal logarithm: write ln or log10</source>
@@ -10232,7 +10228,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>%1 个点</translation>
     </message>
     <message>
-        <source>1 name occur again and have got a number: first %1</source>
+        <source>1 name occurs again and has got a number: first %1</source>
         <translation>1 个名称重复出现并加了编号：首个为 %1</translation>
     </message>
     <message>
@@ -10241,27 +10237,27 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 groups in one artefact: their names stand before those of the points</source>
-        <translation>一个标准件中有 %1 个组：其名称放在点名之前</translation>
+        <translation>一个实物标准器中有 %1 个组：其名称放在点名之前</translation>
     </message>
     <message>
         <source>no uncertainties are stated: u_cal is 0 until you state it</source>
-        <translation>没有说明不确定度：在您说明之前 u_cal 为 0</translation>
+        <translation>未给出不确定度：在您给出之前 u_cal 为 0</translation>
     </message>
     <message>
         <source>u_cal is the largest of the stated standard uncertainties: %1</source>
-        <translation>u_cal 为所述标准不确定度中最大者：%1</translation>
+        <translation>u_cal 为给出的标准不确定度中最大者：%1</translation>
     </message>
     <message>
         <source>u_cal as stated: %1</source>
-        <translation>所述的 u_cal：%1</translation>
+        <translation>给出的 u_cal：%1</translation>
     </message>
     <message>
         <source>%1 without a stated one</source>
-        <translation>%1 没有所述的不确定度</translation>
+        <translation>%1没有给出不确定度</translation>
     </message>
     <message>
         <source>the uncertainty of each point by itself, and correlations: only up to %1 have an analysis of their own</source>
-        <translation>各点自身的不确定度和相关：只有不超过 %1 的才有其自身的分析</translation>
+        <translation>各点自身的不确定度和相关：只有不超过 %1时才有其自身的分析</translation>
     </message>
     <message>
         <source> and 1 correlation coefficient</source>
@@ -10289,15 +10285,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>rotations of type %1 are not read: export the take with quaternions</source>
-        <translation>不读取类型为 %1 的转动：请以四元数导出该 take</translation>
+        <translation>不读取类型为 %1 的旋转：请以四元数导出该录制（take）</translation>
     </message>
     <message>
         <source>the file does not state its unit of lengths; state it</source>
-        <translation>文件没有说明其长度单位；请说明</translation>
+        <translation>文件未给出其长度单位；请给出</translation>
     </message>
     <message>
         <source>take %1, lengths in %2, coordinate space %3</source>
-        <translation>take %1，长度以 %2 为单位，坐标空间 %3</translation>
+        <translation>录制（take）%1，长度以 %2 为单位，坐标空间 %3</translation>
     </message>
     <message>
         <source>%1 columns of markers</source>
@@ -10309,11 +10305,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>rigid body %1: columns of its rotation (X, Y, Z, W) or position (X, Y, Z) are missing</source>
-        <translation>刚体 %1：缺少其转动 (X, Y, Z, W) 或位置 (X, Y, Z) 的列</translation>
+        <translation>刚体 %1：缺少其旋转（X、Y、Z、W）或位置（X、Y、Z）的列</translation>
     </message>
     <message>
         <source>the take has no rigid body</source>
-        <translation>该 take 没有刚体</translation>
+        <translation>该录制（take）没有刚体</translation>
     </message>
     <message>
         <source>%1 is not a number of a pose</source>
@@ -10349,7 +10345,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1; state the columns: %2</source>
-        <translation>%1；请说明各列：%2</translation>
+        <translation>%1；请给出各列：%2</translation>
     </message>
     <message>
         <source>there is no column %1%2</source>
@@ -10385,7 +10381,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>lengths are taken as mm: the file does not say its unit</source>
-        <translation>长度按 mm 处理：文件没有说明其单位</translation>
+        <translation>长度按 mm 处理：文件未给出其单位</translation>
     </message>
     <message>
         <source>column %1%2</source>
@@ -10401,15 +10397,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the table has no line of headers; state the columns: %1</source>
-        <translation>该表没有标题行；请说明各列：%1</translation>
+        <translation>该表没有标题行；请给出各列：%1</translation>
     </message>
     <message>
         <source>its columns may mean several things (names that are numbers, offsets, weights, tolerances, notes); state the columns: %1</source>
-        <translation>其列可能有多种含义（为数字的名称、偏移、权、公差、备注）；请说明各列：%1</translation>
+        <translation>其列可能有多种含义（为数字的名称、偏移、权、容差、附注）；请给出各列：%1</translation>
     </message>
     <message>
         <source>six numbers may be X Y Z Ux Uy Uz, but also X Y Z with weights, a vector or the angles of a frame: name the reader if they are uncertainties, or state the columns: %1</source>
-        <translation>六个数字可能是 X Y Z Ux Uy Uz，也可能是 X Y Z 加权、向量或坐标系的角度：若为不确定度请指明读取器，或说明各列：%1</translation>
+        <translation>六个数字可能是 X Y Z Ux Uy Uz，也可能是带权的 X Y Z、矢量或坐标系的角度：若为不确定度请指明读取器，或给出各列：%1</translation>
     </message>
     <message>
         <source>read as %1 (%2)</source>
@@ -10449,15 +10445,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>a column cannot be %1; there are %2</source>
-        <translation>列不能为 %1；现有 %2 列</translation>
+        <translation>列不能为 %1；可用的有：%2</translation>
     </message>
     <message>
         <source>the columns %1 and %2 mean the same; state the columns</source>
-        <translation>列 %1 和 %2 含义相同；请说明各列</translation>
+        <translation>列 %1 和 %2 含义相同；请给出各列</translation>
     </message>
     <message>
         <source>a budget needs columns for the quantity or its name, for an uncertainty (u, U or limits) and one more; state the columns</source>
-        <translation>预算需要量或其名称的列、不确定度（u, U 或界限）的列，以及另外一列；请说明各列</translation>
+        <translation>预算需要量或其名称的列、不确定度（u、U 或界限）的列，以及另外一列；请给出各列</translation>
     </message>
     <message>
         <source>the distribution %1 is not known; there are normal, rectangular, triangular, U-shaped</source>
@@ -10473,7 +10469,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no uncertainty is stated</source>
-        <translation>没有说明不确定度</translation>
+        <translation>未给出不确定度</translation>
     </message>
     <message>
         <source>neither divisor, k nor distribution says what the uncertainty %1 is</source>
@@ -10485,7 +10481,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no row has a number in the stated columns</source>
-        <translation>所说明的列中没有一行有数字</translation>
+        <translation>给出的列中没有一行有数字</translation>
     </message>
     <message>
         <source>there is no sheet %1 with cells; there are %2</source>
@@ -10493,11 +10489,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the workbook has several sheets, %1: name the sheet whose columns are stated</source>
-        <translation>工作簿有多个工作表，%1：请指明说明了列的工作表</translation>
+        <translation>工作簿有多个工作表，%1：请指明已给出其列的工作表</translation>
     </message>
     <message>
         <source>no row of headers of a budget was found; state the columns (quantity, value, unit, U, divisor ...)</source>
-        <translation>没有找到预算的标题行；请说明各列（quantity, value, unit, U, divisor ...）</translation>
+        <translation>没有找到预算的标题行；请给出各列（quantity, value, unit, U, divisor ...）</translation>
     </message>
     <message>
         <source>several sheets have a budget: %1; name one of them</source>
@@ -10521,7 +10517,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>none of their coordinates</source>
-        <translation>没有坐标</translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>%1 only</source>
@@ -10529,7 +10525,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>standard deviations of %1 points of code %2: it constrains %3</source>
-        <translation>代码为 %2 的 %1 个点的标准偏差：它约束 %3</translation>
+        <translation>代码为 %2 的 %1 个点的标准偏差：该代码所约束的坐标：%3</translation>
     </message>
     <message>
         <source>deflections of the vertical of %1 points</source>
@@ -10557,7 +10553,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the stated unit of lengths: coordinates of Comp3D are in metres</source>
-        <translation>所述的长度单位：Comp3D 的坐标以米为单位</translation>
+        <translation>给出的长度单位：Comp3D 的坐标以米为单位</translation>
     </message>
     <message>
         <source>the code of an observation is expected, a whole number</source>
@@ -10625,7 +10621,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the stated unit of lengths: a certificate states its units</source>
-        <translation>所述的长度单位：证书自有其单位</translation>
+        <translation>给出的长度单位：证书自有其单位</translation>
     </message>
     <message>
         <source>%1: &lt;measurementMetaData&gt;</source>
@@ -10637,7 +10633,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 as a length standard: more than %2</source>
-        <translation>%1 作为长度标准：超过 %2</translation>
+        <translation>%1 作为长度标准器：超过 %2</translation>
     </message>
     <message>
         <source>the signature: it is not verified</source>
@@ -10653,7 +10649,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>length standard %1: delete it where the length is no standard</source>
-        <translation>长度标准 %1：若该长度不是标准，请删除它</translation>
+        <translation>长度标准器 %1：若该长度不是标准器，请删除它</translation>
     </message>
     <message>
         <source>a value as &lt;%1&gt;</source>
@@ -10745,7 +10741,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the contribution does not follow from c and u in any unit; state the unit behind the coefficient (&apos;-575 nm/K&apos;)</source>
-        <translation>在任何单位下贡献都不能由 c 和 u 得出；请在系数后写明单位 (&apos;-575 nm/K&apos;)</translation>
+        <translation>在任何单位下贡献都不能由 c 和 u 得出；请在系数后写明单位（&apos;-575 nm/K&apos;）</translation>
     </message>
     <message>
         <source>its unit makes no coefficient of the result</source>
@@ -10781,7 +10777,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
-        <translation>没有说明结果的单位：请给结果单独一行，把单位写在贡献的标题之后，或作为 &apos;result&apos; 的单位给出</translation>
+        <translation>未给出结果的单位：请给结果单独一行，把单位写在贡献的标题之后，或作为 &apos;result&apos; 的单位给出</translation>
     </message>
     <message>
         <source>the result is not the sum of c x: %1 is the difference</source>
@@ -10801,7 +10797,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>no input quantity has an uncertainty, so that U is 0 everywhere: state the uncertainties of what the analysis uses</source>
-        <translation>没有输入量有不确定度，因此 U 处处为 0：请说明分析所用内容的不确定度</translation>
+        <translation>没有输入量有不确定度，因此 U 处处为 0：请给出分析所用内容的不确定度</translation>
     </message>
     <message>
         <source>%1; the run is to end at %2 trials and will not be stable then. Choose a larger tolerance or fewer digits</source>
@@ -10881,11 +10877,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1: the part is damaged or no part at all: delete it and make it anew</source>
-        <translation>%1：该部分已损坏或根本不是部分：请删除并重新生成</translation>
+        <translation>%1：该部分已损坏，或根本不是运行的一部分：请删除并重新生成</translation>
     </message>
     <message>
         <source>%1: the part was made %2 %3, this is %4: the bits of its results would not be those of one run</source>
-        <translation>%1：该部分由 %2 %3 生成，此处为 %4：其结果的各位与一次运行的不同</translation>
+        <translation>%1：该部分的生成方式为“%2 %3”，此处为 %4：其结果不会与一次运行的结果逐位相同</translation>
     </message>
     <message>
         <source>%1: the part would have %2 MB, more than %3: divide the run into more parts</source>
@@ -10953,11 +10949,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the cheapest reductions need target uncertainties: state requirements</source>
-        <translation>最省费用的减小需要目标不确定度：请给出要求</translation>
+        <translation>成本最低的减小项需要目标不确定度：请给出要求</translation>
     </message>
     <message>
         <source>the cheapest rows need target uncertainties: state requirements</source>
-        <translation>最省费用的行需要目标不确定度：请给出要求</translation>
+        <translation>成本最低的行需要目标不确定度：请给出要求</translation>
     </message>
     <message>
         <source>the design was stopped</source>
@@ -10997,7 +10993,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Notes on input quantities</source>
-        <translation>输入量的备注</translation>
+        <translation>输入量的附注</translation>
     </message>
     <message>
         <source>Input quantities and the origin of their uncertainties</source>
@@ -11037,11 +11033,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The trials are Sobol points with a random digital shift in each batch; standard errors are from the scatter of the batches.</source>
-        <translation>试验是 Sobol 点，每批带有随机数字移位；标准误差由各批的分散得出。</translation>
+        <translation>试验是 Sobol 点，每批带有随机数字移位；标准误差由各批的分散性得出。</translation>
     </message>
     <message>
         <source>Mean, standard uncertainty, symmetric interval and covariance were found with the linear part of each output as control variate: its distribution is known exactly, and the trials tell how the output differs from it. Shortest intervals, histograms and probabilities of conformance are those of the trials.</source>
-        <translation>均值、标准不确定度、对称区间和协方差以各输出量的线性部分为控制变量求得：其分布精确已知，试验给出输出量与它的差别。最短区间、直方图和符合概率是试验的。</translation>
+        <translation>平均值、标准不确定度、对称区间和协方差以各输出量的线性部分为控制变量求得：其分布精确已知，试验给出输出量与它的差别。最短区间、直方图和合格概率由试验得出。</translation>
     </message>
     <message>
         <source>At the interval ends each trial is worth %1 plain ones or more.</source>
@@ -11113,11 +11109,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>With the figure put in, U by the law of propagation is the target; k follows the effective degrees of freedom.</source>
-        <translation>代入该数值后，按传播律的 U 即为目标；k 取决于有效自由度。</translation>
+        <translation>代入该数值后，按传播律的 U 即为目标值；k 取决于有效自由度。</translation>
     </message>
     <message>
         <source>With the figure put in, U by Monte Carlo is the target; found with %1 trials of the same draws.</source>
-        <translation>代入该数值后，按蒙特卡洛的 U 即为目标；以同样抽样的 %1 次试验求得。</translation>
+        <translation>代入该数值后，按蒙特卡洛的 U 即为目标值；以同样抽样的 %1 次试验求得。</translation>
     </message>
     <message>
         <source>No component suffices alone: all standard uncertainties multiplied by %1 do.</source>
@@ -11125,7 +11121,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>What one component alone must be reduced to for U(%1) to meet its target</source>
-        <translation>单独一个分量必须减小到多少，U(%1) 才满足其目标</translation>
+        <translation>单独一个分量必须减小到多少，U(%1) 才满足其目标值</translation>
     </message>
     <message>
         <source>needed</source>
@@ -11141,23 +11137,23 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1: specific consumer&apos;s risk %2 of this decision.</source>
-        <translation>%1：该判定的特定消费者风险 %2。</translation>
+        <translation>%1：该判定的特定使用方风险 %2。</translation>
     </message>
     <message>
         <source>%1: specific producer&apos;s risk %2 of this decision.</source>
-        <translation>%1：该判定的特定生产者风险 %2。</translation>
+        <translation>%1：该判定的特定生产方风险 %2。</translation>
     </message>
     <message>
         <source>%1: specific consumer&apos;s risk %2 of this decision; global risks of the rule for its prior: consumer&apos;s %3, producer&apos;s %4.</source>
-        <translation>%1：该判定的特定消费者风险 %2；该规则对其先验分布的全局风险：消费者 %3，生产者 %4。</translation>
+        <translation>%1：该判定的特定使用方风险 %2；该规则对其先验分布的全局风险：使用方 %3，生产方 %4。</translation>
     </message>
     <message>
         <source>%1: specific producer&apos;s risk %2 of this decision; global risks of the rule for its prior: consumer&apos;s %3, producer&apos;s %4.</source>
-        <translation>%1：该判定的特定生产者风险 %2；该规则对其先验分布的全局风险：消费者 %3，生产者 %4。</translation>
+        <translation>%1：该判定的特定生产方风险 %2；该规则对其先验分布的全局风险：使用方 %3，生产方 %4。</translation>
     </message>
     <message>
         <source>Conformity with tolerances</source>
-        <translation>与公差的符合性</translation>
+        <translation>与容差的符合性</translation>
     </message>
     <message>
         <source>The requirements are not judged: %1.</source>
@@ -11165,7 +11161,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>U of</source>
-        <translation>U，属于</translation>
+        <translation>U 所属的量</translation>
     </message>
     <message>
         <source>Coverage probability %1.</source>
@@ -11221,11 +11217,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>S total</source>
-        <translation>S 总</translation>
+        <translation>总 S</translation>
     </message>
     <message>
         <source>standard error of S total</source>
-        <translation>S 总 的标准误差</translation>
+        <translation>总 S 的标准误差</translation>
     </message>
     <message>
         <source>%1 components with smaller indices are left out.</source>
@@ -11237,7 +11233,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>S is the share of the variance that a component causes by itself, S total the share with all its interactions with others: where both agree and the shares sum to 100 %, the measurement model is additive. Components that are correlated have indices together. By Monte Carlo with %1 pairs of trials.</source>
-        <translation>S 是分量自身引起的方差占比，S 总是包括其与其他分量所有相互作用的占比：两者一致且占比之和为 100 % 时，测量模型是可加的。相关的分量共有指数。按蒙特卡洛法，%1 对试验。</translation>
+        <translation>S 是分量自身引起的方差占比，总 S 是包括其与其他分量所有交互作用的占比：两者一致且占比之和为 100 % 时，测量模型是可加的。相关的分量共有指数。按蒙特卡洛法，%1 对试验。</translation>
     </message>
     <message>
         <source>%1 from %2 to %3 (%4 values, logarithmic)</source>
@@ -11377,7 +11373,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Components by falling share of the variance; cᵢ in the unit of the measurand per unit of the component.</source>
-        <translation>分量按方差占比递减；cᵢ 的单位为被测量的单位除以分量的单位。</translation>
+        <translation>分量按方差占比递减排列；cᵢ 的单位为被测量的单位除以分量的单位。</translation>
     </message>
     <message>
         <source>Contributions to the variance of %1.</source>
@@ -11449,15 +11445,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Looked for: the cheapest reductions of uncertainty with which all targets are met.</source>
-        <translation>寻找：使所有目标得到满足的最省费用的不确定度减小。</translation>
+        <translation>寻找：使所有目标值得到满足、且成本最低的不确定度减小项。</translation>
     </message>
     <message>
         <source>Looked for: the cheapest rows with which all targets are met.</source>
-        <translation>寻找：使所有目标得到满足的最省费用的行。</translation>
+        <translation>寻找：使所有目标值得到满足、且成本最低的行。</translation>
     </message>
     <message>
         <source>Cost: %1.</source>
-        <translation>费用：%1。</translation>
+        <translation>成本：%1。</translation>
     </message>
     <message>
         <source>Found: %1, before %2.</source>
@@ -11485,7 +11481,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Not every target is met: what is given is the best that was found.</source>
-        <translation>并非每个目标都得到满足：给出的是找到的最佳结果。</translation>
+        <translation>并非每个目标值都得到满足：给出的是找到的最佳结果。</translation>
     </message>
     <message>
         <source>%1: the way of the search to the best place, coloured by the objective.</source>
@@ -11493,7 +11489,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1: the candidates, coloured by what they gain; the larger ones are chosen.</source>
-        <translation>%1：候选项，按其增益着色；较大的被选中。</translation>
+        <translation>%1：候选项，按其收益着色；较大的被选中。</translation>
     </message>
     <message>
         <source>combined</source>
@@ -11501,7 +11497,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1, constant</source>
-        <translation>%1，常数</translation>
+        <translation>%1，常量</translation>
     </message>
     <message>
         <source>%1 components, added arithmetically</source>
@@ -11513,11 +11509,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Table %1. %2</source>
-        <translation>表 %1. %2</translation>
+        <translation>表 %1 %2</translation>
     </message>
     <message>
         <source>Figure %1. %2</source>
-        <translation>图 %1. %2</translation>
+        <translation>图 %1 %2</translation>
     </message>
     <message>
         <source>Uncertainty report</source>
@@ -11573,7 +11569,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1 (constant)</source>
-        <translation>%1（常数）</translation>
+        <translation>%1（常量）</translation>
     </message>
     <message>
         <source>Before</source>
@@ -11585,7 +11581,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>U is stated by different rules: before, %1 After, %2</source>
-        <translation>U 按不同规则给出：之前，%1 之后，%2</translation>
+        <translation>U 按不同的规则给出。之前：%1之后：%2</translation>
     </message>
     <message>
         <source>%1 of %2 measurands are in both results; the budgets of %3 of them differ.</source>
@@ -11617,7 +11613,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>there are no results for the certificate to state</source>
-        <translation>没有可供证书陈述的结果</translation>
+        <translation>没有可供证书给出的结果</translation>
     </message>
     <message>
         <source>the standard uncertainty of %1 is not finite; a Digital Calibration Certificate has no place for that</source>
@@ -11629,7 +11625,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the file is of one robot, and there are %1: choose an analysis that uses or finds the one to write (--analysis)</source>
-        <translation>文件只容一个机器人，而现有 %1 个：请选择使用或求得所要机器人的分析 (--analysis)</translation>
+        <translation>文件只容一个机器人，而现有 %1 个：请选择使用或求得所要机器人的分析（--analysis）</translation>
     </message>
     <message>
         <source>there are no points to write: no analysis has a result with coordinates x, y, z of a point</source>
@@ -11649,7 +11645,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the report carries no results to compare with (results.json)</source>
-        <translation>报告中没有可比较的结果 (results.json)</translation>
+        <translation>报告中没有可比较的结果（results.json）</translation>
     </message>
     <message>
         <source>what the report carries as results.json is none of Covaria</source>
@@ -11689,7 +11685,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>iso-surfaces at %1</source>
-        <translation>等值面位于 %1</translation>
+        <translation>等值面取值 %1</translation>
     </message>
     <message>
         <source>the study has not been run</source>
@@ -11761,11 +11757,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>gain: by how much the uncertainty is smaller with this candidate than without it, the others as chosen</source>
-        <translation>增益：有此候选项比没有它时不确定度减小多少，其他按所选</translation>
+        <translation>收益：有此候选项比没有它时不确定度减小多少，其他按所选</translation>
     </message>
     <message>
         <source>best so far, in the order of the search</source>
-        <translation>迄今最好，按搜索顺序</translation>
+        <translation>目前最佳，按搜索顺序</translation>
     </message>
     <message>
         <source>dashed: where it may stand</source>
@@ -11785,7 +11781,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>mean Monte Carlo</source>
-        <translation>均值，蒙特卡洛</translation>
+        <translation>平均值，蒙特卡洛</translation>
     </message>
     <message>
         <source>u Monte Carlo</source>
@@ -11865,7 +11861,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>rectangle, law of prop.</source>
-        <translation>长方体，传播律</translation>
+        <translation>矩形，传播律</translation>
     </message>
     <message>
         <source>ellipsoid, Monte Carlo</source>
@@ -11873,7 +11869,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>rectangle, Monte Carlo</source>
-        <translation>长方体，蒙特卡洛</translation>
+        <translation>矩形，蒙特卡洛</translation>
     </message>
     <message>
         <source>y before</source>
@@ -11925,15 +11921,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>rotation vector, x</source>
-        <translation>旋转向量，x</translation>
+        <translation>旋转矢量，x</translation>
     </message>
     <message>
         <source>rotation vector, y</source>
-        <translation>旋转向量，y</translation>
+        <translation>旋转矢量，y</translation>
     </message>
     <message>
         <source>rotation vector, z</source>
-        <translation>旋转向量，z</translation>
+        <translation>旋转矢量，z</translation>
     </message>
     <message>
         <source>quaternion, scalar part</source>
@@ -11985,11 +11981,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The bias b is not corrected; |b| counts as a standard uncertainty (against JCGM 100 3.2.4).</source>
-        <translation>偏差 b 未修正；|b| 计为标准不确定度（与 JCGM 100 3.2.4 不符）。</translation>
+        <translation>偏移 b 未修正；|b| 计为标准不确定度（与 JCGM 100 3.2.4 不符）。</translation>
     </message>
     <message>
         <source>The bias b is not part of u_c.</source>
-        <translation>偏差 b 不是 u_c 的一部分。</translation>
+        <translation>偏移 b 不是 u_c 的一部分。</translation>
     </message>
     <message>
         <source>Measured values are taken as corrected by -b; u_var/sqrt(n) of the correction is part of u_c.</source>
@@ -12001,7 +11997,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>measured coordinate</source>
-        <translation>测得坐标</translation>
+        <translation>实测坐标</translation>
     </message>
     <message>
         <source>typed standard uncertainty</source>
@@ -12017,7 +12013,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>specification: %1</source>
-        <translation>技术规格：%1</translation>
+        <translation>技术指标：%1</translation>
     </message>
     <message>
         <source>The figure is taken as: %1.</source>
@@ -12041,11 +12037,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>zero offset of distances</source>
-        <translation>距离的零位误差</translation>
+        <translation>距离的零点偏移</translation>
     </message>
     <message>
         <source>index of the elevation</source>
-        <translation>高度角的指标差</translation>
+        <translation>俯仰角的指标差</translation>
     </message>
     <message>
         <source>collimation</source>
@@ -12113,7 +12109,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1, measured minus calibrated length</source>
-        <translation>%1，测得长度减已校准长度</translation>
+        <translation>%1，实测长度减已校准长度</translation>
     </message>
     <message>
         <source>origin of %1, coordinate %2</source>
@@ -12157,15 +12153,15 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Chi-square of the residuals with the full covariance of the stated uncertainties; nominal coordinates are taken as exact. p is the probability of a larger value if all is as stated; the test has a level of 1 % for all sets together. Not tested: sets without stated uncertainty, and sets of more than %1 points.</source>
-        <translation>用所述不确定度的完整协方差计算的残差卡方；标称坐标视为精确。p 是一切如所述时出现更大值的概率；检验对所有点组合计的显著性水平为 1 %。未检验：没有给出不确定度的点组，以及多于 %1 个点的点组。</translation>
+        <translation>用给出的不确定度的全协方差计算的残差卡方；标称坐标视为精确。p 是一切如所述时出现更大值的概率；检验对所有点组合计的显著性水平为 1 %。未检验：没有给出不确定度的点组，以及多于 %1 个点的点组。</translation>
     </message>
     <message>
         <source>Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| &gt; 3.29 (0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in its residual.</source>
-        <translation>测得坐标减标称坐标。w 是残差与其自身标准不确定度之比；|w| &gt; 3.29 (0.1 %) 会被标注。冗余度是坐标误差中留在其残差里的部分。</translation>
+        <translation>实测坐标减标称坐标。w 是残差与其自身标准不确定度之比；|w| &gt; 3.29 (0.1 %) 会被标注。冗余度是坐标误差中留在其残差里的部分。</translation>
     </message>
     <message>
         <source>reading of bar %1</source>
-        <translation>球杆 %1 的读数</translation>
+        <translation>球杆仪 %1 的读数</translation>
     </message>
     <message>
         <source>ballbars: %1</source>
@@ -12189,7 +12185,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>constant of bar %1</source>
-        <translation>球杆 %1 的常数</translation>
+        <translation>球杆仪 %1 的常数</translation>
     </message>
     <message>
         <source>%1, point %2</source>
@@ -12285,11 +12281,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Components of a parameter combine in quadrature (Wen et al., Eq. 10). U has the factor 2 of the paper; with few effective degrees of freedom 95 % need more.</source>
-        <translation>一个参数的各分量按平方和合成（Wen et al., Eq. 10）。U 采用论文的因子 2；有效自由度较少时，95 % 需要更大的因子。</translation>
+        <translation>一个参数的各分量按平方和合成（Wen et al.，式 10）。U 采用论文的因子 2；有效自由度较少时，95 % 需要更大的因子。</translation>
     </message>
     <message>
         <source>Places of the tool in the base frame of the robot.</source>
-        <translation>工具在机器人基座坐标系中的位置。</translation>
+        <translation>工具在机器人基坐标系中的位置。</translation>
     </message>
     <message>
         <source>calculated less measured %1, held back</source>
@@ -12313,7 +12309,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>measured orientation</source>
-        <translation>测得姿态</translation>
+        <translation>实测姿态</translation>
     </message>
     <message>
         <source>pose %1, reading of joint %2</source>
@@ -12361,7 +12357,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>calibration machine, Eq 5</source>
-        <translation>校准机，Eq 5</translation>
+        <translation>校准机，式 5</translation>
     </message>
     <message>
         <source>regression of %1</source>
@@ -12381,7 +12377,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>standard deviation of one reading, Eq 3</source>
-        <translation>单个读数的标准偏差，Eq 3</translation>
+        <translation>单个读数的标准偏差，式 3</translation>
     </message>
     <message>
         <source>net reading of %1, %2</source>
@@ -12389,19 +12385,19 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Eq 6</source>
-        <translation>Eq 6</translation>
+        <translation>式 6</translation>
     </message>
     <message>
         <source>Eq 7</source>
-        <translation>Eq 7</translation>
+        <translation>式 7</translation>
     </message>
     <message>
         <source>Eq 10, full width of the loop</source>
-        <translation>Eq 10，回线的全宽</translation>
+        <translation>式 10，回线的全宽</translation>
     </message>
     <message>
         <source>Eq 10, in proportion to the load</source>
-        <translation>Eq 10，与载荷成比例</translation>
+        <translation>式 10，与载荷成比例</translation>
     </message>
     <message>
         <source>Condition number, by rated outputs and rated loads: %1; with quadratic terms beside these slopes.</source>
@@ -12417,11 +12413,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Reproduces: equal in all printed digits. Inside rounding: what it is computed from was rounded, too. Interference, percent: the row&apos;s sensor, then the column&apos;s axis.</source>
-        <translation>重现：所有印出的数字均相同。在舍入范围内：计算所依据的数据也经过舍入。干扰，百分比：先是行的传感器，再是列的轴。</translation>
+        <translation>重现：所有印出的数字均相同。在修约之内：计算所依据的数据也经过修约。干扰，百分比：先是行的传感器，再是列的轴。</translation>
     </message>
     <message>
         <source>Fig. 2: %1 s without load before a series, %2 s at each load.</source>
-        <translation>Fig. 2：每个系列之前空载 %1 s，每级载荷保持 %2 s。</translation>
+        <translation>图 2：每个系列之前空载 %1 s，每级载荷保持 %2 s。</translation>
     </message>
     <message>
         <source>A row is a load, a column the sensor that answers to it.</source>
@@ -12437,7 +12433,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>U = hysteresis + interference + k u_c with k = %1: a linear sum of two largest values and an expanded uncertainty. Type A: n = %2 runs, %3 degrees of freedom.</source>
-        <translation>U = 滞后 + 干扰 + k u_c，k = %1：两个最大值与一个扩展不确定度的线性和。A 类：n = %2 次测量，自由度 %3。</translation>
+        <translation>U = 滞后 + 干扰 + k u_c，k = %1：两个最大值与一个扩展不确定度的线性和。A 类：n = %2 个测次，自由度 %3。</translation>
     </message>
     <message>
         <source>Calibration machine: %1.</source>
@@ -12461,7 +12457,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Eqs 3, 4</source>
-        <translation>Eqs 3, 4</translation>
+        <translation>式 3、4</translation>
     </message>
     <message>
         <source>net reading of %1 at rated load</source>
@@ -12473,11 +12469,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Eq 5</source>
-        <translation>Eq 5</translation>
+        <translation>式 5</translation>
     </message>
     <message>
         <source>Eq 10, as a rectangular distribution over the loop</source>
-        <translation>Eq 10，按回线上的矩形分布</translation>
+        <translation>式 10，按回线上的矩形分布</translation>
     </message>
     <message>
         <source>unknown load on %1</source>
@@ -12485,7 +12481,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>set-up: unknown between minus and plus the rated load</source>
-        <translation>设置：在负、正额定载荷之间未知</translation>
+        <translation>测量设置：在负、正额定载荷之间未知</translation>
     </message>
     <message>
         <source>load on %1 by its rated load</source>
@@ -12497,11 +12493,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>So the linear sum is no bound under combined load, and for one component alone it is far too large. As hysteresis and interference are limits and no standard uncertainties, it is no coverage interval either.</source>
-        <translation>因此在组合载荷下线性和不是界限，而对单独一个分量又大得多。由于滞后和干扰是极限值而不是标准不确定度，它也不是包含区间。</translation>
+        <translation>因此在组合载荷下线性和不是界限，而对单独一个分量又大得多。由于滞后和干扰是界限而不是标准不确定度，它也不是包含区间。</translation>
     </message>
     <message>
         <source>GUM: hysteresis, non-zero error and resolution are rectangular, each unknown load is rectangular between minus and plus its rated load, root sum of squares. One component alone: k from the t-distribution with the effective degrees of freedom.</source>
-        <translation>GUM：滞后、零点误差和分辨力为矩形分布，每个未知载荷在负、正额定载荷之间为矩形分布，取平方和的根。单独一个分量：k 取自具有有效自由度的 t 分布。</translation>
+        <translation>GUM：滞后、回零误差和分辨力为矩形分布，每个未知载荷在负、正额定载荷之间为矩形分布，取平方和的根。单独一个分量：k 取自具有有效自由度的 t 分布。</translation>
     </message>
     <message>
         <source>Repeatability: the largest of the steps; its degrees of freedom are those of one step. Pooled over the steps it has more of them.</source>
@@ -12521,7 +12517,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>scatter of the means of the groups</source>
-        <translation>各组平均值的分散</translation>
+        <translation>各组平均值的分散性</translation>
     </message>
     <message>
         <source>components of variance between and within the groups</source>
@@ -12549,7 +12545,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>scatter of the points about the curve</source>
-        <translation>各点相对曲线的分散</translation>
+        <translation>各点相对曲线的分散性</translation>
     </message>
     <message>
         <source>least squares, residuals of %1 points</source>
@@ -12577,7 +12573,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>stated uncertainty of %1</source>
-        <translation>%1 的给定不确定度</translation>
+        <translation>给出的 %1 的不确定度</translation>
     </message>
     <message>
         <source>table of points</source>
@@ -12605,11 +12601,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The residuals agree with the stated uncertainties.</source>
-        <translation>残差与给定的不确定度一致。</translation>
+        <translation>残差与给出的不确定度一致。</translation>
     </message>
     <message>
         <source>The residuals are larger than the stated uncertainties explain: the curve or the uncertainties do not describe these points.</source>
-        <translation>残差大于给定不确定度所能解释的范围：曲线或不确定度不能描述这些点。</translation>
+        <translation>残差大于给出的不确定度所能解释的范围：曲线或不确定度不能描述这些点。</translation>
     </message>
     <message>
         <source>The x of y = %1 lies outside of the points of the calibration.</source>
@@ -12617,7 +12613,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the parameters come from an analysis, which is evaluated in every trial: their correlation cannot be ignored</source>
-        <translation>参数来自在每次试验中求值的分析：其相关性不能忽略</translation>
+        <translation>参数来自在每次试验中评定的分析：其相关性不能忽略</translation>
     </message>
     <message>
         <source>Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β), β for parallel joints</source>
@@ -12657,7 +12653,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>measured artefact, Porath et al., Eq. 2</source>
-        <translation>测量的标准器，Porath et al.，式 2</translation>
+        <translation>实测的实物标准器，Porath et al.，式 2</translation>
     </message>
     <message>
         <source>not controlled</source>
@@ -12693,11 +12689,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>does not move the measured points in any pose</source>
-        <translation>在任何位姿下都不移动被测点</translation>
+        <translation>在任何位姿下都不移动实测点</translation>
     </message>
     <message>
         <source>moves the measured points as %1 can: coupled with it, held at its nominal value</source>
-        <translation>移动被测点的方式与 %1 相同：与之耦合，保持标称值</translation>
+        <translation>移动实测点的方式与 %1 相同：与之耦合，保持标称值</translation>
     </message>
     <message>
         <source>coordinates in the fit</source>
@@ -12733,7 +12729,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>places the base frame on axis 1: by definition, as nominal; it would need a measured base</source>
-        <translation>将基坐标系放在轴 1 上：按定义取标称值；需要测量的基座</translation>
+        <translation>将基坐标系放在轴 1 上：按定义取标称值；需要对基座进行测量</translation>
     </message>
     <message>
         <source>places the frame of the last link, which no axis follows: by definition, as nominal</source>
@@ -12745,7 +12741,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>reproduces</source>
-        <translation>可复现</translation>
+        <translation>重现</translation>
     </message>
     <message>
         <source>inside rounding</source>
@@ -12829,7 +12825,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>position %1, rotations about x, y, z: %2</source>
-        <translation>位置 %1，绕 x, y, z 的转动：%2</translation>
+        <translation>位置 %1，绕 x、y、z 的旋转：%2</translation>
     </message>
     <message>
         <source>1 further component</source>
@@ -12909,11 +12905,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>curvilinear</source>
-        <translation>曲线梯形</translation>
+        <translation>曲边梯形</translation>
     </message>
     <message>
         <source>inexactness</source>
-        <translation>不精确度</translation>
+        <translation>不准确度</translation>
     </message>
     <message>
         <source>limits</source>
@@ -12925,7 +12921,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>From the set-up as it is stated. Values and uncertainties that other analyses give (%1 quantities) are in the results, not here.</source>
-        <translation>依据所陈述的设置。由其他分析给出的值和不确定度（%1 个量）体现在结果中，不在此处。</translation>
+        <translation>依据给出的测量设置。由其他分析给出的值和不确定度（%1 个量）体现在结果中，不在此处。</translation>
     </message>
     <message>
         <source>Limit of the coverage interval: of Monte Carlo, else of the law of propagation</source>
@@ -12953,7 +12949,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>calibrated lengths</source>
-        <translation>校准长度</translation>
+        <translation>已校准长度</translation>
     </message>
     <message>
         <source>distances</source>
@@ -12965,7 +12961,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>scale bar</source>
-        <translation>标准尺</translation>
+        <translation>基准尺</translation>
     </message>
     <message>
         <source>base</source>
@@ -12977,7 +12973,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>axes of the flange</source>
-        <translation>法兰轴</translation>
+        <translation>法兰的轴</translation>
     </message>
     <message>
         <source>circles</source>
@@ -12993,7 +12989,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>scatter of all observations</source>
-        <translation>全部观测值的分散</translation>
+        <translation>全部观测值的分散性</translation>
     </message>
     <message>
         <source>points, x</source>
@@ -13029,7 +13025,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>%1, factor</source>
-        <translation>%1，倍数</translation>
+        <translation>%1，因子</translation>
     </message>
     <message>
         <source>%1, added</source>
@@ -13053,15 +13049,47 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>check %1</source>
-        <translation>检查 %1</translation>
+        <translation>检核 %1</translation>
     </message>
     <message>
         <source>axis of %1</source>
-        <translation>%1的轴</translation>
+        <translation>%1 的轴</translation>
     </message>
     <message>
         <source>scale bar %1</source>
-        <translation>标准尺 %1</translation>
+        <translation>基准尺 %1</translation>
+    </message>
+    <message>
+        <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
+        <translation>%1（一阶 u 为蒙特卡洛法的 %2）</translation>
+    </message>
+    <message>
+        <source>share of the variance, first order (%)</source>
+        <translation>方差占比，一阶 (%)</translation>
+    </message>
+    <message>
+        <source>S / %</source>
+        <translation>S / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance that the component causes by itself (Sobol index)</source>
+        <translation>该分量单独引起的方差占比（Sobol 指数）</translation>
+    </message>
+    <message>
+        <source>S total / %</source>
+        <translation>总 S / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance with all interactions of the component with others</source>
+        <translation>含该分量与其他分量全部交互作用的方差占比</translation>
+    </message>
+    <message>
+        <source>ν (first order)</source>
+        <translation>ν（一阶）</translation>
+    </message>
+    <message>
+        <source>%1 out of %2</source>
+        <translation>%2 个中的 %1 个</translation>
     </message>
 </context>
 <context>
@@ -13072,7 +13100,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation>“%1”不是数值。</translation>
+        <translation>“%1”不是数字。</translation>
     </message>
     <message>
         <source>“%1” is not a unit.</source>
@@ -13311,14 +13339,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>扩展不确定度</translation>
     </message>
     <message>
-        <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>该分析尚不完整：仍需给出的内容列于下方。</translation>
-    </message>
-    <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation>该分析有问题，列于下方。</translation>
-    </message>
-    <message>
         <source>the picture shows no result of the analysis</source>
         <translation>图中未显示该分析的结果</translation>
     </message>
@@ -13463,10 +13483,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>另存为 PDF</translation>
     </message>
     <message>
-        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
-        <translation>工具栏中的“报告为 PDF”(Ctrl+P) 写出内含项目的报告，Covaria 可再次打开它。证书在“文件”菜单的“导出”下。</translation>
-    </message>
-    <message>
         <source># Keys
 
 | Key | Does |
@@ -13493,21 +13509,21 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
 
 | 键 | 作用 |
 |---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | 新建、打开、保存 |
+| Ctrl+N、Ctrl+O、Ctrl+S | 新建、打开、保存 |
 | Ctrl+Z；Ctrl+Shift+Z 或 Ctrl+Y | 撤销；重做 |
 | F6、Shift+F6 | 下一窗格、上一窗格 |
 | F11 | 仅显示预算或场景，再按返回 |
 | 表格中的 Tab、Shift+Tab | 下一单元格、上一单元格，到最后一格后继续向外；加 Ctrl 立即离开表格 |
 | 预算中的 Ctrl+R | 所选两行的相关系数 |
-| F5, Ctrl+F5, Esc | 运行此分析、运行全部、停止 |
-| F2, Ctrl+D, Delete | 重命名、复制、删除所选条目 |
+| F5、Ctrl+F5、Esc | 运行此分析、运行全部、停止 |
+| F2、Ctrl+D、Delete | 重命名、创建副本、删除所选条目 |
 | 方向键、+ 和 − | 旋转和缩放场景 |
-| 1 至 7, F | 等轴测、俯视、前视、右视、仰视、后视、左视、适合窗口（任何位置：Ctrl+1 至 Ctrl+7） |
-| H, I, Shift+H | 在场景中隐藏所选项、仅显示所选项、显示全部 |
+| 1 至 7、F | 等轴测、俯视、前视、右视、仰视、后视、左视、适应窗口（任何位置：Ctrl+1 至 Ctrl+7） |
+| H、I、Shift+H | 在场景中隐藏所选项、仅显示所选项、显示全部 |
 | 在场景中拖动 | 移动对象，拖动轴端可旋转对象；按住 Ctrl 按整步进行 |
-| D, A | 在场景中测量距离、角度；按 Esc 退出工具 |
+| D、A | 在场景中测量距离、角度；按 Esc 退出工具 |
 | 报告中的 +、−、Ctrl+滚轮 | 放大、缩小页面；Alt+上、Alt+下：上一页、下一页 |
-| Ctrl+C, Ctrl+V | 复制和粘贴单元格块 |
+| Ctrl+C、Ctrl+V | 复制和粘贴单元格块 |
 | Ctrl+K | 查找一切：分析、量、结果、字段、命令、帮助 |
 | F1 | 当前焦点处的字段、单元格或条目的帮助 |
 </translation>
@@ -13519,6 +13535,18 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>&amp;Undo</source>
         <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The analysis is not complete yet: what must still be given is listed under Problems.</source>
+        <translation>分析尚不完整：还需给出的内容列在“问题”中。</translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed under Problems.</source>
+        <translation>分析存在问题，列在“问题”中。</translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
+        <translation>工具栏中的“报告为 PDF”(Ctrl+P) 写出内含项目的报告，Covaria 可再次打开它。“报告”标签页显示证书时，该按钮写出证书；证书也在“文件”菜单的“导出”下。</translation>
     </message>
 </context>
 <context>
@@ -13541,11 +13569,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>, low</source>
-        <translation>,下限</translation>
+        <translation>，下限</translation>
     </message>
     <message>
         <source>, high</source>
-        <translation>,上限</translation>
+        <translation>，上限</translation>
     </message>
     <message>
         <source>State</source>
@@ -13572,7 +13600,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation>仅显示不满足目标不确定度或公差的结果</translation>
+        <translation>仅显示不满足目标不确定度或容差的结果</translation>
     </message>
     <message>
         <source>all-results</source>
@@ -13655,6 +13683,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>%1 is no unit for a quantity in %2.</source>
         <translation>%1 不是以 %2 表示的量的单位。</translation>
     </message>
+    <message>
+        <source>“%1” is not a number of degrees of freedom.</source>
+        <translation>“%1”不是自由度。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::BudgetSheetView</name>
@@ -13664,7 +13696,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Its components, observations, correlations and notes</source>
-        <translation>其分量、观测值、相关性和备注</translation>
+        <translation>其分量、观测值、相关性和附注</translation>
     </message>
 </context>
 <context>
@@ -13730,7 +13762,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Show All</source>
-        <translation>全部显示</translation>
+        <translation>显示全部</translation>
     </message>
     <message>
         <source>Copy Picture</source>
@@ -13929,6 +13961,18 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>Reset components of %1</source>
         <translation>重置 %1 的分量</translation>
     </message>
+    <message>
+        <source>Its uncertainty comes from another analysis.</source>
+        <translation>其不确定度来自另一个分析。</translation>
+    </message>
+    <message>
+        <source>Components that it shares with other quantities are edited where they are stated.</source>
+        <translation>与其他量共有的分量在其给出处编辑。</translation>
+    </message>
+    <message>
+        <source>It has no component of uncertainty yet.</source>
+        <translation>尚无不确定度分量。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::CorrelationEdit</name>
@@ -13968,7 +14012,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <name>covaria::ui::CsvImportDialog</name>
     <message>
         <source>Import %1 into %2</source>
-        <translation>将 %1 导入 %2</translation>
+        <translation>将 %1 导入%2</translation>
     </message>
     <message>
         <source>found by itself</source>
@@ -14105,7 +14149,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>name, such as pillar</source>
-        <translation>名称，例如 pillar</translation>
+        <translation>名称，例如立柱</translation>
     </message>
     <message>
         <source>Remove Box</source>
@@ -14132,11 +14176,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Smallest factor</source>
-        <translation>最小系数</translation>
+        <translation>最小因子</translation>
     </message>
     <message>
         <source>The smallest factor that can be had, between 0 and 1</source>
-        <translation>可达到的最小系数，在 0 和 1 之间</translation>
+        <translation>可达到的最小因子，在 0 和 1 之间</translation>
     </message>
     <message>
         <source>Price of the first halving</source>
@@ -14168,7 +14212,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Least factor</source>
-        <translation>最小系数</translation>
+        <translation>最小因子</translation>
     </message>
     <message>
         <source>First halving</source>
@@ -14176,7 +14220,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>A factor f costs</source>
-        <translation>系数 f 的代价</translation>
+        <translation>因子 f 的成本</translation>
     </message>
     <message>
         <source>choose what is reduced</source>
@@ -14184,11 +14228,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Reductions</source>
-        <translation>降低措施</translation>
+        <translation>减小项</translation>
     </message>
     <message>
         <source>Each has a price; they take the place of variables and rows.</source>
-        <translation>每项都有代价；它们代替变量和行。</translation>
+        <translation>每项都有价格；它们代替变量和行。</translation>
     </message>
 </context>
 <context>
@@ -14223,7 +14267,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Variables, rows and objective of the design, in the properties of the analysis</source>
-        <translation>设计的变量、行和目标，在分析的属性中</translation>
+        <translation>设计的变量、行和目标函数，在分析的属性中</translation>
     </message>
     <message>
         <source>Take Over This Design</source>
@@ -14267,11 +14311,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>The cheapest reductions cost %1</source>
-        <translation>最便宜的减小项费用为 %1</translation>
+        <translation>成本最低的减小项：成本 %1</translation>
     </message>
     <message>
         <source>The cheapest rows cost %1</source>
-        <translation>最便宜的行费用为 %1</translation>
+        <translation>成本最低的行：成本 %1</translation>
     </message>
     <message>
         <source>, before %1</source>
@@ -14279,7 +14323,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>; &lt;b&gt;the target of U(%1) is not met&lt;/b&gt;</source>
-        <translation>；&lt;b&gt;未达到 U(%1) 的目标&lt;/b&gt;</translation>
+        <translation>；&lt;b&gt;不满足 U(%1) 的目标值&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
@@ -14358,7 +14402,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Cost of the rows, with all targets met</source>
-        <translation>行的费用，且满足所有目标值</translation>
+        <translation>行的成本，且满足所有目标值</translation>
     </message>
     <message>
         <source>Name</source>
@@ -14418,7 +14462,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Candidates</source>
-        <translation>候选</translation>
+        <translation>候选项</translation>
     </message>
     <message>
         <source>Stay</source>
@@ -14474,11 +14518,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>What the rows cost, separated by semicolons; needed where the cost is to be small</source>
-        <translation>各行的费用，用分号分隔；要求费用小时需要</translation>
+        <translation>各行的成本，用分号分隔；要求成本小时需要</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no number; separate prices by semicolons</source>
-        <translation>&apos;%1&apos; 不是数值；请用分号分隔价格</translation>
+        <translation>&apos;%1&apos; 不是数字；请用分号分隔价格</translation>
     </message>
     <message>
         <source>Of the random starts: a whole number from 0 to 18446744073709551615</source>
@@ -14513,7 +14557,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>“%1” are not all numbers.</source>
-        <translation>“%1”不全是数值。</translation>
+        <translation>“%1”不全是数字。</translation>
     </message>
     <message>
         <source>There must be as many probabilities as values.</source>
@@ -14551,7 +14595,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source> (copy)</source>
-        <translation> (副本)</translation>
+        <translation> （副本）</translation>
     </message>
     <message>
         <source>Add study</source>
@@ -14805,7 +14849,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
     <message>
         <source>Numbers may be typed with another unit (%1); the arrow keys change the last digit.</source>
-        <translation>数值可以用其他单位输入 (%1)；方向键改变最后一位数字。</translation>
+        <translation>数值可以用其他单位输入（%1）；方向键改变最后一位数字。</translation>
     </message>
 </context>
 <context>
@@ -15175,7 +15219,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation>“%1”不是数值。</translation>
+        <translation>“%1”不是数字。</translation>
     </message>
     <message>
         <source>Change correlation of %1 and %2</source>
@@ -15268,8 +15312,8 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>输入量</translation>
     </message>
     <message>
-        <source>Take From an Analysis…</source>
-        <translation>取自分析…</translation>
+        <source>Take From an Analysis …</source>
+        <translation>取自分析 …</translation>
     </message>
     <message>
         <source>Remove Link</source>
@@ -15626,7 +15670,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>The budget or the scene alone; once more, and the panes stand as they did</source>
-        <translation>仅显示预算或场景;再按一次恢复各窗格</translation>
+        <translation>仅显示预算或场景；再按一次恢复各窗格</translation>
     </message>
 </context>
 <context>
@@ -15652,7 +15696,7 @@ Chosen: %2</source>
     <name>covaria::ui::OutputTicks</name>
     <message>
         <source> of %1</source>
-        <translation> (%1)</translation>
+        <translation> （%1）</translation>
     </message>
 </context>
 <context>
@@ -15704,7 +15748,7 @@ Chosen: %2</source>
     <message>
         <source> of %1</source>
         <comment>page 3 of 17</comment>
-        <translation> (%1)</translation>
+        <translation> / %1</translation>
     </message>
 </context>
 <context>
@@ -15869,7 +15913,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>How long an edit may stay without a copy that a crash leaves behind</source>
-        <translation>一次编辑最长可在多久内没有崩溃后可用的副本</translation>
+        <translation>一次编辑之后，最迟多久保存一份崩溃后可用的副本</translation>
     </message>
     <message>
         <source>at most </source>
@@ -15946,7 +15990,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>Of the project or order; in the report</source>
-        <translation>项目或委托的编号;写入报告</translation>
+        <translation>项目或委托的编号；写入报告</translation>
     </message>
     <message>
         <source>Author</source>
@@ -15954,7 +15998,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>Who evaluated; in the report</source>
-        <translation>评定人;写入报告</translation>
+        <translation>评定人；写入报告</translation>
     </message>
     <message>
         <source>Results of all analyses</source>
@@ -15970,7 +16014,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>Of results in the window, reports, tables and CSV files; where it is not stated, files have the unit of the model</source>
-        <translation>窗口、报告、表格和 CSV 文件中结果的单位;未给出时，文件采用模型的单位</translation>
+        <translation>窗口、报告、表格和 CSV 文件中结果的单位；未给出时，文件采用模型的单位</translation>
     </message>
     <message>
         <source>Change units of results</source>
@@ -15982,7 +16026,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>Significant digits of uncertainties in the window and the report; certificates have two</source>
-        <translation>窗口和报告中不确定度的有效位数;证书为两位</translation>
+        <translation>窗口和报告中不确定度的有效位数；证书为两位</translation>
     </message>
     <message>
         <source>Change digits of results</source>
@@ -15994,7 +16038,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>A fixed k for U = k u of all analyses whose options state none; empty: from the degrees of freedom, or the coverage interval</source>
-        <translation>对选项中未给出 k 的所有分析,U = k u 中采用的固定 k;留空：由自由度或包含区间得出</translation>
+        <translation>对选项中未给出 k 的所有分析，U = k u 中采用的固定 k；留空：由自由度或包含区间得出</translation>
     </message>
     <message>
         <source>Change coverage factor</source>
@@ -16221,7 +16265,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::QuantityNotesEdit</name>
     <message>
         <source>Notes on the quantity</source>
-        <translation>关于该量的备注</translation>
+        <translation>关于该量的附注</translation>
     </message>
     <message>
         <source>Why this figure, what was agreed: in the report, below the input quantities</source>
@@ -16275,11 +16319,11 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Put %1 into the report</source>
-        <translation>将 %1 列入报告</translation>
+        <translation>将“%1”列入报告</translation>
     </message>
     <message>
         <source>Leave %1 out of the report</source>
-        <translation>报告中不列入 %1</translation>
+        <translation>报告中不列入“%1”</translation>
     </message>
 </context>
 <context>
@@ -16361,7 +16405,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::RequirementsForm</name>
     <message>
         <source>U = %1: the target is %2.</source>
-        <translation>U = %1：目标值：%2。</translation>
+        <translation>U = %1：目标值为 %2。</translation>
     </message>
     <message>
         <source>met</source>
@@ -16405,7 +16449,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>By %5, guard band %1: the result is &lt;b&gt;%2&lt;/b&gt;. Probability of conformance %3 %4.</source>
-        <translation>按 %5，保护带 %1：结果为&lt;b&gt;%2&lt;/b&gt;。合格概率 %3 %4。</translation>
+        <translation>按%5，保护带 %1：结果为&lt;b&gt;%2&lt;/b&gt;。合格概率 %3%4。</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -16421,7 +16465,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>&lt;br&gt;Global risks of the rule: consumer&apos;s %1, producer&apos;s %2.</source>
-        <translation>&lt;br&gt;该规则的总体风险：使用方风险 %1，生产方风险 %2。</translation>
+        <translation>&lt;br&gt;该规则的全局风险：使用方风险 %1，生产方风险 %2。</translation>
     </message>
     <message>
         <source>Result</source>
@@ -16532,7 +16576,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation>仅显示不满足目标不确定度或公差的结果</translation>
+        <translation>仅显示不满足目标不确定度或容差的结果</translation>
     </message>
     <message>
         <source>results</source>
@@ -16608,7 +16652,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source> of %1</source>
-        <translation> (%1)</translation>
+        <translation> （%1）</translation>
     </message>
     <message>
         <source>All Results</source>
@@ -16717,7 +16761,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Fit</source>
-        <translation>适合窗口</translation>
+        <translation>适应窗口</translation>
     </message>
     <message>
         <source>Everything in the picture (F)</source>
@@ -16825,7 +16869,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>View from the front right, from above (1); beside it standard and saved views, orthographic or perspective</source>
-        <translation>从右前上方观察（1）；旁边是标准视图和已保存的视图，正交或透视</translation>
+        <translation>从右前上方观察（1）；旁边是标准视图和已保存的视图，正投影或透视</translation>
     </message>
     <message>
         <source>Layers: what the picture shows</source>
@@ -16848,7 +16892,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Fit</source>
-        <translation>适合窗口</translation>
+        <translation>适应窗口</translation>
     </message>
     <message>
         <source>Copy Picture</source>
@@ -16872,7 +16916,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 7 are standard views, H hides what is selected, I shows it alone, Shift+H shows all; points and instruments can be dragged to another place</source>
-        <translation>方向键旋转场景，加减键缩放，F 适合窗口，1 至 7 为标准视图，H 隐藏所选项，I 仅显示所选项，Shift+H 显示全部；点和仪器可拖到其他位置</translation>
+        <translation>方向键旋转场景，加减键缩放，F 适应窗口，1 至 7 为标准视图，H 隐藏所选项，I 仅显示所选项，Shift+H 显示全部；点和仪器可拖到其他位置</translation>
     </message>
     <message>
         <source>Hide</source>
@@ -16970,15 +17014,15 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Insert rows in %1</source>
-        <translation>在 %1 中插入行</translation>
+        <translation>在%1中插入行</translation>
     </message>
     <message>
         <source>Delete rows of %1</source>
-        <translation>删除 %1 的行</translation>
+        <translation>删除%1的行</translation>
     </message>
     <message>
         <source>Paste into %1</source>
-        <translation>粘贴到 %1</translation>
+        <translation>粘贴到%1</translation>
     </message>
     <message>
         <source>Delete rows</source>
@@ -16986,19 +17030,19 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Fill down in %1</source>
-        <translation>在 %1 中向下填充</translation>
+        <translation>在%1中向下填充</translation>
     </message>
     <message>
         <source>Clear cells of %1</source>
-        <translation>清除 %1 的单元格</translation>
+        <translation>清除%1的单元格</translation>
     </message>
     <message>
         <source>Change unit in %1</source>
-        <translation>更改 %1 中的单位</translation>
+        <translation>更改%1中的单位</translation>
     </message>
     <message>
         <source>Take %1 into the project</source>
-        <translation>将 %1 纳入项目</translation>
+        <translation>将%1纳入项目</translation>
     </message>
 </context>
 <context>
@@ -17037,7 +17081,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Fit Widths</source>
-        <translation>适合列宽</translation>
+        <translation>适应列宽</translation>
     </message>
 </context>
 <context>
@@ -17283,7 +17327,7 @@ and large-scale metrology</source>
     </message>
     <message>
         <source> (factor)</source>
-        <translation> (系数)</translation>
+        <translation> （因子）</translation>
     </message>
     <message>
         <source>%1: has a problem</source>
@@ -17432,7 +17476,7 @@ and large-scale metrology</source>
     <name>covaria::ui::TabBar</name>
     <message>
         <source>More tabs</source>
-        <translation>更多选项卡</translation>
+        <translation>更多标签页</translation>
     </message>
 </context>
 <context>
@@ -17450,8 +17494,8 @@ and large-scale metrology</source>
         <translation>删除行</translation>
     </message>
     <message>
-        <source>Import CSV…</source>
-        <translation>导入 CSV…</translation>
+        <source>Import CSV …</source>
+        <translation>导入 CSV …</translation>
     </message>
     <message>
         <source>Read from %1</source>
@@ -17463,7 +17507,7 @@ and large-scale metrology</source>
     </message>
     <message>
         <source>Import CSV into %1</source>
-        <translation>将 CSV 导入 %1</translation>
+        <translation>将 CSV 导入%1</translation>
     </message>
     <message>
         <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
@@ -17496,7 +17540,7 @@ and large-scale metrology</source>
     </message>
     <message>
         <source> (factor)</source>
-        <translation> (系数)</translation>
+        <translation> （因子）</translation>
     </message>
 </context>
 <context>
@@ -17564,7 +17608,7 @@ and large-scale metrology</source>
     </message>
     <message>
         <source>Fit</source>
-        <translation>适合窗口</translation>
+        <translation>适应窗口</translation>
     </message>
     <message>
         <source>&amp;Orthographic</source>

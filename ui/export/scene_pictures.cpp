@@ -44,6 +44,7 @@ QImage ScenePictures::render(const SceneBlock& block, QSize size) {
         SceneOptions options;
         options.group = block.group;
         options.context = context_;
+        options.units = evaluated.analysis->style.units;
         options.language = scene_language(language_);
         options.probability = evaluated.result->coverage_probability;
         auto scene = scene_of(evaluated, block.design, options);

@@ -22,6 +22,7 @@ ComponentsEdit::ComponentsEdit(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       list_(new QListWidget(this)),
+      note_(new QLabel(this)),
       add_(new QPushButton(tr("Add"), this)),
       remove_(new QPushButton(tr("Remove"), this)),
       reset_(new QPushButton(tr("Reset"), this)),
@@ -66,6 +67,7 @@ void ComponentsEdit::build() {
     type_->setAccessibleName(tr("Type of evaluation"));
     degrees_->setAccessibleName(tr("Degrees of freedom"));
     origin_->setAccessibleName(tr("Origin"));
+    note_->setWordWrap(true);
     reset_->setToolTip(tr("Back to the components that the model gives"));
     type_->addItems({tr("Type A (from observations)"), tr("Type B (other means)")});
     may_be_narrow(*type_);
@@ -88,6 +90,7 @@ void ComponentsEdit::build() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(list_);
+    layout->addWidget(note_);
     layout->addLayout(buttons);
     layout->addWidget(details_);
     layout->addStretch(1);
@@ -170,6 +173,21 @@ void ComponentsEdit::reset() {
                  [](InputEdit& edit) { edit.components.reset(); });
 }
 
+QString ComponentsEdit::note() const {
+    if (!analysis_) return {};
+    const auto& linked = analysis_->linked;
+    if (std::any_of(linked.begin(), linked.end(),
+                    [this](const LinkedInput& one) { return one.symbol == symbol_; }))
+        return tr("Its uncertainty comes from another analysis.");
+    const std::size_t quantity = analysis_->inputs.find(symbol_);
+    if (quantity == InputSet::npos) return {};
+    const bool edited = find_input_edit(document_.project(), analysis_->id, symbol_).components.has_value();
+    const std::size_t all = analysis_->inputs.quantities[quantity].shares.size();
+    if (!edited && all > model_components().size())
+        return tr("Components that it shares with other quantities are edited where they are stated.");
+    return list_->count() > 0 ? QString() : tr("It has no component of uncertainty yet.");
+}
+
 std::string ComponentsEdit::components_part() const {
     return "/inputs/" + symbol_ + "/components/";
 }
@@ -193,6 +211,8 @@ void ComponentsEdit::refresh() {
     }
     const int lines = std::clamp(list_->count(), 1, 4);
     list_->setFixedHeight(lines * (fontMetrics().height() + 4) + 2 * list_->frameWidth());
+    note_->setText(note());
+    note_->setVisible(!note_->text().isEmpty());
     add_->setEnabled(analysis_ != nullptr);
     reset_->setEnabled(analysis_ && find_input_edit(document_.project(), analysis_->id, symbol_).components);
     show_component();

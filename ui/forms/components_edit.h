@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -38,11 +39,14 @@ private:
     std::string components_part() const;
     void forget_unread();
     void show_component();
+    /// What the list does not have, and why; empty: it has all.
+    QString note() const;
 
     Document& document_;
     std::shared_ptr<const PreparedAnalysis> analysis_;
     std::string symbol_;
     QListWidget* list_;
+    QLabel* note_;
     QPushButton* add_;
     QPushButton* remove_;
     QPushButton* reset_;

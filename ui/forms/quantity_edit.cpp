@@ -7,7 +7,7 @@
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
 #include "ui/forms/complaint.h"
-#include "ui/models/number_words.h"
+#include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -120,12 +120,13 @@ void QuantityEdit::set_quantity(const std::optional<Quantity>& quantity) {
     complain({});
 }
 
-/// A large number of trials is read in groups, and edited as it is typed.
+/// Digits are read in groups, those of a computed value not all, and edited as they are.
 void QuantityEdit::show_quantity() {
-    if (integer_ && quantity_ && !hasFocus())
-        setText(to_qt(grouped_digits(format_typed(quantity_->value), user_numbers())));
-    else
-        setText(quantity_ ? quantity_text(*quantity_, locale()) : QString());
+    QString shown = quantity_ ? quantity_text(*quantity_, locale()) : QString();
+    if (quantity_ && !hasFocus())
+        shown.replace(0, number_text(quantity_->value, locale()).size(),
+                      to_qt(grouped_digits(format_typed(quantity_->value), number_locale(locale()))));
+    setText(shown.replace(QChar(0x2212), QLatin1Char('-')));  // as it is typed: poses have no room for more
     setModified(false);
 }
 
@@ -151,7 +152,7 @@ void QuantityEdit::commit() {
 }
 
 void QuantityEdit::step(int direction) {
-    const auto parsed = parse();
+    const auto parsed = isModified() ? parse() : quantity_;
     if (!parsed || !*parsed) return;
     const QString number = number_text((**parsed).value, QLocale::c());
     const qsizetype point = number.indexOf('.');

@@ -29,7 +29,7 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
     auto* buttons = new FlowLayout;
     buttons->addWidget(add_button(tr("Add row"), view_->append_row_action()));
     buttons->addWidget(add_button(tr("Delete rows"), view_->remove_rows_action()));
-    auto* import = new QPushButton(tr("Import CSV…"), this);
+    auto* import = new QPushButton(tr("Import CSV …"), this);
     buttons->addWidget(import);
     buttons->addWidget(embed_);
     origin_->setWordWrap(true);

@@ -1,15 +1,20 @@
 #include "ui/main_window/dock_title.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QToolButton>
+#include <utility>
 
 #include "ui/theme/elided_label.h"
 #include "ui/theme/icons.h"
 
 namespace covaria::ui {
 namespace {
+
+constexpr int line_height = 2;
 
 QToolButton* add_button(QHBoxLayout& row, const QString& picture, const QString& tip) {
     auto* button = new QToolButton;
@@ -25,7 +30,7 @@ QToolButton* add_button(QHBoxLayout& row, const QString& picture, const QString&
 
 }  // namespace
 
-DockTitle::DockTitle(QDockWidget& dock, QWidget* controls) : QWidget(&dock) {
+DockTitle::DockTitle(QDockWidget& dock, QWidget* controls) : QWidget(&dock), dock_(dock) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 2, 4, 2);
     row->setSpacing(2);
@@ -44,6 +49,19 @@ DockTitle::DockTitle(QDockWidget& dock, QWidget* controls) : QWidget(&dock) {
     QToolButton* close = add_button(*row, QStringLiteral("close"), tr("Close"));
     connect(floating, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(!dock.isFloating()); });
     connect(close, &QToolButton::clicked, &dock, &QWidget::close);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
+}
+
+void DockTitle::follow(const QWidget* focused) {
+    const bool has = focused && dock_.isAncestorOf(focused);
+    if (std::exchange(has_keyboard_, has) != has) update();
+}
+
+void DockTitle::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (!has_keyboard_) return;
+    QPainter painter(this);
+    painter.fillRect(0, height() - line_height, width(), line_height, palette().highlight());
 }
 
 }  // namespace covaria::ui

@@ -7,11 +7,20 @@ class QDockWidget;
 
 namespace covaria::ui {
 
-/// Without `controls` the dock's title is shown and follows it.
+/// Without `controls` the dock's title is shown and follows it. Underlined while the keyboard is in the dock.
 class DockTitle : public QWidget {
     Q_OBJECT
 public:
     explicit DockTitle(QDockWidget& dock, QWidget* controls = nullptr);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void follow(const QWidget* focused);
+
+    QDockWidget& dock_;
+    bool has_keyboard_ = false;
 };
 
 }  // namespace covaria::ui

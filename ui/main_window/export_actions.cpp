@@ -9,6 +9,7 @@
 #include "core/report/result_files.h"
 #include "core/writers/writers.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/main_window/shortcut_tip.h"
 #include "ui/pages/current_results.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
@@ -56,11 +57,15 @@ ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs
     : QObject(parent),
       pdf_action(new QAction(icon(QStringLiteral("export")), tr("Report as &PDF …"), this)),
       certificate_action(new QAction(icon(QStringLiteral("export")), tr("&Certificate as PDF …"), this)),
+      document_action(new QAction(icon(QStringLiteral("export")), {}, this)),
       document_(document),
       runner_(runner),
       dialogs_(dialogs),
       jobs_(Execution::threads) {
-    pdf_action->setShortcut(Qt::CTRL | Qt::Key_P);
+    follow_view(DocumentKind::report);
+    connect(document_action, &QAction::triggered, this, [this] {
+        (certificate_action->shortcut().isEmpty() ? pdf_action : certificate_action)->trigger();
+    });
     connect(pdf_action, &QAction::triggered, this, [this] { ask_report(ReportFormat::pdf); });
     connect(certificate_action, &QAction::triggered, this, &ExportActions::ask_certificate);
     connect(&runner_, &AnalysisRunner::idle, this, [this] {
@@ -83,6 +88,14 @@ QMenu* ExportActions::make_menu(QWidget* parent) {
         menu->addAction(core_text(writer.title) + tr(" …"), this,
                         [this, &writer] { ask_for_others(writer); });
     return menu;
+}
+
+void ExportActions::follow_view(DocumentKind kind) {
+    QAction* shown = kind == DocumentKind::certificate ? certificate_action : pdf_action;
+    for (QAction* action : {pdf_action, certificate_action}) action->setShortcut({});
+    shown->setShortcut(Qt::CTRL | Qt::Key_P);
+    document_action->setText(shown->text());
+    document_action->setToolTip(tip_with_shortcut(shown->text(), shown->shortcut()));
 }
 
 QString ExportActions::suggested(const QString& ending) const {

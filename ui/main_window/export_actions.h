@@ -26,6 +26,9 @@ public:
     QMenu* make_menu(QWidget* parent);
     QAction* pdf_action;
     QAction* certificate_action;
+    QAction* document_action;  ///< of the toolbar: the one of the document that is in view
+    /// The shortcut goes to what exports this document.
+    void follow_view(DocumentKind kind);
 
     void ask_report(ReportFormat format);
     /// Says first what ISO/IEC 17025 requires and is missing.

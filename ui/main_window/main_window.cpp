@@ -25,6 +25,7 @@
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/run_actions.h"
 #include "ui/main_window/search_actions.h"
+#include "ui/main_window/shortcut_tip.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/main_window/undo_action.h"
 #include "ui/main_window/window_state.h"
@@ -35,6 +36,7 @@
 #include "ui/pages/message_panes.h"
 #include "ui/pages/project_pane.h"
 #include "ui/pages/properties_pane.h"
+#include "ui/pages/report_preview.h"
 #include "ui/pages/results_pane.h"
 #include "ui/pages/run_status.h"
 #include "ui/pages/start_page.h"
@@ -47,22 +49,6 @@
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
-namespace {
-
-/// The tooltip names the shortcut, and follows the text ("Undo Change x").
-void show_shortcut(QAction* action) {
-    const auto update = [action] {
-        QString text = action->text();
-        text.remove(QLatin1Char('&')).remove(QStringLiteral(" …"));
-        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(keys.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, keys));
-    };
-    QObject::connect(action, &QAction::changed, action, update);
-    update();
-}
-
-}  // namespace
-
 namespace {
 
 bool is_project(const QUrl& url) {
@@ -198,19 +184,20 @@ void MainWindow::make_toolbar() {
     const QList<QList<QAction*>> groups{{files_.new_action, files_.open_action, files_.save_action},
                                         {undo_, redo_},
                                         {run_->run, run_->stop, run_->live},
-                                        {exports_->pdf_action}};
+                                        {exports_->document_action}};
     for (const QList<QAction*>& group : groups) {
         if (group != groups.front()) toolbar_->addSeparator();
         toolbar_->addActions(group);
-        for (QAction* action : group) show_shortcut(action);
+        for (QAction* action : group)
+            if (action != exports_->document_action) show_shortcut(action);
     }
     toolbar_->insertAction(run_->run, add_->menuAction());
     toolbar_->insertSeparator(run_->run);
     if (auto* button = qobject_cast<QToolButton*>(toolbar_->widgetForAction(add_->menuAction())))
         button->setPopupMode(QToolButton::InstantPopup);
     toolbar_->widgetForAction(add_->menuAction())->setObjectName(QStringLiteral("add_button"));
-    toolbar_->widgetForAction(exports_->pdf_action)->setObjectName(QStringLiteral("export_pdf_button"));
-    project_actions_ << exports_->pdf_action;
+    toolbar_->widgetForAction(exports_->document_action)->setObjectName(QStringLiteral("export_pdf_button"));
+    project_actions_ << exports_->document_action << exports_->pdf_action << exports_->certificate_action;
 }
 
 void MainWindow::make_menus() {
@@ -323,6 +310,7 @@ void MainWindow::connect_panes() {
     connect(exports_, &ExportActions::message, this, say);
     connect(exports_, &ExportActions::certificate_wanted, this,
             [this] { go_to(QStringLiteral("/certificate")); });
+    connect(&results_->report(), &ReportPreview::in_view, exports_, &ExportActions::follow_view);
     connect(project_, &ProjectPane::message, this, say);
     connect(&results_->compare_tab(), &CompareTab::message, this, say);
     connect(imports_, &ImportActions::message, this, say);
@@ -402,6 +390,10 @@ void MainWindow::connect_scene() {
         const std::optional<int> stated = document_.project().results.style.digits;
         return MeasureStyle{results_->units().units(), stated.value_or(preferences_.now().digits)};
     };
+    const auto take_units = [this] { scene_->set_units(results_->units().units()); };
+    connect(&document_, &Document::project_changed, this, take_units);
+    connect(&preferences_, &PreferenceStore::changed, this, take_units);
+    take_units();
     connect(&document_, &Document::project_changed, &scene_->measuring(), &MeasureTool::update);
     connect(&preferences_, &PreferenceStore::changed, &scene_->measuring(), &MeasureTool::update);
     connect(&scene_->view(), &SceneView::drag_started, &document_, &Document::begin_merging);

@@ -115,6 +115,10 @@ void PreferencesDialog::add_window(QFormLayout& form) {
     language_ = add_box(form, tr("Language"), "language", tr("Of the window, when Covaria starts again"));
     language_->addItem(tr("As the system"), QString());
     for (const Language& language : offered_languages()) language_->addItem(language.name, language.code);
+    auto* when = new QLabel(language_->toolTip());
+    when->setWordWrap(true);
+    when->setEnabled(false);
+    form.addRow(QString(), when);
     theme_ = add_box(form, tr("Colours"), "theme", tr("Of the window, its charts and the scene"));
     add_items(*theme_, {{QStringLiteral("system"), tr("As the system")},
                         {QStringLiteral("light"), tr("Light")},

@@ -176,8 +176,8 @@ QString BudgetSheetModel::stated_words(int row, bool typeset) const {
     if (!kind) return {};
     const TypedStatement statement{*kind, number_at(row, "a"), number_at(row, "b"), std::nullopt};
     const auto number = [typeset](double value) {
-        const QString typed = number_text(value, QLocale());
-        return to_std(typeset && typed.contains('e') ? localized(format_typed(value)) : typed);
+        return typeset ? grouped_digits(format_typed(value), user_numbers())
+                       : to_std(number_text(value, QLocale()));
     };
     return to_qt(statement_text(statement, unit_of(row), number, core_words));
 }
@@ -345,6 +345,9 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_for(int row, int section, const 
     if (section == estimate) return cells_of_estimate(row, text);
     Cells cells;
     cells[column_of(section)] = {text};
+    const QString figure = text.trimmed();  // "2 ppm" would be 0.000 002 degrees of freedom
+    if (section == nu && !figure.isEmpty() && !parse_number(figure, QLocale()))
+        cells[column_of(section)] = {text, tr("“%1” is not a number of degrees of freedom.").arg(figure)};
     return cells;
 }
 

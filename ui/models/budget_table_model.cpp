@@ -19,6 +19,7 @@ void BudgetTableModel::set_result(std::shared_ptr<const UncertaintyResult> resul
     const std::vector<BudgetRow>& rows = result_->budget.rows[output];
     if (std::any_of(rows.begin(), rows.end(), [](const BudgetRow& row) { return row.one_at_a_time; }))
         keys.emplace_back("one at a time");
+    if (!result_->sobol.empty()) keys.insert(keys.end(), {"sobol", "sobol total"});
     keys.insert(keys.end(), {"degrees of freedom", "type", "distribution", "component"});
     const auto of_several = [this](const BudgetRow& row) {
         return result_->budget.components[row.component].quantities.size() > 1;

@@ -4,6 +4,7 @@
 
 #include "core/report/comparison_columns.h"
 #include "ui/models/roles.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -41,10 +42,11 @@ QVariant ComparedResultsModel::extra(std::size_t row, std::size_t, int role) con
 
 void ComparedBudgetModel::set_comparison(ComparisonPointer comparison, std::size_t output, bool current) {
     if (!comparison) return set_contents({}, {}, {}, current);
-    Table table = compared_budget_table(*comparison, compared_places(*comparison, output));
+    Table table =
+        compared_budget_table(*comparison, compared_places(*comparison, output), language_of_window());
     set_contents(
         std::move(comparison), std::move(table),
-        {"quantity", "change of variance", "what", "component", "contribution before", "contribution after",
+        {"label", "change of variance", "what", "component", "contribution before", "contribution after",
          "u before", "u after", "unit", "share before", "share after", "origin"},
         current);
 }

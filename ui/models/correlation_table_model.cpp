@@ -1,12 +1,14 @@
-// Correlation coefficients to two decimals, tinted by magnitude.
+// Correlation coefficients to two decimals, tinted as in the chart.
 #include "ui/models/correlation_table_model.h"
 
 #include <QColor>
-#include <cmath>
+#include <QGuiApplication>
+#include <QPalette>
 
 #include "core/report/plots.h"
 #include "core/report/result_columns.h"
 #include "ui/models/roles.h"
+#include "ui/theme/theme.h"
 
 namespace covaria::ui {
 
@@ -24,11 +26,11 @@ void CorrelationTableModel::set_result(std::shared_ptr<const UncertaintyResult> 
 
 QVariant CorrelationTableModel::extra(std::size_t row, std::size_t column, int role) const {
     const int r = static_cast<int>(row), c = static_cast<int>(column);
-    if (role == Qt::BackgroundRole && r != c) {
-        const double coefficient = index(r, c).data(sort_role).toDouble();
-        QColor tint = coefficient < 0.0 ? QColor(0, 114, 178) : QColor(213, 94, 0);
-        tint.setAlphaF(static_cast<float>(0.45 * std::min(1.0, std::abs(coefficient))));
-        return tint;
+    if (is_current() && r != c && (role == Qt::BackgroundRole || role == Qt::ForegroundRole)) {
+        const bool dark = QGuiApplication::palette().color(QPalette::Base).lightnessF() < 0.5;
+        const QColor ground =  // as in the chart
+            (dark ? Theme::dark() : Theme::light()).diverging(index(r, c).data(sort_role).toDouble());
+        return role == Qt::BackgroundRole ? ground : Theme::text_on(ground);
     }
     if (role == Qt::ToolTipRole)
         return tr("Correlation of %1 with %2")

@@ -6,11 +6,14 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "core/report/result_statement.h"
+#include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "ui/forms/budget_sheet_view.h"
 #include "ui/run/result_words.h"
@@ -77,7 +80,6 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
 
 void BudgetPage::start_over() {
     analysis_.clear();
-    correlate_ = nullptr;
     delete std::exchange(view_, nullptr);
     model_.reset();
     show_analysis();
@@ -86,7 +88,6 @@ void BudgetPage::start_over() {
 void BudgetPage::show_analysis() {
     if (model_ && selection_.analysis() == analysis_) return;
     analysis_ = selection_.analysis();
-    correlate_ = nullptr;
     delete std::exchange(view_, nullptr);
     model_.reset();
     const SetupAddress address{SetupOwner::analysis, to_std(analysis_)};
@@ -101,12 +102,12 @@ void BudgetPage::show_analysis() {
     connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &BudgetPage::show_correlation);
     connect(view_, &BudgetSheetView::quantity_asked, this, &BudgetPage::ask_for_quantity);
-    correlate_ = new QAction(tr("Correlation of Two Rows"), view_);
-    correlate_->setToolTip(correlation_->toolTip());
-    correlate_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-    correlate_->setShortcutContext(Qt::WidgetShortcut);
-    view_->addAction(correlate_);
-    connect(correlate_, &QAction::triggered, correlation_, qOverload<>(&QWidget::setFocus));
+    auto* correlate = new QAction(tr("Correlation of Two Rows"), view_);
+    correlate->setToolTip(correlation_->toolTip());
+    correlate->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+    correlate->setShortcutContext(Qt::WidgetShortcut);
+    view_->addAction(correlate);
+    connect(correlate, &QAction::triggered, this, &BudgetPage::ask_for_correlation);
     setFocusProxy(view_);
     setTabOrder(view_, correlation_);
     take_result();
@@ -130,8 +131,10 @@ void BudgetPage::take_result() {
     lines_->setEnabled(status.is_of_present());
     if (!status.result) return;
     const QString said = status.is_of_present() ? result_words(status) : reservation(status);
-    lines_->setText(lines_of(*status.result) + QStringLiteral("<br><small>") + said.toHtmlEscaped() +
-                    QStringLiteral("</small>"));
+    const QString correlated = status.prepared ? correlation_words(*status.prepared) : QString();
+    lines_->setText(lines_of(*status.result) +
+                    (correlated.isEmpty() ? QString() : QStringLiteral("<br>") + correlated) +
+                    QStringLiteral("<br><small>") + said.toHtmlEscaped() + QStringLiteral("</small>"));
 }
 
 std::set<int> BudgetPage::selected_rows() const {
@@ -175,7 +178,6 @@ void BudgetPage::show_correlation() {
     const QModelIndex cell = selected_pair();
     for (QWidget* widget : {static_cast<QWidget*>(pair_), static_cast<QWidget*>(correlation_)})
         widget->setEnabled(cell.isValid());
-    if (correlate_) correlate_->setEnabled(cell.isValid());
     const auto symbol = [this](int row) { return to_qt(to_html(symbol_text(model_->symbol_of(row)))); };
     pair_->setText(cell.isValid()
                        ? tr("<i>r</i>(%1, %2) =")
@@ -190,6 +192,37 @@ void BudgetPage::take_correlation() {
         correlations_.setData(cell, correlation_->text());
 }
 
+/// Without two rows it says what to do.
+void BudgetPage::ask_for_correlation() {
+    if (correlation_->isEnabled())
+        correlation_->setFocus();
+    else
+        QToolTip::showText(correlation_->mapToGlobal(QPoint(0, correlation_->height())),
+                           correlation_->toolTip(), correlation_);
+}
+
+QString BudgetPage::correlation_words(const PreparedAnalysis& analysis) const {
+    std::map<std::string, QString> symbols;  // by component
+    for (int row = 0; row < model_->rowCount(); ++row)
+        if (const std::string id = model_->component_of(row); !id.empty())
+            symbols[id] = to_qt(to_html(symbol_text(model_->symbol_of(row))));
+    QStringList words;
+    const InputSet& inputs = analysis.inputs;
+    for (const ComponentCorrelation& c : inputs.correlations) {
+        const auto a = symbols.find(inputs.components[c.first].id),
+                   b = symbols.find(inputs.components[c.second].id);
+        if (a == symbols.end() || b == symbols.end() || c.coefficient == 0.0) continue;
+        if (static_cast<std::size_t>(words.size()) == most_lines) {
+            words << QStringLiteral("…");
+            break;
+        }
+        words << QStringLiteral("<i>r</i>(%1, %2)\u00a0=\u00a0%3")
+                     .arg(a->second, b->second,
+                          to_qt(typeset_number(format_typed(c.coefficient), language_of_window().numbers())));
+    }
+    return words.join(QStringLiteral("; "));
+}
+
 QString BudgetPage::lines_of(const UncertaintyResult& result) const {
     const DocumentLanguage in = language_of_window();
     QStringList lines;
@@ -200,13 +233,9 @@ QString BudgetPage::lines_of(const UncertaintyResult& result) const {
             break;
         }
         const std::string symbol = to_html(symbol_text(output.quantity.symbol));
-        const std::string words = "<b>" + symbol + "</b> = " + escape_html(value_statement(output, true, in));
-        QString line = to_qt(words);
-        if (output.expanded_uncertainty != 0.0)  // else exact
-            line +=
-                QStringLiteral(", ") + to_qt(to_html(running_text(coverage_statement(output, result, in))))
-                                           .replace(QStringLiteral(" = "), QStringLiteral("\u00a0=\u00a0"));
-        lines << line;
+        const std::string stated = to_html(running_text(result_statement(output, result, in)));
+        lines << to_qt("<b>" + symbol + "</b> = ") +
+                     to_qt(stated).replace(QStringLiteral(" = "), QStringLiteral("\u00a0=\u00a0"));
     }
     return lines.join(QStringLiteral("<br>"));
 }

@@ -12,7 +12,6 @@
 #include "ui/models/input_correlation_model.h"
 #include "ui/run/analysis_runner.h"
 
-class QAction;
 class QLabel;
 class QLineEdit;
 class QVBoxLayout;
@@ -48,11 +47,14 @@ private:
     void show_analysis();
     void take_result();
     QString lines_of(const UncertaintyResult& result) const;
+    /// "r(d, theta) = 0.5" of every two rows that are correlated; empty: none are.
+    QString correlation_words(const PreparedAnalysis& analysis) const;
     /// Of the correlations, the cell of the two rows selected; invalid: none.
     QModelIndex selected_pair();
     std::set<int> selected_rows() const;
     void show_correlation();
     void take_correlation();
+    void ask_for_correlation();
 
     Document& document_;
     AnalysisRunner& runner_;
@@ -65,7 +67,6 @@ private:
     InputCorrelationModel correlations_;
     QLabel* pair_ = nullptr;
     QLineEdit* correlation_ = nullptr;
-    QAction* correlate_ = nullptr;  ///< of the view
 };
 
 }  // namespace covaria::ui

@@ -14,10 +14,11 @@ QString place_of_component(const Project& project, const PreparedAnalysis& analy
     const auto& all = analysis.inputs.components;
     const auto stated =
         std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.id == component.id; });
-    if (stated != all.end() && !stated->contributor.empty())
-        for (const SetupOwner owner : {SetupOwner::asset, SetupOwner::analysis})
-            if (const SetupAddress from{owner, stated->contributor}; exists(project, from))
-                return to_qt(entry_path(project, from));
+    if (stated != all.end())
+        for (const SetupAddress& from : {SetupAddress{SetupOwner::asset, stated->stated_by},
+                                         SetupAddress{SetupOwner::asset, stated->contributor},
+                                         SetupAddress{SetupOwner::analysis, stated->contributor}})
+            if (!from.id.empty() && exists(project, from)) return to_qt(entry_path(project, from));
     if (stated != all.end() && !stated->source.empty())
         return to_qt(setup_path(project, own) + stated->source);
     if (component.quantities.empty()) return {};

@@ -45,8 +45,10 @@ const std::array<FirstStep, 10>& first_steps() {
                     "certificate. It has results that are up to date only: run the analysis first (F5)."),
          "report_pages", nullptr, &StepsTaken::seen_report},
         {QT_TR_NOOP("Save it as PDF"),
-         QT_TR_NOOP("Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that "
-                    "Covaria can open it again. The certificate is in the menu File under Export."),
+         QT_TR_NOOP(
+             "Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that "
+             "Covaria can open it again. While the tab Report shows the certificate, the button writes "
+             "that; it is also in the menu File under Export."),
          "export_pdf_button", nullptr, &StepsTaken::exported},
     }};
     return steps;

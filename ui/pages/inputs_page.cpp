@@ -1,5 +1,6 @@
 #include "ui/pages/inputs_page.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -90,9 +91,27 @@ void InputsPage::make_table() {
     table_->verticalHeader()->hide();
     rows_follow_font(*table_);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setSectionResizeMode(InputQuantitiesModel::components_column,
+                                                     QHeaderView::Interactive);
+    table_->viewport()->installEventFilter(this);
+    connect(&filter_, &QAbstractItemModel::modelReset, this, &InputsPage::fit_components);
+    connect(&filter_, &QAbstractItemModel::dataChanged, this, &InputsPage::fit_components);
     table_->hideColumn(InputQuantitiesModel::name_column);
     table_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(table_, &QWidget::customContextMenuRequested, this, &InputsPage::show_menu);
+}
+
+/// The room that is left, but its head.
+void InputsPage::fit_components() {
+    QHeaderView& head = *table_->horizontalHeader();
+    constexpr int column = InputQuantitiesModel::components_column;
+    const int others = head.length() - head.sectionSize(column);
+    head.resizeSection(column, std::max(head.sectionSizeHint(column), table_->viewport()->width() - others));
+}
+
+bool InputsPage::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == table_->viewport() && event->type() == QEvent::Resize) fit_components();
+    return QWidget::eventFilter(watched, event);
 }
 
 void InputsPage::take_analysis() {
@@ -154,7 +173,7 @@ void InputsPage::show_menu(const QPoint& at) {
     if (!index.isValid()) return;
     const std::string symbol = to_std(index.data(id_role).toString());
     QMenu menu(this);
-    menu.addAction(tr("Take From an Analysis…"), this, [this, symbol] { ask_for_link(symbol); });
+    menu.addAction(tr("Take From an Analysis …"), this, [this, symbol] { ask_for_link(symbol); });
     QAction* remove = menu.addAction(
         tr("Remove Link"), this, [this, symbol] { set_link(document_, analysis_, symbol, std::nullopt); });
     remove->setEnabled(find_link(document_.project(), analysis_, symbol).has_value());

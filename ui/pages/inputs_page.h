@@ -33,7 +33,11 @@ public:
     /// Results of other analyses that the quantity could be; of those that are prepared.
     std::vector<LinkChoice> link_choices(const std::string& symbol) const;
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void fit_components();
     void show_menu(const QPoint& at);
     void ask_for_link(const std::string& symbol);
     void make_table();

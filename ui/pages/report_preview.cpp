@@ -72,6 +72,7 @@ QLayout* ReportPreview::make_head() {
     head->addWidget(state_, 1);
     head->addWidget(update);
     connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
+        emit in_view(kind());
         start_over();
         refresh();
     });
@@ -101,7 +102,12 @@ void ReportPreview::mark_old() {
     if (!pages_.empty()) say(tr("Out of date: the project or its results have changed since."));
 }
 
+void ReportPreview::hideEvent(QHideEvent*) {
+    emit in_view(DocumentKind::report);
+}
+
 void ReportPreview::showEvent(QShowEvent*) {
+    emit in_view(kind());
     if (old_ && pages_.empty()) refresh();
 }
 

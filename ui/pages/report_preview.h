@@ -35,7 +35,12 @@ public:
     const std::vector<QImage>& pages() const { return pages_; }
     PageView& view() { return *view_; }
 
+signals:
+    /// The report, too, when neither is looked at any more.
+    void in_view(DocumentKind kind);
+
 protected:
+    void hideEvent(QHideEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:

@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QMenu>
+#include <QResizeEvent>
 #include <QSettings>
 #include <algorithm>
 
@@ -84,12 +85,34 @@ void SortableTable::apply_columns() {
 
 void SortableTable::fit_columns() {
     fitting_ = true;
+    long_columns_.clear();
     for (int column = 0; column < proxy_.columnCount(); ++column) {
         if (isColumnHidden(column)) continue;
         const QVariant given = widths_.value(column_name(column));
         const int wanted = std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column));
+        if (!given.isValid() && wanted > widest_column) long_columns_[column] = wanted;
         setColumnWidth(column, given.isValid() ? given.toInt() : std::min(wanted, widest_column));
     }
+    share_room();
+    fitting_ = false;
+}
+
+void SortableTable::share_room() {
+    for (const auto& [column, wanted] : long_columns_) setColumnWidth(column, widest_column);
+    int spare = viewport()->width() - horizontalHeader()->length();
+    for (const auto& [column, wanted] : long_columns_) {
+        if (spare <= 0) return;
+        const int more = std::min(spare, wanted - widest_column);
+        setColumnWidth(column, widest_column + more);
+        spare -= more;
+    }
+}
+
+void SortableTable::resizeEvent(QResizeEvent* event) {
+    QTableView::resizeEvent(event);
+    if (long_columns_.empty() || event->oldSize().width() == event->size().width()) return;
+    fitting_ = true;
+    share_room();
     fitting_ = false;
 }
 

@@ -4,6 +4,7 @@
 #include <QSortFilterProxyModel>
 #include <QTableView>
 #include <functional>
+#include <map>
 
 #include "ui/models/column_table_model.h"
 
@@ -46,11 +47,14 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QString column_name(int column) const;
     void apply_columns();
     void fit_columns();
+    /// Long texts are cut only where there is no room.
+    void share_room();
     void remember_width(int column, int width);
     void forget_columns();
     void show_header_menu(QPoint at);
@@ -59,7 +63,8 @@ private:
     QString name_, key_, remark_;
     const ColumnTableModel& model_;
     QStringList hidden_;
-    QMap<QString, QVariant> widths_;  ///< that the user gave
+    QMap<QString, QVariant> widths_;   ///< that the user gave
+    std::map<int, int> long_columns_;  ///< those that want more than they get by themselves, and how much
     QSortFilterProxyModel proxy_;
     bool selecting_ = false;
     bool fitting_ = false;

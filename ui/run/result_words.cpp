@@ -59,8 +59,8 @@ QString reservation(const AnalysisStatus& status) {
 
 QString unprepared_words(const AnalysisStatus& status) {
     return status.state == RunState::incomplete
-               ? tr("The analysis is not complete yet: what must still be given is listed below.")
-               : tr("The analysis has problems; they are listed below.");
+               ? tr("The analysis is not complete yet: what must still be given is listed under Problems.")
+               : tr("The analysis has problems; they are listed under Problems.");
 }
 
 }  // namespace covaria::ui

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/base/own_names.h"
@@ -38,7 +39,10 @@ QString triple(const Eigen::Vector3d& v, const LengthUnit& unit) {
 }
 
 QString coordinates(const Eigen::Vector3d& v, const LengthUnit& unit) {
-    const auto number = [&](int i) { return localized(format_decimals(v[i] * unit.per_metre, 2)); };
+    const int decimals = std::max(0, static_cast<int>(std::lround(std::log10(1e5 / unit.per_metre))));
+    const auto number = [&](int i) {  // to 10 um
+        return to_qt(grouped_digits(format_decimals(v[i] * unit.per_metre, decimals), user_numbers()));
+    };
     return QStringLiteral("(%1; %2; %3) %4")
         .arg(number(0), number(1), number(2), QString::fromStdString(unit.text));
 }
@@ -189,6 +193,7 @@ void ScenePanel::show_analysis(const QString& id) {
     analysis_ = id;
     measuring_->put_away();
     view_->set_visibility({});
+    view_->forget_trial();
     picked_->hide();
     refresh();
 }
@@ -212,12 +217,19 @@ void ScenePanel::start_over() {
     source_.clear();
     measuring_->put_away();
     picked_->hide();
+    view_->forget_trial();
     view_->start_over();
     refresh();
 }
 
 void ScenePanel::set_dark(bool dark) {
     view_->set_palette_kind(dark ? ScenePalette::dark : ScenePalette::light);
+}
+
+void ScenePanel::set_units(const DisplayUnits& units) {
+    if (units.chosen() == units_.chosen()) return;
+    units_ = units;
+    refresh();
 }
 
 void ScenePanel::show_study(std::shared_ptr<const StudyResult> study, const StudySceneOptions& wanted) {
@@ -242,6 +254,7 @@ SceneOptions ScenePanel::options() const {
     options.probability = probability_->currentData().toDouble();
     options.language = scene_language(language_of_window());
     options.context = context_;
+    options.units = units_;
     return options;
 }
 
@@ -367,6 +380,7 @@ void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>
     if (*scene) {
         view_->show_scene(std::make_shared<const Scene>(std::move(**scene)));
         measuring_->set_result(result);
+        view_->forget_trial();
         if (!show_source()) describe_item(view_->selected());
         return;
     }
@@ -375,6 +389,7 @@ void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>
 }
 
 void ScenePanel::show_item(const QString& id) {
+    if (id != view_->selected()) view_->forget_trial();
     view_->select(id);
     describe_item(id);
 }
@@ -414,11 +429,11 @@ void ScenePanel::show_trial(std::uint64_t trial) {
 
 /// The user picked an item, or nothing.
 void ScenePanel::take_pick(const QString& id) {
-    describe_item(id);
-    if (const auto trial = view_->picked_trial()) show_trial(*trial);
     const SceneItem* item = view_->scene() ? find_item(*view_->scene(), to_std(id)) : nullptr;
     emit source_picked(item ? to_qt(item->source.asset) : QString(),
                        item ? to_qt(item->source.path) : QString());
+    describe_item(id);  // last: what is selected elsewhere describes itself, too
+    if (const auto trial = view_->picked_trial()) show_trial(*trial);
 }
 
 bool ScenePanel::is_selected_source(const SceneItem& item) const {

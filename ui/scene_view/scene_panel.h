@@ -38,6 +38,8 @@ public:
     void show_group(const QString& group);
     QString group() const;
     void set_dark(bool dark);
+    /// That lengths are written in.
+    void set_units(const DisplayUnits& units);
     /// Another project: nothing of what was looked at stays.
     void start_over();
     /// The map of a study in place of the analysis' result; null: the result again.
@@ -97,6 +99,7 @@ private:
     std::vector<LayoutMesh> context_;  ///< of the project
     std::shared_ptr<const DesignResult> design_;
     QString design_remark_;
+    DisplayUnits units_;
     std::string source_asset_, source_;          ///< the selected set-up field
     std::map<std::string, std::string> groups_;  ///< in which each source is shown
     LayerVisibility layers_;

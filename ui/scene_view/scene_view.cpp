@@ -25,7 +25,8 @@ namespace {
 
 constexpr double pixels_per_key = 30.0;
 constexpr qint64 least_pause_between_moves = 25;  // ms
-constexpr double reach_of_dot = 4.0;              // of a cloud
+constexpr double radius_of_ring = 6.0;            // about the dots of a trial that was picked
+constexpr double reach_of_dot = 8.0;              // of a cloud
 constexpr double reach_of_pointer = 14.0;         // pixels around an item in which it can be grasped
 constexpr double zoom_per_key = 1.15;
 constexpr double pixels_per_snap = 12.0;  // about; a round number of the unit
@@ -224,12 +225,39 @@ void SceneView::paintEvent(QPaintEvent*) {
     if (scene_ && !image_.isNull() && failure_.isEmpty()) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(rect(), image_);
+        if (picked_trial_ && layers_[Layer::clouds]) paint_trial(painter, *picked_trial_);
         paint_cube(painter, cube(), pointed_, palette());
+        if (hasFocus()) {
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+            painter.drawRect(rect().adjusted(1, 1, -1, -1));
+        }
         return;
     }
     painter.setPen(palette().color(QPalette::PlaceholderText));
     const QString text = failure_.isEmpty() ? (scene_ ? tr("Drawing …") : empty_text_) : failure_;
     painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+void SceneView::paint_trial(QPainter& painter, std::uint64_t trial) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double ratio = devicePixelRatioF();
+    for (const SceneCloud& cloud : scene_->clouds) {
+        const auto found = std::find(cloud.trials.begin(), cloud.trials.end(), trial);
+        if (found == cloud.trials.end()) continue;
+        const auto dot = static_cast<std::size_t>(found - cloud.trials.begin());
+        const Pixel at = project(camera_, picture_size(), cloud.dot(dot));
+        const QPointF middle(at.x / ratio, at.y / ratio);
+        for (const auto& [role, width] : {std::pair(QPalette::Base, 4.0), std::pair(QPalette::Text, 1.6)}) {
+            painter.setPen(QPen(palette().color(role), width));
+            painter.drawEllipse(middle, radius_of_ring, radius_of_ring);
+        }
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+void SceneView::forget_trial() {
+    if (std::exchange(picked_trial_, std::nullopt)) update();
 }
 
 void SceneView::post_framing(RenderService::Step step) {
@@ -304,7 +332,7 @@ std::optional<std::uint64_t> SceneView::trial_under(QPointF position) const {
     const Pixel pixel = pixel_at(position);
     for (const ScenePoint& point : scene_->points) {
         const Pixel at = project(camera_, picture_size(), point.item.position);
-        if (std::hypot(at.x - pixel.x, at.y - pixel.y) < 2 * reach_of_dot * devicePixelRatioF())
+        if (std::hypot(at.x - pixel.x, at.y - pixel.y) < reach_of_dot * devicePixelRatioF())
             return std::nullopt;
     }
     return trial_at(
@@ -400,6 +428,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
             emit place_picked(QString::fromStdString(*place));
     } else if (clicked && scene_) {
         picked_trial_ = trial_under(event->position());
+        update();
         const QPointF at = event->position() * devicePixelRatioF();
         service_.pick(at.x(), at.y());
     }

@@ -67,6 +67,8 @@ public:
 
     /// Of the last click, where it hit a dot of a cloud.
     std::optional<std::uint64_t> picked_trial() const { return picked_trial_; }
+    /// Its dots are ringed no more.
+    void forget_trial();
 
 signals:
     /// The user clicked on an item (empty: on nothing).
@@ -116,6 +118,8 @@ private:
     /// What a drag from there would move or turn.
     std::optional<Handle> handle_under(QPointF position) const;
     std::optional<std::uint64_t> trial_under(QPointF position) const;
+    /// A ring around its dot in every cloud.
+    void paint_trial(QPainter& painter, std::uint64_t trial) const;
     void bring_item_to(QPointF position, Qt::KeyboardModifiers keys);
     void move_item_to(QPointF position, bool snaps);
     void turn_item_to(QPointF position, bool snaps);

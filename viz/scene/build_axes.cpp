@@ -16,7 +16,10 @@ namespace {
 constexpr double air = 0.03;  // around everything, of the scene's size
 const Phrase distributions_of{"distributions of %1"};
 
-LengthUnit unit_for(double size) {
+LengthUnit unit_for(double size, bool in_inches) {
+    constexpr double inch = 0.0254;
+    if (in_inches && size < 0.1 * inch) return {"thou", 1e3 / inch};
+    if (in_inches) return {"in", 1.0 / inch};
     if (size > 50.0) return {"m", 1.0};
     if (size < 1e-3) return {"µm", 1e6};
     return {"mm", 1e3};
@@ -81,7 +84,7 @@ void add_labels(SceneBuild& build) {
 void add_axes(Scene& scene) {
     scene.axes.reset();
     if (!(scene.size > 0)) return;
-    scene.unit = unit_for(scene.size);
+    scene.unit = unit_for(scene.size, scene.in_inches);
     scene.scale_bar = true;
     const SceneBounds bounds = bounds_of(scene);
     SceneAxes axes;
@@ -89,12 +92,15 @@ void add_axes(Scene& scene) {
     axes.low = bounds.low - margin;
     axes.high = bounds.high + margin;
     const Eigen::Vector3d extent = axes.high - axes.low;
-    const double step = nearest_round_number(extent.maxCoeff() / 6);
+    const auto round_step = [per_metre = scene.unit.per_metre](double length) {
+        return nearest_round_number(length * per_metre) / per_metre;
+    };
+    const double step = round_step(extent.maxCoeff() / 6);
     static constexpr const char* names[] = {"x", "y", "z"};
     for (int i = 0; i < 3; ++i) {
         const auto k = static_cast<std::size_t>(i);
         axes.titles[k] = std::string(names[i]) + " / " + scene.unit.text;
-        const double own = extent[i] >= 2 * step ? step : nearest_round_number(extent[i] / 3);
+        const double own = extent[i] >= 2 * step ? step : round_step(extent[i] / 3);
         axes.ticks[k] = ticks_between(axes.low[i], axes.high[i], own, scene);
     }
     scene.axes = std::move(axes);

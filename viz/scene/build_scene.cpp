@@ -23,6 +23,11 @@ std::string first_group(const SceneSource& source) {
     return {};
 }
 
+bool in_inches(const DisplayUnits& units) {
+    const std::string chosen = units.of(Unit::of("mm")).text();
+    return chosen == "in" || chosen == "ft" || chosen == "thou";
+}
+
 }  // namespace
 
 std::string detail::SceneBuild::unique_id(const std::string& kind, const std::string& name) {
@@ -37,6 +42,7 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     scene.title = source.title;
     scene.probability = options.probability;
     scene.numbers = options.language.numbers();
+    scene.in_inches = in_inches(options.units);
     scene.group = options.group.empty() ? first_group(source) : options.group;
     scene.group_title = options.language.say(said_name(scene.group));
     if (!source.layout) return scene;

@@ -9,6 +9,7 @@
 #include "core/model/layout.h"
 #include "core/result/comparison.h"
 #include "core/result/uncertainty_result.h"
+#include "core/text/display_units.h"
 #include "core/text/document_language.h"
 #include "viz/scene/scene.h"
 
@@ -20,9 +21,10 @@ struct SceneOptions {
     std::optional<double> magnification =
         {};  ///< empty = automatic (a round number, so that the largest ellipsoid is seen)
     bool ellipsoids = true, clouds = true, wall_histograms = true, labels = true, links = true, bodies = true;
-    std::size_t cloud_limit = 20'000;      ///< points of each cloud; more trials are thinned evenly
-    std::string histograms_of = {};        ///< name of the point; empty = the first with output quantities
-    DocumentLanguage language = {};        ///< of its texts; names stay
+    std::size_t cloud_limit = 20'000;  ///< points of each cloud; more trials are thinned evenly
+    std::string histograms_of = {};    ///< name of the point; empty = the first with output quantities
+    DocumentLanguage language = {};    ///< of its texts; names stay
+    DisplayUnits units = {};  ///< inches where the unit of lengths is one of theirs, else metres by size
     std::vector<LayoutMesh> context = {};  ///< drawn around a layout that is not empty (context_meshes)
 };
 

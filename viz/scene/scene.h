@@ -148,6 +148,9 @@ struct SceneCloud {
     std::vector<float> offsets = {};         ///< x y z of each trial from item.position, already magnified, m
     std::vector<std::uint32_t> trials = {};  ///< number of each, from 0
     std::size_t size() const { return offsets.size() / 3; }
+    Eigen::Vector3d dot(std::size_t i) const {  ///< where it is drawn
+        return item.position + Eigen::Map<const Eigen::Vector3f>(offsets.data() + 3 * i).cast<double>();
+    }
     bool operator==(const SceneCloud&) const = default;
 };
 
@@ -230,7 +233,8 @@ struct Scene {
     std::string caption = {};  ///< "uncertainty × 2000, ellipsoids p = 95 %": whenever uncertainty is drawn
     double magnification = 1.0;
     double probability = 0.95;
-    double size = 0.0;  ///< diagonal of the box of the layout (without uncertainties), m; 0 = empty
+    double size = 0.0;       ///< diagonal of the box of the layout (without uncertainties), m; 0 = empty
+    bool in_inches = false;  ///< its reader wants lengths so
     LengthUnit unit = {};
     NumberLocale numbers = {};  ///< how its texts write theirs
     bool scale_bar = false;

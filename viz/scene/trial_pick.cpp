@@ -12,9 +12,7 @@ std::optional<std::uint64_t> trial_at(const Scene& scene, const Camera& camera, 
     double depth = 0.0;
     for (const SceneCloud& cloud : scene.clouds)
         for (std::size_t i = 0; i < cloud.size(); ++i) {
-            const Eigen::Vector3d p_W =
-                cloud.item.position +
-                Eigen::Map<const Eigen::Vector3f>(cloud.offsets.data() + 3 * i).cast<double>();
+            const Eigen::Vector3d p_W = cloud.dot(i);
             const Pixel at = project(camera, size, p_W);
             const double distance = std::hypot(at.x - pixel.x, at.y - pixel.y);
             const double behind = p_W.dot(camera.direction);

@@ -15,11 +15,21 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <string_view>
 
 namespace covaria::detail {
 namespace {
 
 constexpr std::size_t most_masks = 2000;  // beyond that the store starts anew: bounded memory
+
+/// East Asian fonts have no narrow space, and draw a box for it.
+std::string drawable(std::string text) {
+    if (font_file_for(text, false) == font_file_for("", false)) return text;
+    constexpr std::string_view narrow = "\u202f";
+    for (std::size_t at = 0; (at = text.find(narrow, at)) != std::string::npos;)
+        text.replace(at, narrow.size(), " ");
+    return text;
+}
 
 void set_font(vtkTextProperty* property, const std::string& text, bool bold) {
     const std::string& file = font_file_for(text, bold);
@@ -32,9 +42,10 @@ void set_font(vtkTextProperty* property, const std::string& text, bool bold) {
     property->SetFontFile(file.c_str());
 }
 
-Mask plain_letters(const std::string& text, int pixels, bool bold) {
+Mask plain_letters(const std::string& wanted, int pixels, bool bold) {
     static std::mutex freetype;  // VTK keeps one FreeType for the process
     const std::lock_guard lock(freetype);
+    const std::string text = drawable(wanted);
     vtkNew<vtkTextProperty> property;
     set_font(property, text, bold);
     property->SetFontSize(pixels);

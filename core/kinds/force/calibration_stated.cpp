@@ -137,7 +137,7 @@ private:
         if (rows.empty()) return;
         const auto equal =
             std::count_if(rows.begin(), rows.end(), [](const Compared& r) { return r.reproduces(); });
-        table_.rows.push_back({quantity, tell<"%1 of %2">(equal, rows.size()), std::monostate{},
+        table_.rows.push_back({quantity, tell<"%1 out of %2">(equal, rows.size()), std::monostate{},
                                std::monostate{}, tell<"reproduces">()});
         for (const Compared& r : rows) {
             if (r.reproduces()) continue;

@@ -112,7 +112,7 @@ std::vector<PlotSpecification> figures(const LoadsSetup& setup) {
     const double width = 0.8 / static_cast<double>(shown);
     for (std::size_t k = 0; k < shown; ++k) {
         const Case& one = setup.cases[k];
-        PlotSeries bars{one.name, SeriesKind::bars, family[k], {}, {}, {}, width};
+        PlotSeries bars{one.name, SeriesKind::bars, family[k], {}, {}, {}, width, true};
         for (std::size_t h = 0; h < n; ++h) {
             bars.x.push_back(100.0 * (uncompensated(setup, one, h) - one.l[Eigen::Index(h)]));
             bars.y.push_back(static_cast<double>(h) +

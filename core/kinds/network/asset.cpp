@@ -25,6 +25,7 @@ public:
         for (const Sensor& sensor : setup.sensors)
             for (UncertaintyComponent& component : shared_components(*sensor)) {
                 component.name = tell<"%1, %2">(sensor.name, component.name);
+                component.stated_by = sensor.id;
                 shared_.push_back({component.id,
                                    component.name,
                                    std::move(component),
@@ -66,6 +67,7 @@ private:
         const LinearReading reading = sensitivity_of(setup_, sight, setup_.targets[target].nominal);
         UncertaintyComponent component = sensor->reading(o, reading.v);
         component.name = tell<"%1, %2">(sensor.name, words_of(o));
+        component.stated_by = sensor.id;
         component.id = sensor.id + "." + words_of(o).english();
         of_readings_.push_back({component.id,
                                 component.name,

@@ -162,7 +162,7 @@ TEST(Comparison, TheChangesOfABudgetAreBars) {
     ASSERT_EQ(plot.series[0].x.size(), 2u) << "what has not changed is no bar";
     EXPECT_NEAR(plot.series[0].x[0], 144.0, 1e-9);
     EXPECT_NEAR(plot.series[0].x[1], -64.0, 1e-9);
-    EXPECT_EQ(to_unicode(plot.y.categories[0]), "θ, temperature");
+    EXPECT_EQ(to_unicode(plot.y.categories[0]), "θ");
     EXPECT_TRUE(budget_changes_plot(c, row_of(c, "y")).series.empty());
     EXPECT_TRUE(budget_changes_plot(c, row_of(c, "z")).series.empty());
 }

@@ -164,7 +164,7 @@ TEST(ReadOut, KnowsBarsCellsAndPoints) {
         const auto found = read_out(plot, geometry, geometry.at(x, y));
         return found ? to_unicode(found->text) : std::string("nothing");
     };
-    EXPECT_EQ(at(plots[3], 1.0, 0.0), "p₁ₓ: share of the variance = 25.25\u00a0%");
+    EXPECT_EQ(at(plots[3], 1.0, 0.0), "p₁ₓ: share of the variance, first order = 25.25\u00a0%");
     EXPECT_EQ(at(plots[4], 1.0, 0.0), "x; y: −0.800");
     EXPECT_EQ(at(plots[2], 0.0, 1174.909),
               "quantile of the standard normal distribution = 0.000, quantile of z = 1174.909\u00a0mm");

@@ -116,6 +116,8 @@ TEST_F(BudgetSession, GaugeBlockFromNothingToPdfInTwentyActions) {
     QLabel& lines = window_->budget().result_lines();
     EXPECT_TRUE(lines.isVisible());
     EXPECT_TRUE(lines.text().contains(QString::fromUtf8("±"))) << lines.text().toStdString();
+    EXPECT_TRUE(lines.text().contains(QString::fromUtf8("\u00a0=\u00a00.9")))
+        << "the correlation is said, too";
     settle();
     keep_picture(QStringLiteral("budget.png"));
     trigger(QStringLiteral("Run All"));

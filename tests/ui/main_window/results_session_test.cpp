@@ -44,7 +44,8 @@ TEST_F(ResultsSession, ABarAndARowOfTheBudgetLeadToTheirSource) {
     QCoreApplication::sendEvent(chart->viewport(), &over);
     EXPECT_EQ(chart->viewport()->cursor().shape(), Qt::PointingHandCursor);
     QTest::mouseClick(chart->viewport(), Qt::LeftButton, {}, on_first);
-    EXPECT_EQ(window_->selection().entry().owner, SetupOwner::asset) << "the tracker states it";
+    EXPECT_EQ(window_->selection().entry().owner, SetupOwner::asset);
+    EXPECT_EQ(window_->selection().entry().id, "tracker") << "it states the component, not the network";
     EXPECT_EQ(window_->results().budget_table().current_row(), 0);
     select(SetupOwner::analysis, "tracker-alone");
     emit window_->results().budget_table().row_activated(1);

@@ -258,6 +258,22 @@ TEST(BuildScene, NoUncertaintyNoResultNoLayout) {
     EXPECT_FALSE(build_scene({&nothing, nullptr, nullptr, nullptr, ""}, {}).axes.has_value());
 }
 
+TEST(BuildScene, LengthsAreInInchesForWhoeverPrefersOneOfTheirs) {
+    const auto setup = test::stewart_setup(0);
+    SceneOptions options;
+    for (const char* metric : {"m", "um"}) {
+        options.units.choose(Unit::of(metric));
+        EXPECT_EQ(build_scene(setup.source(), options).unit.text, "mm") << "by the size of what is drawn";
+    }
+    options.units.choose(Unit::of("thou"));
+    const Scene scene = build_scene(setup.source(), options);
+    EXPECT_EQ(scene.unit, (LengthUnit{"in", 1.0 / 0.0254}));
+    EXPECT_EQ(scene.axes->titles[0], "x / in");
+    ASSERT_GT(scene.axes->ticks[0].size(), 1u);
+    for (const AxisTick& tick : scene.axes->ticks[0])
+        EXPECT_NEAR(tick.at / 0.0254, std::round(tick.at / 0.0254 * 100.0) / 100.0, 1e-9) << "round inches";
+}
+
 TEST(BuildScene, IndicesOutOfRangeAndInfiniteUncertaintyAreLeftOut) {
     auto setup = test::stewart_setup(0);
     setup.layout.points[0].inputs = {{0, 1, 999}};
