@@ -95,17 +95,17 @@ TEST(ForceSensor, StatesWhatOfThePrintedTablesReproduces) {
             cells[quantity + ":" + sensor] = english_of(row[4]);
     }
     // Type B does not follow from the stated uncertainty of the machine, but for Fz.
-    EXPECT_EQ(summary.at("u_B"), "1 of 6");
+    EXPECT_EQ(summary.at("u_B"), "1 out of 6");
     for (const char* const sensor : {"Fx", "Fy", "Mx", "My", "Mz"})
         EXPECT_EQ(cells.at(std::string("u_B:") + sensor), "differs");
-    EXPECT_EQ(summary.at("U, relative"), "6 of 6");
+    EXPECT_EQ(summary.at("U, relative"), "6 out of 6");
     for (const char* const sensor : {"Fy", "Fz", "Mx", "Mz"})
         EXPECT_EQ(cells.at(std::string("U:") + sensor), "inside rounding");
-    EXPECT_EQ(summary.at("u_c"), "3 of 6");
-    EXPECT_EQ(summary.at("interference, percent"), "28 of 30");
+    EXPECT_EQ(summary.at("u_c"), "3 out of 6");
+    EXPECT_EQ(summary.at("interference, percent"), "28 out of 30");
     EXPECT_EQ(cells.at("interference, percent:Fx, Fz"), "inside rounding");
     EXPECT_EQ(cells.at("interference, percent:Mx, Fy"), "differs");
-    EXPECT_EQ(summary.at("largest interference, percent"), "5 of 6");
+    EXPECT_EQ(summary.at("largest interference, percent"), "5 out of 6");
     EXPECT_EQ(cells.at("largest interference, percent:Mx"), "differs");
     for (const auto& [cell, status] : cells)
         EXPECT_TRUE(status == "inside rounding" || cell.starts_with("u_B:") || cell.ends_with("Mx, Fy") ||
