@@ -31,9 +31,11 @@ Message AdaptiveForecast::words() const {
     const std::string unit = output.unit.display();
     const Message name = output.group.empty() ? Message(output.symbol)
                                               : tell<"%1 of %2">(output.symbol, said_name(output.group));
+    const auto short_number = [](double value) { return Message::number(format_short(value, 2)); };
     return tell<"a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)">(
-        format_short(output.unit.interval_from_si(tolerance), 2), unit, name,
-        format_short(output.unit.interval_from_si(u), 2), rounded_count(trials), rounded_count(batches));
+        short_number(output.unit.interval_from_si(tolerance)), unit, name,
+        short_number(output.unit.interval_from_si(u)), Message::number(rounded_count(trials)),
+        Message::number(rounded_count(batches)));
 }
 
 std::optional<AdaptiveForecast> forecast_adaptive(const MeasurementModel& model,

@@ -29,6 +29,11 @@ TEST(Forecast, TheEndPointsGovern) {
     EXPECT_NEAR(found->batches, 535'000, 1000);
     EXPECT_NE(found->words().english().find("5300000000 trials"), std::string::npos)
         << found->words().english();
+    const std::string read = found->words().in([](const std::string& english) { return english; },
+                                               [](const std::string& plain) { return "<" + plain + ">"; });
+    for (const char* number : {"<0.0001>", "<1.4>", "<5300000000>", "<530000>"})
+        EXPECT_NE(read.find(number), std::string::npos)
+            << number << " is written as its reader writes: " << read;
 }
 
 TEST(Forecast, ARunStopsNearIt) {
