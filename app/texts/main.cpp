@@ -157,10 +157,12 @@ void say_plain(TextList& list, std::string_view what, const Text& text) {
     if (const TextPattern pattern = pattern_of(text); pattern.has_words()) list.say(what, pattern.words);
 }
 
-void say_table(TextList& list, const Table& table, const std::set<std::string>& without = {}) {
+/// `without`: columns whose texts are phrases, and in the list of those; `phrased`: only the head is one.
+void say_table(TextList& list, const Table& table, const std::set<std::string>& without = {},
+               const std::set<std::string>& phrased = {}) {
     for (const Column& column : table.columns) {
         if (without.contains(column.key)) continue;
-        say_plain(list, "Head of a column of results", column.title);
+        if (!phrased.contains(column.key)) say_plain(list, "Head of a column of results", column.title);
         if (!column.is_symbol) list.say_word("Head of a column of results in a report", column.head);
         list.say("Help on a column of results", column.help.english());
         for (const std::string& word : column.undeclared) list.say("Cell of a table of results", word);
@@ -169,7 +171,8 @@ void say_table(TextList& list, const Table& table, const std::set<std::string>& 
 
 void say_tables_of(TextList& list, const std::shared_ptr<const UncertaintyResult>& result) {
     const std::vector<std::string> contributors = contributor_keys(*result);
-    say_table(list, results_table(*result, {0}, {}), {contributors.begin(), contributors.end()});
+    say_table(list, results_table(*result, {0}, {}), {contributors.begin(), contributors.end()},
+              {"shortest low", "shortest high", "stated low", "stated high"});
     say_table(list, budget_table(*result, budget_places(*result, 0)));
     say_table(list, inputs_table(result->inputs, all_shares(result->inputs)));
     say_table(list, regions_table(*result));

@@ -82,14 +82,25 @@ ComposedModel::ComposedModel(std::vector<ChainPart> parts)
     if (!evaluate_upstream(x, rows, of_last)) return;  // said by whoever evaluates the chain
     for (std::size_t p = 0; p < used_.size(); ++p)
         for (UsedOutput& used : used_[p]) used.estimate = rows[first_row_[p] + used.output];
+    restated_links_ = count_restated_links(of_last);
+}
+
+std::size_t ComposedModel::count_restated_links(std::span<const double> x) const {
+    const InputSet& stated = last().model->inputs();
+    return static_cast<std::size_t>(
+        std::count_if(last().links.begin(), last().links.end(), [&](const ModelLink& link) {
+            const double own = estimate_of(stated, link.input), linked = x[link.input];
+            return std::abs(own - linked) > 1e-9 * std::max(std::abs(own), std::abs(linked)) ||
+                   standard_uncertainty_of(stated, link.input) > 0.0;
+        }));
 }
 
 std::vector<DataTable> ComposedModel::evaluation() const {
     std::vector<DataTable> tables = last().model->evaluation();
-    if (tables.empty()) return tables;
+    if (tables.empty() || restated_links_ == 0) return tables;
     tables.front().notes.push_back(tell<"From the set-up as it is stated. Values and uncertainties that "
                                         "other analyses give (%1 quantities) "
-                                        "are in the results, not here.">(parts_.back().links.size()));
+                                        "are in the results, not here.">(restated_links_));
     return tables;
 }
 

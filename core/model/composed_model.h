@@ -78,6 +78,8 @@ private:
     const ChainPart& last() const { return parts_.back(); }
     void place_inputs();
     void find_used_outputs();
+    /// Of the last part, those that its set-up states otherwise than they are: `x` are its inputs.
+    std::size_t count_restated_links(std::span<const double> x) const;
     void gather(std::size_t part, std::span<const double> x, std::span<const double> rows,
                 std::span<double> to) const;
     void gather(std::size_t part, const TrialBlock& block, const double* rows, double* to) const;
@@ -95,6 +97,7 @@ private:
     std::vector<std::vector<UsedOutput>> used_;  ///< [part]
     std::size_t rows_ = 0;                       ///< outputs of all parts but the last
     std::size_t most_inputs_ = 0;                ///< of a part
+    std::size_t restated_links_ = 0;             ///< what the evaluation of the set-up does not show
 };
 
 /// The linked inputs of the last part as a model of their own: the same symbols as outputs.

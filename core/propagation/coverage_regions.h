@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/propagation/run_context.h"
 
+#include "core/propagation/first_order.h"
 #include "core/propagation/trial_block_runner.h"
 #include "core/result/uncertainty_result.h"
 
@@ -15,8 +16,10 @@ namespace covaria::detail {
 
 /// One region for each group of two or more measurands; in groups of more than three also one for each three
 /// consecutive outputs of one dimension (the position of a pose). First-order factors are filled in: k_p
-/// from chi-squared (JCGM 102 6.5.2), k_q by Bonferroni (6.5.3).
-std::vector<CoverageRegion> declare_regions(const std::vector<OutputQuantity>& outputs, double probability);
+/// from chi-squared (JCGM 102 6.5.2), k_q by Bonferroni (6.5.3); from F and t with the smallest effective
+/// degrees of freedom of the outputs where those are finite, as k of one output is.
+std::vector<CoverageRegion> declare_regions(const std::vector<OutputQuantity>& outputs,
+                                            const LawOfPropagation& law, double probability);
 
 /// Whether the covariance of these outputs has no inverse: smallest eigenvalue of the correlation matrix
 /// below 1e-10 of the greatest, or an output without uncertainty.

@@ -137,6 +137,7 @@ Result<void> Evaluation::add_contributions() {
         auto indices = sobol_indices(context(), inputs_, correlations_, factors, options_.sobol_trials);
         if (!indices) return fail(indices.error());
         result_.sobol = std::move(*indices);
+        add_rows_of_interactions(result_.budget, result_.sobol);
         result_.sobol_trials = options_.sobol_trials;
     }
     result_.contributors = contributors_of(inputs_, law_, correlations_);

@@ -78,9 +78,7 @@ Result<UncertaintyResult> first_order_result(const MeasurementModel& model, cons
     for (OutputResult& output : result.outputs) state_expanded_uncertainty(output, result);
     result.covariance = law.covariance;
     result.budget = budget_of(inputs, law);
-    result.regions = declare_regions(model.outputs(), options.coverage_probability);
-    for (CoverageRegion& region : result.regions)
-        region.singular = is_singular(law.covariance, region.outputs);
+    result.regions = declare_regions(model.outputs(), law, options.coverage_probability);
     warn(law, result);
     return result;
 }

@@ -264,7 +264,12 @@ Result<ReverseBudget> searched(VariedUncertainty& varied, const UncertaintyResul
         const auto factor = search.find(varied.steps());
         if (!factor) return fail(factor.error());
         made.reductions.push_back({row.component, component.standard_uncertainty, std::nullopt});
-        if (*factor) made.reductions.back().needed = **factor * component.standard_uncertainty;
+        if (*factor) {
+            const auto vanished = varied.of_component(row.component, 0.0);
+            if (!vanished) return fail(vanished.error());
+            made.reductions.back().needed = **factor * component.standard_uncertainty;
+            made.reductions.back().rises_again = *vanished > target;
+        }
         any = any || factor->has_value();
     }
     if (any) return made;

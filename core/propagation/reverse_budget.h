@@ -14,9 +14,10 @@ namespace covaria {
 
 struct ReverseBudget {
     struct Reduction {
-        std::size_t component = 0;             ///< of the result's inputs and budget
-        double now = 0.0;                      ///< its standard uncertainty
-        std::optional<double> needed = {};     ///< the largest that suffices; empty: not even zero does
+        std::size_t component = 0;          ///< of the result's inputs and budget
+        double now = 0.0;                   ///< its standard uncertainty
+        std::optional<double> needed = {};  ///< the largest that suffices; empty: not even zero does
+        bool rises_again = false;  ///< U exceeds the target where it vanishes: what is left has few nu
         std::optional<double> factor() const;  ///< needed/now
     };
     std::vector<Reduction> reductions;  ///< of the components that contribute most, in their order

@@ -216,4 +216,17 @@ Result<std::vector<std::vector<SobolIndex>>> sobol_indices(const RunContext& con
     return indices;
 }
 
+void add_rows_of_interactions(UncertaintyBudget& budget,
+                              const std::vector<std::vector<SobolIndex>>& indices) {
+    for (std::size_t j = 0; j < indices.size(); ++j)
+        for (const SobolIndex& index : indices[j]) {
+            if (!(index.total > least_total_index)) continue;
+            std::vector<BudgetRow>& rows = budget.rows[j];
+            for (const std::size_t component : index.components)
+                if (std::none_of(rows.begin(), rows.end(),
+                                 [&](const BudgetRow& row) { return row.component == component; }))
+                    rows.push_back({.component = component});
+        }
+}
+
 }  // namespace covaria::detail

@@ -18,6 +18,11 @@ struct SobolFactor {
 std::vector<SobolFactor> sobol_factors(const InputSet& inputs, const LawOfPropagation& law,
                                        const Correlations& correlations, std::size_t most = 40);
 
+/// Total index of a component that counts, though the law of propagation may not see it.
+inline constexpr double least_total_index = 1e-3;
+/// Rows with c = 0 for components that count and have none: what they do, they do with others.
+void add_rows_of_interactions(UncertaintyBudget& budget, const std::vector<std::vector<SobolIndex>>& indices);
+
 /// Indices of every output from `trials` pairs of trials: first order after Saltelli et al. (Comput. Phys.
 /// Commun. 181 (2010) 259, Table 2 b), total after Jansen (Comput. Phys. Commun. 117 (1999) 35), with
 /// standard errors from the scatter of the terms. Trials without a value are left out. Error: cancelled.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/propagation/sobol.h"
 #include "core/report/component_labels.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
@@ -11,8 +12,6 @@ namespace {
 
 using Scale = Measured::Scale;
 using Places = std::shared_ptr<const std::vector<BudgetPlace>>;
-
-constexpr double least_total_index = 1e-3;  // of a component that the law of propagation does not see
 
 /// A line of a budget and what it is about.
 struct BudgetLine {
@@ -65,6 +64,11 @@ const SobolIndex* sobol_at(const UncertaintyResult& result, const BudgetPlace& p
     return nullptr;
 }
 
+bool has_interactions(const UncertaintyResult& result, const BudgetPlace& place) {
+    const SobolIndex* index = sobol_at(result, place);
+    return index && index->total > detail::least_total_index;
+}
+
 /// For the window: files and reports have a table of them.
 void add_sobol_columns(Table& table, const UncertaintyResult& result, const Places& places) {
     const auto add = [&](const char* key, double SobolIndex::*share) -> Column& {
@@ -83,21 +87,6 @@ void add_sobol_columns(Table& table, const UncertaintyResult& result, const Plac
         .window("S total / %", "Share of the variance with all interactions of the component with others");
 }
 
-/// Made when they are asked for: files of thousands of rows have none.
-void add_labels(Table& table, const UncertaintyResult& result, const Places& places,
-                const DocumentLanguage& language) {
-    const auto labels = std::make_shared<std::vector<Text>>();
-    table
-        .add("label",
-             [&result, places, labels, language](std::size_t i) -> Cell {
-                 if (labels->empty())
-                     *labels = component_labels(result.budget, rows_at(result, *places), language);
-                 return (*labels)[i];
-             })
-        .window("Input quantity", "Quantity or component of uncertainty, as at the bars of the chart")
-        .not_in_files();
-}
-
 }  // namespace
 
 std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::size_t output) {
@@ -112,10 +101,9 @@ std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std:
     std::vector<BudgetPlace> places = budget_places(result, output);
     std::erase_if(places, [&](const BudgetPlace& place) {
         const BudgetRow& row = result.budget.rows[output][place.row];
-        const SobolIndex* index = sobol_at(result, place);
         return row.contribution < 1e-9 * combined &&
                !(row.one_at_a_time && *row.one_at_a_time > 1e-9 * combined) &&
-               !(index && index->total > least_total_index);
+               !has_interactions(result, place);
     });
     return places;
 }
@@ -142,7 +130,9 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
         .print("Symbol")
         .window("Quantities", "Input quantities that the component is part of")
         .of_symbols();
-    add_labels(table, result, places, language);
+    add_label_column(table, [&result, places, language] {
+        return component_labels(result.budget, rows_at(result, *places), language);
+    });
     add("component", [](L l) -> Cell { return l.component.name; }).window("Component of uncertainty");
     add("component in words",
         [](L l) -> Cell {

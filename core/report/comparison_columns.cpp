@@ -169,21 +169,6 @@ std::optional<Unit> unit_of_all(const ResultComparison& comparison,
     return pair_of(comparison, places.front()).output.unit;
 }
 
-/// Made when they are asked for: files of thousands of rows have none.
-void add_labels(Table& table, const ResultComparison& comparison,
-                const std::shared_ptr<const std::vector<ComparedPlace>>& places,
-                const DocumentLanguage& language) {
-    const auto labels = std::make_shared<std::vector<Text>>();
-    table
-        .add("label",
-             [&comparison, places, labels, language](std::size_t row) -> Cell {
-                 if (labels->empty()) *labels = compared_labels(comparison, *places, language);
-                 return (*labels)[row];
-             })
-        .window("Input quantity", "Quantity or component of uncertainty, as at the bars of the chart")
-        .not_in_files();
-}
-
 }  // namespace
 
 Table compared_results_table(const ResultComparison& comparison, std::vector<std::size_t> outputs) {
@@ -237,7 +222,8 @@ Table compared_budget_table(const ResultComparison& comparison, std::vector<Comp
         .print("Symbol")
         .window("Input quantity")
         .of_symbols();
-    add_labels(table, comparison, places, language);
+    add_label_column(
+        table, [&comparison, places, language] { return compared_labels(comparison, *places, language); });
     add("component", [](P p) -> Cell { return p.either().name; })
         .print("Component")
         .window("Component of uncertainty");

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "core/text/symbol.h"
 
@@ -33,7 +35,9 @@ Text label_of(const BudgetComponent& component, bool alone, const DocumentLangua
     const Text name = running_text(in.say(component.name));
     if (component.quantities.size() != 1) return component.name.empty() ? symbols_text(component.id) : name;
     const Text symbol = symbol_text(component.quantities.front());
-    return alone || component.name.empty() ? symbol : symbol + ", " + name;
+    if (alone || component.name.empty()) return symbol;
+    const bool says_it = name.letters().starts_with(symbol.letters() + ", ");  // "d_4, range"
+    return says_it ? name : symbol + ", " + name;
 }
 
 }  // namespace
@@ -57,6 +61,18 @@ std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::v
     std::vector<const BudgetComponent*> components;
     for (const BudgetRow& row : rows) components.push_back(&budget.components[row.component]);
     return component_labels(components, in);
+}
+
+void add_label_column(Table& table, std::function<std::vector<Text>()> labels) {
+    const auto made = std::make_shared<std::vector<Text>>();
+    table
+        .add("label",
+             [made, labels = std::move(labels)](std::size_t row) -> Cell {
+                 if (made->empty()) *made = labels();
+                 return (*made)[row];
+             })
+        .window("Input quantity", "Quantity or component of uncertainty, as at the bars of the chart")
+        .not_in_files();
 }
 
 }  // namespace covaria

@@ -2,8 +2,10 @@
 // charts.
 #pragma once
 
+#include <functional>
 #include <vector>
 
+#include "core/report/table.h"
 #include "core/result/uncertainty_result.h"
 #include "core/text/document_language.h"
 
@@ -16,5 +18,9 @@ std::vector<Text> component_labels(const std::vector<const BudgetComponent*>& co
 /// Of the components of these rows.
 std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,
                                    const DocumentLanguage& in);
+
+/// The column "label" of a table with a row for each of them, for the window. They are made when a cell is
+/// asked for: files of thousands of rows have none.
+void add_label_column(Table& table, std::function<std::vector<Text>()> labels);
 
 }  // namespace covaria

@@ -48,8 +48,9 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
         low.y.push_back(std::max(0.0, shown - 2.0 * error));
         high.y.push_back(shown + 2.0 * error);
     }
-    plot.series = {std::move(running), std::move(low), std::move(high)};
-    if (std::isfinite(mc.standard_uncertainty)) {
+    plot.series.push_back(std::move(running));
+    if (std::isfinite(mc.standard_uncertainty)) {  // else no number of trials leads anywhere
+        plot.series.insert(plot.series.end(), {std::move(low), std::move(high)});
         plot.y.written_out = y.writes_out_uncertainty(mc.standard_uncertainty, digits_of_u);
         plot.marks.push_back(
             {language.say(plot_words::final_u, {y.uncertainty_text(mc.standard_uncertainty, digits_of_u)}),

@@ -41,7 +41,8 @@ Table regions_table(const UncertaintyResult& result) {
         .of_symbols()
         .not_in_files();
     add("coverage probability", [&result](R) -> Cell { return Measured{result.coverage_probability}; });
-    add("ellipsoid first order", [](R r) -> Cell { return Measured{r.ellipsoid_first_order}; })
+    add("ellipsoid first order",
+        [](R r) -> Cell { return r.singular ? Cell() : Measured{r.ellipsoid_first_order}; })
         .print("ellipsoid, law of prop.")
         .round(three);
     add("rectangle first order", [](R r) -> Cell { return Measured{r.rectangle_first_order}; })

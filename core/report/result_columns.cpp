@@ -11,6 +11,7 @@
 #include "core/report/report_parts.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 namespace {
@@ -18,7 +19,8 @@ namespace {
 const char* const met_word = "met";
 const char* const not_met_word = "not met";
 
-const Phrase without{"U without %1"},
+const Phrase low_at{"%1 interval, low"}, high_at{"%1 interval, high"}, low{"Interval, low"},
+    high{"Interval, high"}, without{"U without %1"},
     remains_by_law{
         "Expanded uncertainty that remains when everything %1 brings in is kept constant (an ideal one), by "
         "the "
@@ -181,6 +183,7 @@ private:
         using T = const MonteCarloOutput&;
         using C = CoverageInterval;
         using M = MonteCarloOutput;
+        const IntervalHeads heads = interval_heads(result_.coverage_probability, language_);
         const char* shortest = "Limit of the shortest coverage interval";
         table_.add("mean", value(trials([](T t) { return t.mean; })))
             .print("mean Monte Carlo")
@@ -193,8 +196,8 @@ private:
                    interval(trials([](T t) { return t.standard_error_of_uncertainty; })));
         add_limit("interval low", &C::low, &M::symmetric);
         add_limit("interval high", &C::high, &M::symmetric);
-        add_limit("shortest low", &C::low, &M::shortest).window("Lower limit", shortest);
-        add_limit("shortest high", &C::high, &M::shortest).window("Upper limit", shortest);
+        add_limit("shortest low", &C::low, &M::shortest).window(heads.low, shortest);
+        add_limit("shortest high", &C::high, &M::shortest).window(heads.high, shortest);
         table_.add("skewness", pure(trials([](T t) { return moment(t, t.skewness); })))
             .print("skewness")
             .round({.decimals = 3});
@@ -239,8 +242,8 @@ private:
             .not_in_files();
         const char* interval =
             "Limit of the coverage interval: of Monte Carlo, else of the law of propagation";
-        for (const auto& [key, title, side] : {std::tuple("stated low", "Lower limit", &C::low),
-                                               std::tuple("stated high", "Upper limit", &C::high)})
+        for (const auto& [key, title, side] :
+             {std::tuple("stated low", heads.low, &C::low), std::tuple("stated high", heads.high, &C::high)})
             table_.add(key, value(stated(side))).window(title, interval).match("U").not_in_files();
     }
 
@@ -295,6 +298,12 @@ private:
 };
 
 }  // namespace
+
+IntervalHeads interval_heads(std::optional<double> probability, const DocumentLanguage& language) {
+    if (!probability) return {language.say(low), language.say(high)};
+    const std::string p = percent_text(*probability, language.numbers());
+    return {language.say(low_at, {p}), language.say(high_at, {p})};
+}
 
 std::vector<std::string> contributor_keys(const UncertaintyResult& result) {
     std::vector<std::string> keys;

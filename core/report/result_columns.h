@@ -21,6 +21,11 @@ Table results_table(const UncertaintyResult& result);  ///< all of them
 /// With what the requirements say of each row: "target", "U/target", "met".
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs,
                     const std::vector<RequirementResult>& verdicts, const DocumentLanguage& language = {});
+/// "95 % interval, low": of the columns of its ends; without a probability where rows differ in it.
+struct IntervalHeads {
+    std::string low, high;
+};
+IntervalHeads interval_heads(std::optional<double> probability, const DocumentLanguage& language);
 /// Keys of the columns "U, ... held", one for each contributor.
 std::vector<std::string> contributor_keys(const UncertaintyResult& result);
 

@@ -66,21 +66,24 @@ std::string value_statement(double estimate, double uncertainty, const Unit& uni
 
 std::string result_statement(const OutputResult& output, const UncertaintyResult& result,
                              const DocumentLanguage& in) {
-    const std::string interval = skewed_interval(output, result, in);
-    if (interval.empty() || expanded_by(result) == ExpandedBy::fixed_factor) {
+    if (!is_stated_by_interval(output, result)) {
         const std::string value = value_statement(output, true, in);
         return output.expanded_uncertainty == 0.0 ? value
                                                   : value + ", " + coverage_statement(output, result, in);
     }
     const Unit& unit = output.quantity.unit;
     const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
-    const Place place = place_for(y, U, 2, in.numbers());
+    const double u = unit.interval_from_si(output.standard_uncertainty);
+    const Place place = place_for(y, std::isfinite(u) && u > 0.0 ? u : U, 2, in.numbers());
     const std::string behind = power_words(place.exponent) + unit_after_number(unit);
     std::string words = place(y) + behind;
-    if (std::isfinite(output.standard_uncertainty))
-        words += ", u = " + place(unit.interval_from_si(output.standard_uncertainty)) + behind;
+    if (std::isfinite(u)) words += ", u = " + place(u) + behind;
     return words + ", p = " + probability_text(stated_probability(output, result), in) + ", " +
-           in.say(certificate_words::coverage_interval, {interval});
+           in.say(certificate_words::coverage_interval, {skewed_interval(output, result, in)});
+}
+
+bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& result) {
+    return expanded_by(result) != ExpandedBy::fixed_factor && !skewed_interval(output, result).empty();
 }
 
 double stated_probability(const OutputResult& output, const UncertaintyResult& result) {

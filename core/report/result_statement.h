@@ -28,9 +28,12 @@ std::string coverage_statement(const OutputResult& output, const UncertaintyResu
                                const DocumentLanguage& in = {});
 /// What stands behind "L = ": "(50.000 78 ± 0.000 41) mm, k = 2.00, p = 95 %"; by Monte Carlo, where the
 /// interval is not symmetric about the estimate, "5.0 mm, u = 4.7 mm, p = 95 %, coverage interval [0.1, 18.4]
-/// mm" (JCGM 101 5.5): y ± U would cover another part of the distribution. The value alone if it is exact.
+/// mm" (JCGM 101 5.5), u with two significant digits and y to match: y ± U would cover another part of the
+/// distribution. The value alone if it is exact.
 std::string result_statement(const OutputResult& output, const UncertaintyResult& result,
                              const DocumentLanguage& in = {});
+/// That result_statement gives the interval in place of U and k.
+bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& result);
 /// The coverage interval, "[1.234, 1.240] mm", if the estimate is not in its middle by more than a twentieth
 /// of U; else empty: JCGM 101 states what y ± U does not say.
 std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result,

@@ -1,5 +1,7 @@
 // The tables of one analysis for CSV: every output, input, component, budget row, covariance and cell of a
 // histogram.
+#include <cmath>
+
 #include "core/project/stated_requirements.h"
 #include "core/report/report.h"
 #include "core/report/report_parts.h"
@@ -85,9 +87,11 @@ DataTable convergence_table(const UncertaintyResult& result) {
     for (const ConvergencePoint& point : result.convergence)
         for (std::size_t i = 0; i < result.outputs.size(); ++i) {
             const OutputQuantity& q = result.outputs[i].quantity;
-            table.rows.push_back({static_cast<double>(point.trials), q.group, q.symbol, q.unit.text(),
-                                  value_in(q.unit, point.mean[i]),
-                                  interval_in(q.unit, point.standard_uncertainty[i])});
+            const double of_all = result.outputs[i].standard_uncertainty;  // infinite however it runs
+            table.rows.push_back(
+                {static_cast<double>(point.trials), q.group, q.symbol, q.unit.text(),
+                 value_in(q.unit, point.mean[i]),
+                 interval_in(q.unit, std::isinf(of_all) ? of_all : point.standard_uncertainty[i])});
         }
     return table;
 }
@@ -186,7 +190,7 @@ std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnal
     std::vector<DataTable> tables = {
         data_table(results_table(result)),
         budget_file(result),
-        matrix_table(result, result.covariance, "covariance", true),
+        matrix_table(result, existing_covariance(result), "covariance", true),
         matrix_table(result, correlation_of(result.covariance), "correlation", false),
         data_table(inputs_table(result.inputs, all_shares(result.inputs))),
         data_table(regions_table(result))};

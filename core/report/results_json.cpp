@@ -137,13 +137,13 @@ OrderedJson variance_reduction_json(const ReducedVariance& reduced, const Unit& 
 /// Entry (i, j) in the product of the units of outputs i and j.
 OrderedJson covariance_json(const UncertaintyResult& result) {
     OrderedJson rows = OrderedJson::array();
-    for (Eigen::Index i = 0; i < result.covariance.rows(); ++i) {
+    const Eigen::MatrixXd covariance = existing_covariance(result);
+    for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
         OrderedJson row = OrderedJson::array();
         const Unit& unit_i = result.outputs[static_cast<std::size_t>(i)].quantity.unit;
-        for (Eigen::Index j = 0; j < result.covariance.cols(); ++j) {
+        for (Eigen::Index j = 0; j < covariance.cols(); ++j) {
             const Unit& unit_j = result.outputs[static_cast<std::size_t>(j)].quantity.unit;
-            row.push_back(
-                json_number(unit_j.interval_from_si(unit_i.interval_from_si(result.covariance(i, j)))));
+            row.push_back(json_number(unit_j.interval_from_si(unit_i.interval_from_si(covariance(i, j)))));
         }
         rows.push_back(std::move(row));
     }
@@ -209,6 +209,7 @@ void add_reductions(const EvaluatedAnalysis& evaluated, const RequirementResult&
              {"now", json_number(c.unit.interval_from_si(reduction.now))},
              {"needed", reduction.needed ? json_number(c.unit.interval_from_si(*reduction.needed))
                                          : OrderedJson(nullptr)}});
+        if (reduction.rises_again) json["reductions"].back()["risesAgain"] = true;
     }
     if (budget->common_factor) json["commonFactor"] = json_number(*budget->common_factor);
 }

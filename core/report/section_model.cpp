@@ -16,7 +16,7 @@ void add_model(Blocks& blocks, const ModelDescriptor& model, const DocumentLangu
     if (!model.summary.empty()) blocks.push_back(ParagraphBlock{in.say_declared(model.summary)});
     for (const ModelEquation& equation : model.equations)
         blocks.push_back(EquationBlock{equation.text, of_standard(equation.source) ? equation.source : "",
-                                       equation.formula});
+                                       with_numbers(equation.formula, in.numbers())});
 }
 
 }  // namespace

@@ -21,12 +21,8 @@ void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
     table.columns(regions, keys);
     bool singular = false;
     for (std::size_t row = 0; row < regions.rows; ++row) {
-        std::vector<TableCell> cells = print_row(regions, keys, row, in);
-        if (result.regions[row].singular)
-            for (std::size_t c = 0; c < keys.size(); ++c)
-                if (keys[c].starts_with("ellipsoid")) cells[c] = {};
         singular = singular || result.regions[row].singular;
-        table.row(std::move(cells));
+        table.row(print_row(regions, keys, row, in));
     }
     if (singular)
         table.note(tell<"No ellipsoid is given where the covariance matrix of the group is singular.">());

@@ -58,6 +58,13 @@ Message reduction_words(const ReverseBudget& budget, const DocumentLanguage& in)
     return words;
 }
 
+Message remark_on(const ReverseBudget::Reduction& reduction) {
+    if (!reduction.needed) return tell<"not enough by itself, even if it vanished">();
+    if (reduction.rises_again)
+        return tell<"if it vanished, U would exceed the target again, with fewer degrees of freedom">();
+    return {};
+}
+
 void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedAnalysis& evaluated,
                     const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
@@ -80,7 +87,7 @@ void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedA
         table.row({in.say(tell<"%1 (%2)">(c.name, c.id)), unit_text(c.unit),
                    interval_in(c.unit, reduction.now),
                    reduction.needed ? TableCell(interval_in(c.unit, *reduction.needed)) : TableCell{},
-                   reduction.needed ? "" : in.say(tell<"not enough by itself, even if it vanished">())});
+                   in.say(remark_on(reduction))});
     }
     table.note(reduction_words(*budget, in));
     blocks.push_back(table.take());

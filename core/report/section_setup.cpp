@@ -151,7 +151,8 @@ void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     add_paragraphs(blocks, entry->notes);
     if (evaluated.analysis->model)
         for (const ModelEquation& equation : evaluated.analysis->model->formulas())
-            blocks.push_back(EquationBlock{equation.text, equation.source, equation.formula});
+            blocks.push_back(EquationBlock{equation.text, equation.source,
+                                           with_numbers(equation.formula, source.in.numbers())});
     add_setup_fields(blocks, evaluated.analysis->descriptor->schema, entry->setup, source);
 }
 

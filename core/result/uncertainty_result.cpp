@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace covaria {
 
@@ -25,6 +26,16 @@ std::vector<std::string> groups_of(const std::vector<OutputQuantity>& outputs) {
 std::string_view key_of(VarianceReduction reduction) {
     static constexpr std::string_view keys[] = {"none", "control-variate", "sobol"};
     return keys[static_cast<int>(reduction)];
+}
+
+Eigen::MatrixXd existing_covariance(const UncertaintyResult& result) {
+    Eigen::MatrixXd existing = result.covariance;
+    for (Eigen::Index j = 0; j < existing.cols(); ++j) {
+        if (!std::isinf(result.outputs[static_cast<std::size_t>(j)].standard_uncertainty)) continue;
+        existing.row(j).setConstant(std::numeric_limits<double>::quiet_NaN());
+        existing.col(j).setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    return existing;
 }
 
 const Eigen::MatrixXd& first_order_covariance(const UncertaintyResult& result) {

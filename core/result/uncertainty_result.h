@@ -187,7 +187,7 @@ struct RequirementResult : OutputRequirement {
 struct CoverageRegion {
     std::string group;
     std::vector<std::size_t> outputs;
-    double ellipsoid_first_order = 0.0;  ///< k_p from chi-squared
+    double ellipsoid_first_order = 0.0;  ///< k_p from chi-squared or F; says nothing where it is singular
     double rectangle_first_order = 0.0;  ///< k_q, Bonferroni
     std::optional<double> ellipsoid_monte_carlo = {};
     std::optional<double> rectangle_monte_carlo = {};
@@ -236,6 +236,9 @@ struct UncertaintyResult {
     Provenance provenance;
 };
 
+/// As it is stated: where u of an output does not exist (infinite, by Monte Carlo), neither do its
+/// covariances, which the matrix has from the trials that happened to be made: NaN.
+Eigen::MatrixXd existing_covariance(const UncertaintyResult& result);
 /// By the law of propagation of uncertainty.
 const Eigen::MatrixXd& first_order_covariance(const UncertaintyResult& result);
 

@@ -94,6 +94,13 @@ std::string parts_of(const Formula& f) {
 
 }  // namespace
 
+Formula with_numbers(Formula formula, const NumberLocale& numbers) {
+    if (formula.kind == K::number) formula.text = grouped_digits(formula.text, numbers);
+    if (formula.kind == K::sign && formula.text == "," && numbers.decimal == ",") formula.text = ";";
+    for (Formula& part : formula.parts) part = with_numbers(std::move(part), numbers);
+    return formula;
+}
+
 std::string to_unicode(const Formula& f) {
     switch (f.kind) {
         case K::symbol:

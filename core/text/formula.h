@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -33,6 +34,8 @@ struct Formula {
     bool empty() const { return kind == Kind::row && parts.empty(); }
 };
 
+/// With its numbers as the reader writes them; arguments are parted by ";" where "," is the decimal sign.
+Formula with_numbers(Formula formula, const NumberLocale& numbers);
 /// "R = (V/I)·cos(φ)".
 std::string to_unicode(const Formula& formula);
 /// A whole <math> element (MathML Core).

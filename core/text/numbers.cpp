@@ -18,9 +18,17 @@ namespace {
 constexpr int unmatched_digits = 7;  // of a computed value without an uncertainty to match
 constexpr int most_typed_digits = 13;
 constexpr double conversion_error = 6e-16;  // relative, of a unit and back
+constexpr double tie_width = 1e-14;         // relative, of a number that was computed
+
+/// A tie goes away from zero, in any unit: 1.55 µm is 1.6 µm, and 0.00155 mm, which is a little less in
+/// binary, is 0.0016 mm.
+double past_tie(double value) {
+    return value * (1.0 + tie_width);
+}
 
 std::string fixed(double value, int decimals) {
     std::array<char, 400> text{};
+    if (tie_width * std::abs(value) < 0.01 * std::pow(10.0, -decimals)) value = past_tie(value);
     const auto end =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
     return {text.data(), end.ptr};
@@ -28,6 +36,7 @@ std::string fixed(double value, int decimals) {
 
 std::string scientific(double value, int decimals) {
     std::array<char, 64> text{};
+    if (decimals < most_typed_digits) value = past_tie(value);
     const auto end =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, decimals);
     return {text.data(), end.ptr};
@@ -87,7 +96,7 @@ std::string format_decimals(double value, int decimals) {
     if (!std::isfinite(value)) return not_finite(value);
     if (decimals >= 0) return without_negative_zero(fixed(value, decimals));
     const double step = std::pow(10.0, -decimals);
-    return without_negative_zero(fixed(std::round(value / step) * step, 0));
+    return without_negative_zero(fixed(std::round(past_tie(value) / step) * step, 0));
 }
 
 std::string format_significant(double value, int digits) {
@@ -207,14 +216,7 @@ std::string typeset_number(std::string plain, const NumberLocale& locale) {
 }
 
 std::string grouped_number(double value, int decimals, const NumberLocale& locale) {
-    const std::string plain = format_decimals(value, decimals);
-    if (!std::isfinite(value)) return typeset_number(plain, locale);
-    const std::size_t first = plain.starts_with('-') ? 1 : 0, end = std::min(plain.find('.'), plain.size());
-    std::string whole = plain.substr(first, end - first);
-    if (whole.size() > 4)
-        for (std::size_t i = whole.size(); i > 3;) whole.insert(i -= 3, locale.group);
-    return (first == 1 ? "−" : "") + whole +
-           (end < plain.size() ? locale.decimal + plain.substr(end + 1) : std::string());
+    return grouped_digits(format_decimals(value, decimals), locale);
 }
 
 std::string grouped_digits(const std::string& plain, const NumberLocale& locale) {

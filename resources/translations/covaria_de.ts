@@ -3057,7 +3057,7 @@
     </message>
     <message>
         <source>Uncertainty of its loads</source>
-        <translation>Unsicherheit ihrer Lasten</translation>
+        <translation>Unsicherheit der Lasten</translation>
     </message>
     <message>
         <source>One row for each axis that the machine loads: the relative expanded uncertainty of its certificate and the coverage factor.</source>
@@ -3649,7 +3649,7 @@
     </message>
     <message>
         <source>Trials one at a time</source>
-        <translation>Versuche einzeln</translation>
+        <translation>Versuche je Komponente</translation>
     </message>
     <message>
         <source>Of Monte Carlo with all components but one kept constant, for each component; 0: none.</source>
@@ -3657,7 +3657,7 @@
     </message>
     <message>
         <source>Trials by contributor</source>
-        <translation>Versuche je Beitragendem</translation>
+        <translation>Versuche je Beitragsquelle</translation>
     </message>
     <message>
         <source>Of Monte Carlo without each contributor, and of it alone; 0: none.</source>
@@ -4173,7 +4173,7 @@
     </message>
     <message>
         <source>Target</source>
-        <translation>Zielwert</translation>
+        <translation>Ziel-U</translation>
     </message>
     <message>
         <source>Target uncertainty that is required</source>
@@ -4181,11 +4181,11 @@
     </message>
     <message>
         <source>U / target</source>
-        <translation>U / Zielwert</translation>
+        <translation>U / Ziel-U</translation>
     </message>
     <message>
         <source>Expanded uncertainty as a part of its target: above 1 the target is not met</source>
-        <translation>Erweiterte Unsicherheit als Teil ihres Zielwerts: über 1 ist der Zielwert nicht eingehalten</translation>
+        <translation>Erweiterte Unsicherheit als Teil der Zielunsicherheit: über 1 ist diese nicht eingehalten</translation>
     </message>
     <message>
         <source>Requirement</source>
@@ -5085,7 +5085,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>across, by elevation</source>
-        <translation>quer, durch die Elevation</translation>
+        <translation>quer, durch den Höhenwinkel</translation>
     </message>
     <message>
         <source>along</source>
@@ -5093,7 +5093,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Standard uncertainty by the readings alone, and with the stations</source>
-        <translation>Standardunsicherheit allein durch die Ablesungen und mit den Stationen</translation>
+        <translation>Standardunsicherheit allein durch die Ablesungen und mit den Standpunkten</translation>
     </message>
     <message>
         <source>readings alone (Eq 5)</source>
@@ -5617,11 +5617,11 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Supports in the instrument&apos;s frame and in the robot&apos;s</source>
-        <translation>Auflagen im Koordinatensystem des Geräts und des Roboters</translation>
+        <translation>Auflager im Koordinatensystem des Geräts und des Roboters</translation>
     </message>
     <message>
         <source>support</source>
-        <translation>Auflage</translation>
+        <translation>Auflager</translation>
     </message>
     <message>
         <source>Scatter of a pose that the robot is sent to again</source>
@@ -5645,7 +5645,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>least height above the supports</source>
-        <translation>kleinste Höhe über den Auflagen</translation>
+        <translation>kleinste Höhe über den Auflagern</translation>
     </message>
     <message>
         <source>greatest height</source>
@@ -6073,7 +6073,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>The tool centre point of a robot: the flange turns about its own axes, telescopic ballbars measure where the ball at the tool goes, and planes and a sphere give the flange&apos;s axes and centre.</source>
-        <translation>Der Werkzeugmittelpunkt eines Roboters: der Flansch dreht sich um seine eigenen Achsen, teleskopische Ballbars messen, wohin die Kugel am Werkzeug kommt, und Ebenen und eine Kugel geben Achsen und Mittelpunkt des Flansches.</translation>
+        <translation>Der Werkzeugmittelpunkt eines Roboters: der Flansch dreht sich um seine eigenen Achsen, teleskopische Kugelstäbe messen, wohin die Kugel am Werkzeug kommt, und Ebenen und eine Kugel geben Achsen und Mittelpunkt des Flansches.</translation>
     </message>
     <message>
         <source>The paper states neither the tool, nor the flange&apos;s orientation, start angles, how the frame is made, nor how the points are averaged. With a tool of (0, 0, 100) mm, the flange pointing down, arcs from -60° to 140° and from -90° to 90° and u(L) = 1.55 µm, the published values reproduce within 1.5 % (root mean square).</source>
@@ -6266,10 +6266,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
         <translation>Sensitivitätskoeffizienten sind exakt (automatisches Differenzieren); die von Unbekannten, die Gleichungen implizit definieren, folgen JCGM 102 6.3.</translation>
-    </message>
-    <message>
-        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
-        <translation>Ein Mittelwert aus n Beobachtungen wird aus einer t-Verteilung mit n − 1 Freiheitsgraden gezogen (JCGM 101 6.4.9). Mittelwerte gleichzeitiger Beobachtungen werden durch eine Gauß-Copula korreliert; die multivariate t-Verteilung aus JCGM 102 5.3.2 hat für n − N ≤ 2 keine Kovarianz und wird nicht angeboten.</translation>
     </message>
     <message>
         <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
@@ -7637,7 +7633,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>a tolerance of %1 %2 for %3 (u = %4 %2) needs about %5 trials (%6 batches)</source>
-        <translation>eine Toleranz von %1 %2 für %3 (u = %4 %2) braucht etwa %5 Versuche (%6 Stapel)</translation>
+        <translation>eine Toleranz von %1 %2 für %3 (u = %4 %2) braucht etwa %5 Versuche (%6 Blöcke)</translation>
     </message>
     <message>
         <source>to correct the bias of coordinate %1, give the number of observations n in its row: the uncertainty of the correction is u_var/sqrt(n)</source>
@@ -7829,7 +7825,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>elevation of %1 by %2</source>
-        <translation>Elevation von %1 durch %2</translation>
+        <translation>Höhenwinkel von %1 durch %2</translation>
     </message>
     <message>
         <source>length of the %1</source>
@@ -7961,11 +7957,11 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>the lengths between the supports make no triangle: the longest of %1, %2 and %3 exceeds the sum of the others</source>
-        <translation>die Längen zwischen den Auflagen bilden kein Dreieck: die längste von %1, %2 und %3 ist größer als die Summe der anderen</translation>
+        <translation>die Längen zwischen den Auflagern bilden kein Dreieck: die längste von %1, %2 und %3 ist größer als die Summe der anderen</translation>
     </message>
     <message>
         <source>the three supports lie on a line (%1, %2 and %3): they leave the place of the ball undetermined; move one of them aside</source>
-        <translation>die drei Auflagen liegen auf einer Geraden (%1, %2 und %3): sie lassen den Ort der Kugel unbestimmt; eine davon zur Seite rücken</translation>
+        <translation>die drei Auflager liegen auf einer Geraden (%1, %2 und %3): sie lassen den Ort der Kugel unbestimmt; eine davon zur Seite rücken</translation>
     </message>
     <message>
         <source>the lengths of support %1 do not meet at its height: they miss by %2</source>
@@ -11033,7 +11029,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>The trials are Sobol points with a random digital shift in each batch; standard errors are from the scatter of the batches.</source>
-        <translation>Die Versuche sind Sobol-Punkte mit einer zufälligen digitalen Verschiebung in jedem Stapel; Standardfehler folgen aus der Streuung der Stapel.</translation>
+        <translation>Die Versuche sind Sobol-Punkte mit einer zufälligen digitalen Verschiebung in jedem Block; Standardfehler folgen aus der Streuung der Blöcke.</translation>
     </message>
     <message>
         <source>Mean, standard uncertainty, symmetric interval and covariance were found with the linear part of each output as control variate: its distribution is known exactly, and the trials tell how the output differs from it. Shortest intervals, histograms and probabilities of conformance are those of the trials.</source>
@@ -12169,11 +12165,11 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>length between supports %1</source>
-        <translation>Abstand der Auflagen %1</translation>
+        <translation>Abstand der Auflager %1</translation>
     </message>
     <message>
         <source>height of support %1</source>
-        <translation>Höhe der Auflage %1</translation>
+        <translation>Höhe des Auflagers %1</translation>
     </message>
     <message>
         <source>ballbars: standard uncertainty</source>
@@ -12285,7 +12281,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Places of the tool in the base frame of the robot.</source>
-        <translation>Orte des Werkzeugs im Basiskoordinatensystem des Roboters.</translation>
+        <translation>Orte des Werkzeugs im Basissystem des Roboters.</translation>
     </message>
     <message>
         <source>calculated less measured %1, held back</source>
@@ -12969,7 +12965,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>supports</source>
-        <translation>Auflagen</translation>
+        <translation>Auflager</translation>
     </message>
     <message>
         <source>axes of the flange</source>
@@ -13041,7 +13037,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>support %1</source>
-        <translation>Auflage %1</translation>
+        <translation>Auflager %1</translation>
     </message>
     <message>
         <source>axis %1</source>
@@ -13061,7 +13057,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
-        <translation>%1 (u erster Ordnung: %2 dessen von Monte Carlo)</translation>
+        <translation>%1 (u erster Ordnung: %2 des u aus Monte Carlo)</translation>
     </message>
     <message>
         <source>share of the variance, first order (%)</source>
@@ -13090,6 +13086,38 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>%1 out of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 interval, low</source>
+        <translation>Intervall %1, unten</translation>
+    </message>
+    <message>
+        <source>%1 interval, high</source>
+        <translation>Intervall %1, oben</translation>
+    </message>
+    <message>
+        <source>Interval, low</source>
+        <translation>Intervall, unten</translation>
+    </message>
+    <message>
+        <source>Interval, high</source>
+        <translation>Intervall, oben</translation>
+    </message>
+    <message>
+        <source>ballbars</source>
+        <translation>Kugelstäbe</translation>
+    </message>
+    <message>
+        <source>flange</source>
+        <translation>Flansch</translation>
+    </message>
+    <message>
+        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are drawn from one multivariate t distribution with these n − 1 degrees of freedom; with the n − N of JCGM 102 5.3.2 no mean would keep its own distribution.</source>
+        <translation>Ein Mittelwert aus n Beobachtungen wird aus einer t-Verteilung mit n − 1 Freiheitsgraden gezogen (JCGM 101 6.4.9). Mittelwerte gleichzeitiger Beobachtungen werden aus einer gemeinsamen multivariaten t-Verteilung mit diesen n − 1 Freiheitsgraden gezogen; mit n − N nach JCGM 102 5.3.2 behielte kein Mittelwert seine eigene Verteilung.</translation>
+    </message>
+    <message>
+        <source>if it vanished, U would exceed the target again, with fewer degrees of freedom</source>
+        <translation>verschwände sie, läge U wieder über der Vorgabe: mit weniger Freiheitsgraden</translation>
     </message>
 </context>
 <context>
@@ -13212,7 +13240,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Measurement uncertainty of robots and large-scale metrology.&lt;br&gt;Evaluates by JCGM 100, 101 and 102.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Messunsicherheit von Robotern und Großraummetrologie.&lt;br&gt;Wertet nach JCGM 100, 101 und 102 aus.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Messunsicherheit in Robotik und Großraummetrologie.&lt;br&gt;Wertet nach JCGM 100, 101 und 102 aus.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</translation>
     </message>
     <message>
         <source>symbol</source>
@@ -13464,11 +13492,11 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Keep and compare</source>
-        <translation>Behalten und vergleichen</translation>
+        <translation>Merken und vergleichen</translation>
     </message>
     <message>
         <source>Run the analysis (F5), press Keep as Before, and change a value of the budget. The tab Compare shows the results before and after beside each other.</source>
-        <translation>Rechnen Sie die Analyse (F5), drücken Sie Als Vorher behalten, und ändern Sie einen Wert des Budgets. Der Reiter Vergleich zeigt die Ergebnisse vorher und nachher nebeneinander.</translation>
+        <translation>Rechnen Sie die Analyse (F5), drücken Sie Stand merken, und ändern Sie einen Wert des Budgets. Der Reiter Vergleich zeigt die Ergebnisse vorher und nachher nebeneinander.</translation>
     </message>
     <message>
         <source>Look at the report</source>
@@ -13548,17 +13576,17 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
         <translation>Bericht als PDF in der Werkzeugleiste (Strg+P) schreibt den Bericht mit dem Projekt darin, so dass Covaria ihn wieder öffnen kann. Solange der Reiter Bericht den Kalibrierschein zeigt, schreibt die Schaltfläche diesen; er steht auch im Menü Datei unter Exportieren.</translation>
     </message>
+    <message>
+        <source>Adaptive Monte Carlo, %1 trials</source>
+        <translation>Adaptives Monte Carlo, %1 Versuche</translation>
+    </message>
+    <message>
+        <source>, chosen k = %1</source>
+        <translation>, k = %1 gewählt</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
-    <message>
-        <source>%1 interval</source>
-        <translation>Intervall %1</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>Intervall</translation>
-    </message>
     <message>
         <source>Analysis</source>
         <translation>Analyse</translation>
@@ -13566,14 +13594,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Coverage interval of the result line</source>
         <translation>Überdeckungsintervall der Ergebniszeile</translation>
-    </message>
-    <message>
-        <source>, low</source>
-        <translation>, unten</translation>
-    </message>
-    <message>
-        <source>, high</source>
-        <translation>, oben</translation>
     </message>
     <message>
         <source>State</source>
@@ -13596,7 +13616,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Not met only</source>
-        <translation>Nur nicht erfüllte</translation>
+        <translation>Nur nicht eingehaltene</translation>
     </message>
     <message>
         <source>Only results whose target uncertainty or tolerance is not met</source>
@@ -13612,7 +13632,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>%1 of %2 requirements met</source>
-        <translation>%1 von %2 Anforderungen erfüllt</translation>
+        <translation>%1 von %2 Anforderungen eingehalten</translation>
     </message>
     <message>
         <source>%1 of %2 analyses have no result: press Ctrl+F5</source>
@@ -13788,7 +13808,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <name>covaria::ui::CompareTab</name>
     <message>
         <source>Keep as Before</source>
-        <translation>Als Vorher behalten</translation>
+        <translation>Stand merken</translation>
     </message>
     <message>
         <source>Keeps the present results of this analysis, to compare later ones with</source>
@@ -13796,19 +13816,19 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Go Back to Kept State</source>
-        <translation>Zum behaltenen Stand zurück</translation>
+        <translation>Zum gemerkten Stand zurück</translation>
     </message>
     <message>
         <source>Makes the project what it was when the results were kept; can be undone</source>
-        <translation>Macht das Projekt zu dem, was es war, als die Ergebnisse behalten wurden; kann rückgängig gemacht werden</translation>
+        <translation>Macht das Projekt zu dem, was es war, als der Stand gemerkt wurde; kann rückgängig gemacht werden</translation>
     </message>
     <message>
         <source>Discard Kept State</source>
-        <translation>Behaltenen Stand verwerfen</translation>
+        <translation>Gemerkten Stand verwerfen</translation>
     </message>
     <message>
         <source>Forgets the kept results; the project stays as it is now</source>
-        <translation>Vergisst die behaltenen Ergebnisse; das Projekt bleibt, wie es jetzt ist</translation>
+        <translation>Vergisst die gemerkten Ergebnisse; das Projekt bleibt, wie es jetzt ist</translation>
     </message>
     <message>
         <source>comparison</source>
@@ -13832,11 +13852,11 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>The results are kept: the tab Compare shows them beside those to come.</source>
-        <translation>Die Ergebnisse sind behalten: Der Reiter Vergleich zeigt sie neben den kommenden.</translation>
+        <translation>Die Ergebnisse sind gemerkt: Der Reiter Vergleich zeigt sie neben den kommenden.</translation>
     </message>
     <message>
         <source>Go back to kept state</source>
-        <translation>Zum behaltenen Stand zurück</translation>
+        <translation>Zum gemerkten Stand zurück</translation>
     </message>
     <message>
         <source>Select an analysis to compare its results.</source>
@@ -13844,7 +13864,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Before: %1, kept at %2. </source>
-        <translation>Vorher: %1, behalten um %2. </translation>
+        <translation>Vorher: %1, gemerkt um %2. </translation>
     </message>
     <message>
         <source>After: no results.</source>
@@ -13856,31 +13876,31 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Go Back to Kept</source>
-        <translation>Zum Behaltenen zurück</translation>
+        <translation>Zum gemerkten Stand zurück</translation>
     </message>
     <message>
         <source>Discard Kept</source>
-        <translation>Behaltenes verwerfen</translation>
+        <translation>Gemerkten Stand verwerfen</translation>
     </message>
     <message>
         <source>The present results are kept in place of those kept before.</source>
-        <translation>Die jetzigen Ergebnisse sind anstelle der zuvor behaltenen behalten.</translation>
+        <translation>Die jetzigen Ergebnisse sind anstelle der zuvor gemerkten gemerkt.</translation>
     </message>
     <message>
         <source>Replace Kept State</source>
-        <translation>Behaltenen Stand ersetzen</translation>
+        <translation>Gemerkten Stand ersetzen</translation>
     </message>
     <message>
         <source>Keeps the present results in place of those kept before, which are forgotten</source>
-        <translation>Behält die jetzigen Ergebnisse anstelle der zuvor behaltenen, die vergessen werden</translation>
+        <translation>Merkt die jetzigen Ergebnisse anstelle der zuvor gemerkten, die vergessen werden</translation>
     </message>
     <message>
         <source>Run the analysis (F5), then keep its results with “%1”.</source>
-        <translation>Die Analyse ausführen (F5), dann ihre Ergebnisse mit „%1“ behalten.</translation>
+        <translation>Die Analyse ausführen (F5), dann ihren Stand mit „%1“ festhalten.</translation>
     </message>
     <message>
         <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
-        <translation>Die jetzigen Ergebnisse mit „%1“ behalten und bearbeiten: vorher und nachher stehen hier nebeneinander.</translation>
+        <translation>Die jetzigen Ergebnisse mit „%1“ festhalten und bearbeiten: vorher und nachher stehen hier nebeneinander.</translation>
     </message>
 </context>
 <context>
@@ -13971,7 +13991,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>It has no component of uncertainty yet.</source>
-        <translation>Sie hat noch keine Unsicherheitskomponente.</translation>
+        <translation>Die Größe hat noch keine Unsicherheitskomponente.</translation>
     </message>
 </context>
 <context>
@@ -14325,7 +14345,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>; &lt;b&gt;the target of U(%1) is not met&lt;/b&gt;</source>
-        <translation>; &lt;b&gt;der Zielwert von U(%1) ist nicht eingehalten&lt;/b&gt;</translation>
+        <translation>; &lt;b&gt;die Zielunsicherheit von U(%1) ist nicht eingehalten&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
@@ -14341,7 +14361,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>A design finds where to stand and what to measure: add one with “%1”.</source>
-        <translation>Ein Entwurf findet, wo man steht und was man misst: einen hinzufügen mit „%1“.</translation>
+        <translation>Ein Entwurf sucht die besten Zahlen und Zeilen des Aufbaus: einen hinzufügen mit „%1“.</translation>
     </message>
 </context>
 <context>
@@ -14368,7 +14388,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>A design finds where to stand and what to measure: the numbers and the rows of the set-up that make the uncertainties smallest. Add one to let Covaria search.</source>
-        <translation>Ein Entwurf findet, wo zu stehen und was zu messen ist: die Zahlen und die Zeilen des Aufbaus, die die Unsicherheiten am kleinsten machen. Einen hinzufügen, damit Covaria sucht.</translation>
+        <translation>Ein Entwurf sucht die Zahlen und die Zeilen des Aufbaus, die die Unsicherheiten am kleinsten machen. Einen hinzufügen, damit Covaria sucht.</translation>
     </message>
     <message>
         <source>Add Variable</source>
@@ -14388,7 +14408,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>What is made smallest of the ratios of U to the target uncertainties; without targets to U of the present design</source>
-        <translation>Was von den Verhältnissen von U zu den Zielunsicherheiten am kleinsten gemacht wird; ohne Zielwerte zu U des jetzigen Entwurfs</translation>
+        <translation>Was von den Verhältnissen von U zu den Zielunsicherheiten am kleinsten gemacht wird; ohne diese zu U des jetzigen Entwurfs</translation>
     </message>
     <message>
         <source>Largest ratio</source>
@@ -14404,7 +14424,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Cost of the rows, with all targets met</source>
-        <translation>Kosten der Zeilen, alle Zielwerte eingehalten</translation>
+        <translation>Kosten der Zeilen, alle Zielunsicherheiten eingehalten</translation>
     </message>
     <message>
         <source>Name</source>
@@ -14424,7 +14444,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Outputs (none ticked: all with a target, or all measurands)</source>
-        <translation>Ausgangsgrößen (keine angehakt: alle mit Zielwert oder alle Messgrößen)</translation>
+        <translation>Ausgangsgrößen (keine angehakt: alle mit Zielunsicherheit oder alle Messgrößen)</translation>
     </message>
     <message>
         <source>Rows to choose from</source>
@@ -15240,10 +15260,6 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <translation>aus %1: %2</translation>
     </message>
     <message>
-        <source>%1 (%2, %3 %4)</source>
-        <translation>%1 (%2, %3 %4)</translation>
-    </message>
-    <message>
         <source>Evaluated in the other analysis, in every trial: edit it there.</source>
         <translation>In der anderen Analyse ausgewertet, in jedem Versuch: dort bearbeiten.</translation>
     </message>
@@ -15290,6 +15306,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>Reset %1 to the model&apos;s values</source>
         <translation>%1 auf die Werte des Modells zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3)</source>
+        <translation>%1 (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -16187,7 +16207,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>%1 of %2 requirements not met</source>
-        <translation>%1 von %2 Anforderungen nicht erfüllt</translation>
+        <translation>%1 von %2 Anforderungen nicht eingehalten</translation>
     </message>
     <message>
         <source>Context</source>
@@ -16408,7 +16428,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <name>covaria::ui::RequirementsForm</name>
     <message>
         <source>U = %1: the target is %2.</source>
-        <translation>U = %1: Der Zielwert ist %2.</translation>
+        <translation>U = %1: Die Zielunsicherheit ist %2.</translation>
     </message>
     <message>
         <source>met</source>
@@ -16424,7 +16444,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>&lt;br&gt;It would be met with one of these alone:&lt;ul&gt;%1&lt;/ul&gt;</source>
-        <translation>&lt;br&gt;Er würde mit einem hiervon allein eingehalten:&lt;ul&gt;%1&lt;/ul&gt;</translation>
+        <translation>&lt;br&gt;Sie würde mit einem hiervon allein eingehalten:&lt;ul&gt;%1&lt;/ul&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;No component suffices alone.</source>
@@ -16432,7 +16452,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source> It would be met with all standard uncertainties multiplied by %1.</source>
-        <translation> Er würde eingehalten, wenn alle Standardunsicherheiten mit %1 multipliziert würden.</translation>
+        <translation> Sie würde eingehalten, wenn alle Standardunsicherheiten mit %1 multipliziert würden.</translation>
     </message>
     <message>
         <source>(trials)</source>
@@ -16489,6 +16509,13 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>Die Analyse ausführen, um zu sehen, ob die Anforderung eingehalten ist.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ResultTableModel</name>
+    <message>
+        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
+        <translation>Das Intervall liegt nicht symmetrisch um den Schätzwert: das Intervall angeben, nicht y ± U (JCGM 101 5.5).</translation>
     </message>
 </context>
 <context>
@@ -16575,7 +16602,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>Not met only</source>
-        <translation>Nur nicht erfüllte</translation>
+        <translation>Nur nicht eingehaltene</translation>
     </message>
     <message>
         <source>Only results whose target uncertainty or tolerance is not met</source>
@@ -16860,7 +16887,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>Ellipsoids of the Kept State</source>
-        <translation>Ellipsoide des behaltenen Stands</translation>
+        <translation>Ellipsoide des gemerkten Stands</translation>
     </message>
     <message>
         <source>× auto</source>
@@ -17136,7 +17163,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Measurement uncertainty of robots
 and large-scale metrology</source>
-        <translation>Messunsicherheit von Robotern
+        <translation>Messunsicherheit in Robotik
 und Großraummetrologie</translation>
     </message>
     <message>

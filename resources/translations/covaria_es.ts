@@ -6268,10 +6268,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Los coeficientes de sensibilidad son exactos (diferenciación automática); los de incógnitas que las ecuaciones definen implícitamente siguen JCGM 102 6.3.</translation>
     </message>
     <message>
-        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
-        <translation>Una media de n observaciones se extrae de una distribución t con n − 1 grados de libertad (JCGM 101 6.4.9). Las medias de observaciones simultáneas se correlacionan con una cópula gaussiana; la distribución t multivariante de JCGM 102 5.3.2 no tiene covarianza para n − N ≤ 2 y no se ofrece.</translation>
-    </message>
-    <message>
         <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
         <translation>JCGM 100 H.1, H.2 y JCGM 101 9.2 a 9.5, JCGM 102 9.2 a 9.4 son ejemplos en projects/gum: covaria verify los contrasta con sus valores publicados.</translation>
     </message>
@@ -13091,6 +13087,38 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>%1 out of %2</source>
         <translation>%1 de %2</translation>
     </message>
+    <message>
+        <source>%1 interval, low</source>
+        <translation>Intervalo %1, inferior</translation>
+    </message>
+    <message>
+        <source>%1 interval, high</source>
+        <translation>Intervalo %1, superior</translation>
+    </message>
+    <message>
+        <source>Interval, low</source>
+        <translation>Intervalo, inferior</translation>
+    </message>
+    <message>
+        <source>Interval, high</source>
+        <translation>Intervalo, superior</translation>
+    </message>
+    <message>
+        <source>ballbars</source>
+        <translation>ballbars</translation>
+    </message>
+    <message>
+        <source>flange</source>
+        <translation>brida</translation>
+    </message>
+    <message>
+        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are drawn from one multivariate t distribution with these n − 1 degrees of freedom; with the n − N of JCGM 102 5.3.2 no mean would keep its own distribution.</source>
+        <translation>La media de n observaciones se extrae de una distribución t con n − 1 grados de libertad (JCGM 101 6.4.9). Las medias de observaciones simultáneas se extraen de una misma distribución t multivariante con estos n − 1 grados de libertad; con los n − N de JCGM 102 5.3.2 ninguna media conservaría su propia distribución.</translation>
+    </message>
+    <message>
+        <source>if it vanished, U would exceed the target again, with fewer degrees of freedom</source>
+        <translation>si desapareciera, U volvería a superar el objetivo, con menos grados de libertad</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13548,17 +13576,17 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
         <translation>Informe en PDF en la barra de herramientas (Ctrl+P) escribe el informe con el proyecto dentro, de modo que Covaria puede abrirlo de nuevo. Mientras la pestaña Informe muestra el certificado, el botón escribe este; también está en el menú Archivo, en Exportar.</translation>
     </message>
+    <message>
+        <source>Adaptive Monte Carlo, %1 trials</source>
+        <translation>Monte Carlo adaptativo, %1 pruebas</translation>
+    </message>
+    <message>
+        <source>, chosen k = %1</source>
+        <translation>, k = %1 elegido</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
-    <message>
-        <source>%1 interval</source>
-        <translation>Intervalo %1</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>Intervalo</translation>
-    </message>
     <message>
         <source>Analysis</source>
         <translation>Análisis</translation>
@@ -13566,14 +13594,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>Coverage interval of the result line</source>
         <translation>Intervalo de cobertura de la línea de resultado</translation>
-    </message>
-    <message>
-        <source>, low</source>
-        <translation>, inferior</translation>
-    </message>
-    <message>
-        <source>, high</source>
-        <translation>, superior</translation>
     </message>
     <message>
         <source>State</source>
@@ -15240,10 +15260,6 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <translation>de %1: %2</translation>
     </message>
     <message>
-        <source>%1 (%2, %3 %4)</source>
-        <translation>%1 (%2, %3 %4)</translation>
-    </message>
-    <message>
         <source>Evaluated in the other analysis, in every trial: edit it there.</source>
         <translation>Se evalúa en el otro análisis, en cada prueba: edítelo allí.</translation>
     </message>
@@ -15290,6 +15306,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>Reset %1 to the model&apos;s values</source>
         <translation>Restablecer %1 a los valores del modelo</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3)</source>
+        <translation>%1 (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -16489,6 +16509,13 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>Ejecute el análisis para ver si se cumple el requisito.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ResultTableModel</name>
+    <message>
+        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
+        <translation>El intervalo no es simétrico respecto a la estimación: indique el intervalo, no y ± U (JCGM 101 5.5).</translation>
     </message>
 </context>
 <context>

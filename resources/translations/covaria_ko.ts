@@ -6268,10 +6268,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>감도계수는 정확합니다(자동 미분). 식이 음함수로 정의하는 미지수의 것은 JCGM 102 6.3을 따릅니다.</translation>
     </message>
     <message>
-        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
-        <translation>관측 n개의 평균은 자유도 n − 1의 t 분포에서 추출합니다(JCGM 101 6.4.9). 동시 관측의 평균은 가우스 코풀라로 상관됩니다. JCGM 102 5.3.2의 다변량 t 분포는 n − N ≤ 2이면 공분산이 없어 제공하지 않습니다.</translation>
-    </message>
-    <message>
         <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
         <translation>JCGM 100 H.1, H.2, JCGM 101 9.2~9.5, JCGM 102 9.2~9.4는 projects/gum의 예제입니다. covaria verify가 발표된 값과 대조합니다.</translation>
     </message>
@@ -11961,7 +11957,7 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     </message>
     <message>
         <source>centre of the flange</source>
-        <translation>플랜지의 중심</translation>
+        <translation>플랜지 중심</translation>
     </message>
     <message>
         <source>calibration of the artefact</source>
@@ -13091,6 +13087,38 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>%1 out of %2</source>
         <translation>%2개 중 %1개</translation>
     </message>
+    <message>
+        <source>%1 interval, low</source>
+        <translation>%1 구간, 하한</translation>
+    </message>
+    <message>
+        <source>%1 interval, high</source>
+        <translation>%1 구간, 상한</translation>
+    </message>
+    <message>
+        <source>Interval, low</source>
+        <translation>구간, 하한</translation>
+    </message>
+    <message>
+        <source>Interval, high</source>
+        <translation>구간, 상한</translation>
+    </message>
+    <message>
+        <source>ballbars</source>
+        <translation>볼바</translation>
+    </message>
+    <message>
+        <source>flange</source>
+        <translation>플랜지</translation>
+    </message>
+    <message>
+        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are drawn from one multivariate t distribution with these n − 1 degrees of freedom; with the n − N of JCGM 102 5.3.2 no mean would keep its own distribution.</source>
+        <translation>n개 관측값의 평균은 자유도 n − 1인 t 분포에서 추출합니다(JCGM 101 6.4.9). 동시에 관측한 값들의 평균은 같은 자유도 n − 1의 다변량 t 분포 하나에서 추출합니다. JCGM 102 5.3.2의 n − N을 쓰면 각 평균이 자신의 분포를 유지하지 못합니다.</translation>
+    </message>
+    <message>
+        <source>if it vanished, U would exceed the target again, with fewer degrees of freedom</source>
+        <translation>이것이 없어지면 자유도가 줄어 U가 다시 목표를 넘습니다</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13548,17 +13576,17 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
         <translation>도구 모음의 PDF 보고서(Ctrl+P)는 프로젝트를 담은 보고서를 써서 Covaria가 다시 열 수 있게 합니다. 보고서 탭이 성적서를 보여 주는 동안에는 그 단추가 성적서를 씁니다. 성적서는 파일 메뉴의 내보내기에도 있습니다.</translation>
     </message>
+    <message>
+        <source>Adaptive Monte Carlo, %1 trials</source>
+        <translation>적응 몬테카를로, 시행 %1회</translation>
+    </message>
+    <message>
+        <source>, chosen k = %1</source>
+        <translation>, 선택한 k = %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
-    <message>
-        <source>%1 interval</source>
-        <translation>%1 구간</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>구간</translation>
-    </message>
     <message>
         <source>Analysis</source>
         <translation>분석</translation>
@@ -13566,14 +13594,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>Coverage interval of the result line</source>
         <translation>결과 줄의 포함구간</translation>
-    </message>
-    <message>
-        <source>, low</source>
-        <translation>, 하한</translation>
-    </message>
-    <message>
-        <source>, high</source>
-        <translation>, 상한</translation>
     </message>
     <message>
         <source>State</source>
@@ -15237,10 +15257,6 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>%1에서: %2</translation>
     </message>
     <message>
-        <source>%1 (%2, %3 %4)</source>
-        <translation>%1 (%2, %3 %4)</translation>
-    </message>
-    <message>
         <source>Evaluated in the other analysis, in every trial: edit it there.</source>
         <translation>다른 분석에서 매 시행마다 평가됩니다. 그곳에서 편집하세요.</translation>
     </message>
@@ -15287,6 +15303,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Reset %1 to the model&apos;s values</source>
         <translation>%1을(를) 모델의 값으로 초기화</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3)</source>
+        <translation>%1 (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -16486,6 +16506,13 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>요구사항의 충족 여부를 보려면 분석을 실행하세요.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ResultTableModel</name>
+    <message>
+        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
+        <translation>구간이 추정값에 대해 대칭이 아닙니다. y ± U 대신 구간을 적으십시오(JCGM 101 5.5).</translation>
     </message>
 </context>
 <context>

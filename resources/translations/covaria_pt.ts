@@ -6268,10 +6268,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Os coeficientes de sensibilidade são exatos (derivação automática); os de incógnitas que equações definem implicitamente seguem a JCGM 102 6.3.</translation>
     </message>
     <message>
-        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
-        <translation>Uma média de n observações é sorteada de uma distribuição t com n − 1 graus de liberdade (JCGM 101 6.4.9). Médias de observações simultâneas são correlacionadas por uma cópula gaussiana; a distribuição t multivariada da JCGM 102 5.3.2 não tem covariância para n − N ≤ 2 e não é oferecida.</translation>
-    </message>
-    <message>
         <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
         <translation>JCGM 100 H.1, H.2 e JCGM 101 9.2 a 9.5, JCGM 102 9.2 a 9.4 são exemplos em projects/gum: covaria verify os confronta com seus valores publicados.</translation>
     </message>
@@ -13091,6 +13087,38 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>%1 out of %2</source>
         <translation>%1 de %2</translation>
     </message>
+    <message>
+        <source>%1 interval, low</source>
+        <translation>Intervalo %1, inferior</translation>
+    </message>
+    <message>
+        <source>%1 interval, high</source>
+        <translation>Intervalo %1, superior</translation>
+    </message>
+    <message>
+        <source>Interval, low</source>
+        <translation>Intervalo, inferior</translation>
+    </message>
+    <message>
+        <source>Interval, high</source>
+        <translation>Intervalo, superior</translation>
+    </message>
+    <message>
+        <source>ballbars</source>
+        <translation>ballbars</translation>
+    </message>
+    <message>
+        <source>flange</source>
+        <translation>flange</translation>
+    </message>
+    <message>
+        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are drawn from one multivariate t distribution with these n − 1 degrees of freedom; with the n − N of JCGM 102 5.3.2 no mean would keep its own distribution.</source>
+        <translation>A média de n observações é sorteada de uma distribuição t com n − 1 graus de liberdade (JCGM 101 6.4.9). As médias de observações simultâneas são sorteadas de uma única distribuição t multivariada com esses n − 1 graus de liberdade; com os n − N do JCGM 102 5.3.2 nenhuma média manteria a sua própria distribuição.</translation>
+    </message>
+    <message>
+        <source>if it vanished, U would exceed the target again, with fewer degrees of freedom</source>
+        <translation>se desaparecesse, U voltaria a exceder o alvo, com menos graus de liberdade</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13548,17 +13576,17 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
         <translation>Relatório em PDF na barra de ferramentas (Ctrl+P) grava o relatório com o projeto dentro, para que o Covaria possa abri-lo de novo. Enquanto a aba Relatório mostra o certificado, o botão grava este; está também no menu Arquivo, em Exportar.</translation>
     </message>
+    <message>
+        <source>Adaptive Monte Carlo, %1 trials</source>
+        <translation>Monte Carlo adaptativo, %1 ensaios</translation>
+    </message>
+    <message>
+        <source>, chosen k = %1</source>
+        <translation>, k = %1 escolhido</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
-    <message>
-        <source>%1 interval</source>
-        <translation>Intervalo %1</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>Intervalo</translation>
-    </message>
     <message>
         <source>Analysis</source>
         <translation>Análise</translation>
@@ -13566,14 +13594,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Coverage interval of the result line</source>
         <translation>Intervalo de abrangência da linha de resultado</translation>
-    </message>
-    <message>
-        <source>, low</source>
-        <translation>, inferior</translation>
-    </message>
-    <message>
-        <source>, high</source>
-        <translation>, superior</translation>
     </message>
     <message>
         <source>State</source>
@@ -15240,10 +15260,6 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <translation>de %1: %2</translation>
     </message>
     <message>
-        <source>%1 (%2, %3 %4)</source>
-        <translation>%1 (%2, %3 %4)</translation>
-    </message>
-    <message>
         <source>Evaluated in the other analysis, in every trial: edit it there.</source>
         <translation>Avaliado na outra análise, em cada ensaio: edite-o lá.</translation>
     </message>
@@ -15290,6 +15306,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>Reset %1 to the model&apos;s values</source>
         <translation>Restaurar %1 aos valores do modelo</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3)</source>
+        <translation>%1 (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -16489,6 +16509,13 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>Execute a análise para ver se o requisito é atingido.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ResultTableModel</name>
+    <message>
+        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
+        <translation>O intervalo não é simétrico em torno da estimativa: declare o intervalo, não y ± U (JCGM 101 5.5).</translation>
     </message>
 </context>
 <context>

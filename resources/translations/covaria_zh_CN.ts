@@ -6268,10 +6268,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>灵敏系数是精确的（自动微分）；方程隐式定义的未知数按 JCGM 102 6.3 处理。</translation>
     </message>
     <message>
-        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution of JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.</source>
-        <translation>n 个观测值的平均值由自由度为 n − 1 的 t 分布抽取（JCGM 101 6.4.9）。同时观测的平均值由高斯 copula 相关；JCGM 102 5.3.2 的多元 t 分布在 n − N ≤ 2 时没有协方差，故不提供。</translation>
-    </message>
-    <message>
         <source>JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: covaria verify holds them against their published values.</source>
         <translation>JCGM 100 H.1、H.2，JCGM 101 9.2 至 9.5，JCGM 102 9.2 至 9.4 为 projects/gum 中的示例：covaria verify 将其与发表的值比对。</translation>
     </message>
@@ -13091,6 +13087,38 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>%1 out of %2</source>
         <translation>%2 个中的 %1 个</translation>
     </message>
+    <message>
+        <source>%1 interval, low</source>
+        <translation>%1 区间，下限</translation>
+    </message>
+    <message>
+        <source>%1 interval, high</source>
+        <translation>%1 区间，上限</translation>
+    </message>
+    <message>
+        <source>Interval, low</source>
+        <translation>区间，下限</translation>
+    </message>
+    <message>
+        <source>Interval, high</source>
+        <translation>区间，上限</translation>
+    </message>
+    <message>
+        <source>ballbars</source>
+        <translation>球杆仪</translation>
+    </message>
+    <message>
+        <source>flange</source>
+        <translation>法兰</translation>
+    </message>
+    <message>
+        <source>A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 6.4.9). Means of simultaneous observations are drawn from one multivariate t distribution with these n − 1 degrees of freedom; with the n − N of JCGM 102 5.3.2 no mean would keep its own distribution.</source>
+        <translation>n 次观测的平均值从自由度为 n − 1 的 t 分布抽样（JCGM 101 6.4.9）。同时观测所得的各平均值从同一个自由度为 n − 1 的多元 t 分布抽样；若取 JCGM 102 5.3.2 的 n − N，各平均值便不再保持自身的分布。</translation>
+    </message>
+    <message>
+        <source>if it vanished, U would exceed the target again, with fewer degrees of freedom</source>
+        <translation>若其为零，U 会再次超过目标，因为自由度变少</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13548,17 +13576,17 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
         <translation>工具栏中的“报告为 PDF”(Ctrl+P) 写出内含项目的报告，Covaria 可再次打开它。“报告”标签页显示证书时，该按钮写出证书；证书也在“文件”菜单的“导出”下。</translation>
     </message>
+    <message>
+        <source>Adaptive Monte Carlo, %1 trials</source>
+        <translation>自适应蒙特卡洛，%1 次试验</translation>
+    </message>
+    <message>
+        <source>, chosen k = %1</source>
+        <translation>，选定 k = %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
-    <message>
-        <source>%1 interval</source>
-        <translation>%1 区间</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>区间</translation>
-    </message>
     <message>
         <source>Analysis</source>
         <translation>分析</translation>
@@ -13566,14 +13594,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>Coverage interval of the result line</source>
         <translation>结果行的包含区间</translation>
-    </message>
-    <message>
-        <source>, low</source>
-        <translation>，下限</translation>
-    </message>
-    <message>
-        <source>, high</source>
-        <translation>，上限</translation>
     </message>
     <message>
         <source>State</source>
@@ -15237,10 +15257,6 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>来自 %1：%2</translation>
     </message>
     <message>
-        <source>%1 (%2, %3 %4)</source>
-        <translation>%1 (%2, %3 %4)</translation>
-    </message>
-    <message>
         <source>Evaluated in the other analysis, in every trial: edit it there.</source>
         <translation>在每次试验中于另一分析内评定：请在该处编辑。</translation>
     </message>
@@ -15287,6 +15303,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Reset %1 to the model&apos;s values</source>
         <translation>将 %1 重置为模型的值</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3)</source>
+        <translation>%1（%2，%3）</translation>
     </message>
 </context>
 <context>
@@ -16486,6 +16506,13 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>运行分析以查看是否满足要求。</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ResultTableModel</name>
+    <message>
+        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
+        <translation>区间关于估计值不对称：请给出区间，而不是 y ± U（JCGM 101 5.5）。</translation>
     </message>
 </context>
 <context>

@@ -75,9 +75,9 @@ QString number_text(double value, const QLocale& locale) {
 }
 
 QString quantity_text(const Quantity& quantity, const QLocale& locale) {
-    const QString number = number_text(quantity.value, locale);
-    if (quantity.unit == Unit()) return number;
-    return number + QChar(' ') + to_qt(quantity.unit.display());
+    // With a space that can be typed.
+    return number_text(quantity.value, locale) +
+           to_qt(unit_after_number(quantity.unit)).replace(QChar(QChar::Nbsp), QChar(' '));
 }
 
 double converted(double value, const Unit& from, const Unit& to) {

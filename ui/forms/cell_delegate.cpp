@@ -2,6 +2,7 @@
 #include "ui/forms/cell_delegate.h"
 
 #include <QComboBox>
+#include <QKeyEvent>
 #include <QLineEdit>
 
 #include "ui/models/roles.h"
@@ -55,6 +56,16 @@ void CellDelegate::fill(QWidget* editor, const QModelIndex& index) const {
         box->setCurrentText(text);
     else if (auto* line = qobject_cast<QLineEdit*>(editor))
         line->setText(text);
+}
+
+bool CellDelegate::eventFilter(QObject* editor, QEvent* event) {
+    auto* line = qobject_cast<QLineEdit*>(editor);
+    const bool is_undo = event->type() == QEvent::ShortcutOverride &&
+                         static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo);
+    if (!line || !is_undo || line->isUndoAvailable()) return TypesetDelegate::eventFilter(editor, event);
+    emit closeEditor(line, RevertModelCache);
+    event->ignore();
+    return true;
 }
 
 void CellDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {

@@ -14,6 +14,8 @@ public:
     void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
 
 protected:
+    /// An editor in which nothing was typed leaves undo to the document.
+    bool eventFilter(QObject* editor, QEvent* event) override;
     void fill(QWidget* editor, const QModelIndex& index) const override;
 };
 

@@ -1,6 +1,7 @@
 // The mark is a palette entry, so that it follows light and dark.
 #include "ui/forms/complaint.h"
 
+#include <QAbstractItemView>
 #include <QPalette>
 #include <QVariant>
 
@@ -26,7 +27,8 @@ void mark(QWidget& widget, const QString& complaint, const QString& help) {
     if (complaint_of(widget) == complaint) return;
     widget.setProperty(property, complaint);
     QPalette palette;  // resolved against the application's: only the roles set here stay fixed
-    if (!complaint.isEmpty()) {
+    // A table marks its cells itself.
+    if (!complaint.isEmpty() && !qobject_cast<QAbstractItemView*>(&widget)) {
         const QPalette usual = widget.parentWidget() ? widget.parentWidget()->palette() : QPalette();
         for (const QPalette::ColorRole role : {QPalette::Base, QPalette::Button})
             palette.setColor(role, mixed(usual.color(role), QColor(213, 94, 0), 0.25f));

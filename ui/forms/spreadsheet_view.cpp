@@ -44,6 +44,7 @@ SpreadsheetView::SpreadsheetView(SpreadsheetModel& model, QWidget* parent)
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
     setSelectionMode(ExtendedSelection);
     setAlternatingRowColors(true);
+    setWordWrap(false);
     setTabKeyNavigation(true);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
     rows_follow_font(*this);

@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMap>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QStackedWidget>
@@ -353,10 +354,14 @@ void MainWindow::connect_panes() {
         results_->set_dark(dark);
     });
     connect(&preferences_, &PreferenceStore::changed, this, &MainWindow::take_preferences);
-    connect(&runner_, &AnalysisRunner::state_changed, this, [this](const QString& id) {
-        const AnalysisStatus& status = runner_.status(id);
-        if (status.state == RunState::failed) log_->write(tr("%1: %2").arg(id, status.message));
-    });
+    // Once, however often an edit runs it again.
+    connect(&runner_, &AnalysisRunner::state_changed, this,
+            [this, said = QMap<QString, QString>()](const QString& id) mutable {
+                const AnalysisStatus& status = runner_.status(id);
+                if (status.is_current()) said.remove(id);
+                if (status.state == RunState::failed && said.value(id) != status.message)
+                    log_->write(tr("%1: %2").arg(id, said[id] = status.message));
+            });
     set_rendering_log([this](const std::string& message) { log_->write(to_qt(message)); });
     for (QAction* action : project_actions_) action->setEnabled(false);
 }

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "core/report/result_columns.h"
-#include "core/text/numbers.h"
 #include "ui/models/roles.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -39,12 +39,12 @@ bool AllResultsModel::is_wanted(const ShownAnalysis& analysis, std::size_t outpu
                                                    }));
 }
 
-std::string AllResultsModel::interval_words() const {
+std::optional<double> AllResultsModel::coverage_probability() const {
     const double p = analyses_.front().result->coverage_probability;
     const bool one = std::all_of(analyses_.begin(), analyses_.end(), [p](const ShownAnalysis& analysis) {
         return analysis.result->coverage_probability == p;
     });
-    return to_std(one ? tr("%1 interval").arg(to_qt(percent_text(p))) : tr("Interval"));
+    return one ? std::optional(p) : std::nullopt;
 }
 
 Table AllResultsModel::joined(const std::vector<std::vector<std::size_t>>& outputs) const {
@@ -69,14 +69,14 @@ Table AllResultsModel::joined(const std::vector<std::vector<std::size_t>>& outpu
         };
         all.columns.push_back(std::move(column));
     }
-    const auto limit = [&](const char* key, const QString& which) {
+    const auto limit = [&](const char* key, const std::string& head) {
         const auto column = std::find_if(all.columns.begin(), all.columns.end(),
                                          [&](const Column& one) { return one.key == key; });
-        column->window(interval_words() + to_std(which), to_std(tr("Coverage interval of the result line")))
-            .match("U");
+        column->window(head, to_std(tr("Coverage interval of the result line"))).match("U");
     };
-    limit("stated low", tr(", low"));
-    limit("stated high", tr(", high"));
+    const IntervalHeads heads = interval_heads(coverage_probability(), language_of_window());
+    limit("stated low", heads.low);
+    limit("stated high", heads.high);
     all.add("state", [=](std::size_t row) -> Cell { return (*parts)[(*rows)[row].analysis].state; })
         .window(to_std(tr("State")));
     return all;

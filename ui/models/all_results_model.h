@@ -47,8 +47,8 @@ private:
     bool is_wanted(const ShownAnalysis& analysis, std::size_t output) const;
     /// Their rows one below the other.
     Table joined(const std::vector<std::vector<std::size_t>>& outputs) const;
-    /// "95 % interval", where it is of one probability.
-    std::string interval_words() const;
+    /// Where it is one of all.
+    std::optional<double> coverage_probability() const;
 
     std::vector<ShownAnalysis> analyses_;
     std::vector<Row> rows_;

@@ -39,6 +39,7 @@ protected:
     /// Other roles of a cell.
     virtual QVariant extra(std::size_t row, std::size_t column, int role) const;
     virtual QVariant row_title(std::size_t row, int role) const;
+    const std::string& key(std::size_t column) const { return keys_[column]; }
 
 private:
     const Column& column(int section) const { return table_[keys_[static_cast<std::size_t>(section)]]; }

@@ -3,7 +3,6 @@
 
 #include <QColor>
 #include <QGuiApplication>
-#include <QPalette>
 
 #include "core/report/plots.h"
 #include "core/report/result_columns.h"
@@ -26,10 +25,9 @@ void CorrelationTableModel::set_result(std::shared_ptr<const UncertaintyResult> 
 
 QVariant CorrelationTableModel::extra(std::size_t row, std::size_t column, int role) const {
     const int r = static_cast<int>(row), c = static_cast<int>(column);
-    if (is_current() && r != c && (role == Qt::BackgroundRole || role == Qt::ForegroundRole)) {
-        const bool dark = QGuiApplication::palette().color(QPalette::Base).lightnessF() < 0.5;
-        const QColor ground =  // as in the chart
-            (dark ? Theme::dark() : Theme::light()).diverging(index(r, c).data(sort_role).toDouble());
+    if (is_current() && (role == Qt::BackgroundRole || role == Qt::ForegroundRole)) {
+        const QColor ground = Theme::of(QGuiApplication::palette())  // as in the chart
+                                  .diverging(index(r, c).data(sort_role).toDouble());
         return role == Qt::BackgroundRole ? ground : Theme::text_on(ground);
     }
     if (role == Qt::ToolTipRole)

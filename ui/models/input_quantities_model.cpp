@@ -121,9 +121,9 @@ QString InputQuantitiesModel::components_text(int row) const {
     for (const Share& share : quantity(row).shares) {
         const UncertaintyComponent& component = analysis_->inputs.components[share.component];
         const double u = component.unit.interval_from_si(component.distribution.standard_uncertainty());
-        parts << tr("%1 (%2, %3 %4)")
+        parts << tr("%1 (%2, %3)")
                      .arg(to_qt(component.name), core_text(drawn_distribution(component).title()),
-                          localized(format_significant(u, 2)), to_qt(component.unit.display()));
+                          localized(format_significant(u, 2)) + to_qt(unit_after_number(component.unit)));
     }
     return parts.join("; ");
 }
@@ -201,6 +201,8 @@ QVariant InputQuantitiesModel::data(const QModelIndex& index, int role) const {
     if (role == sort_role) return sort_value(row, index.column());
     if (role == Qt::TextAlignmentRole)
         return QVariant((numeric ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole && index.column() == components_column && !is_linked(row))
+        return components_text(row);
     if (role == Qt::CheckStateRole && index.column() == held_column && !is_linked(row))
         return find_input_edit(document_.project(), analysis_->id, quantity(row).symbol).held ? Qt::Checked
                                                                                               : Qt::Unchecked;

@@ -198,8 +198,7 @@ QVariant ProjectTreeModel::asset_data(const AssetEntry& asset, int column, int r
            (problems.isEmpty() ? core_text(kind ? kind->title : asset.kind) : problems);
 }
 
-/// Of the requirements as they are now; empty where all that is required is met, or nothing is known.
-QString ProjectTreeModel::verdict_words(const AnalysisEntry& analysis, const AnalysisStatus& status) const {
+QString ProjectTreeModel::verdict_words(const AnalysisEntry& analysis, const AnalysisStatus& status) {
     if (analysis.requirements.empty() || !status.is_current()) return {};
     const std::vector<RequirementResult> verdicts = judge(*status.result, analysis);
     const auto not_met = std::count_if(verdicts.begin(), verdicts.end(),

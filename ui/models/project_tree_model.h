@@ -39,6 +39,8 @@ public:
 
     /// "up to date", "out of date" ...
     static QString words(RunState state);
+    /// Of the requirements as they are now; empty where all that is required is met, or nothing is known.
+    static QString verdict_words(const AnalysisEntry& analysis, const AnalysisStatus& status);
 
 private:
     using Ids = std::vector<std::string>;
@@ -49,7 +51,6 @@ private:
     QVariant category_data(int category, int column, int role) const;
     QVariant project_data(int column, int role) const;
     QVariant asset_data(const AssetEntry& asset, int column, int role) const;
-    QString verdict_words(const AnalysisEntry& analysis, const AnalysisStatus& status) const;
     QVariant analysis_data(const AnalysisEntry& analysis, int column, int role) const;
     std::vector<Problem> found_in(const SetupAddress& address) const;
     QString problems_of(const SetupAddress& address) const;

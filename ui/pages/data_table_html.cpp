@@ -3,7 +3,7 @@
 #include <QObject>
 
 #include "core/base/message.h"
-#include "core/text/numbers.h"
+#include "core/report/table_text.h"
 #include "core/text/symbol.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/core_text.h"
@@ -14,33 +14,40 @@ namespace {
 
 constexpr std::size_t most_rows = 300;
 
+QString element(const char* tag, bool is_numeric, const QString& content) {
+    return QStringLiteral("<%1 align=\"%2\">%3</%1>")
+        .arg(QLatin1String(tag), QLatin1String(is_numeric ? "right" : "left"), content);
+}
+
 QString head_of(const TableColumn& column) {
     QString head = column.is_symbol ? to_qt(to_html(symbols_text(column.header)))
                                     : core_text(column.header).toHtmlEscaped();
     if (!(column.unit == Unit())) head += QStringLiteral("<br>(%1)").arg(to_qt(column.unit.display()));
-    return QStringLiteral("<th align=\"right\">%1</th>").arg(head);
+    return head;
 }
 
-/// Numbers as everywhere in the window: the locale's decimal mark, a true minus sign. Symbols among words are
-/// set as symbols.
-QString shown(const TableCell& cell, const TableColumn& column) {
-    if (const auto* words = std::get_if<Message>(&cell))
-        return to_qt(to_html(running_text(to_std(to_qt(*words)))));
-    const std::string text = format_cell(cell, column);
-    return std::holds_alternative<std::string>(cell) ? to_qt(to_html(running_text(text)))
-                                                     : localized(text).toHtmlEscaped();
+/// As in a report, in the user's numbers. The narrow space between groups would be read as one to break at.
+QString shown(const TableBlock& block, std::size_t row, std::size_t column) {
+    const TableCell& cell = block.table.rows[row][column];
+    const auto* words = std::get_if<Message>(&cell);
+    return to_qt(to_html(words ? running_text(to_std(to_qt(*words))) : cell_typeset(block, row, column)))
+        .replace(QChar(0x202f), QChar(QChar::Nbsp));
 }
 
 QString html_of(const DataTable& table) {
+    const TableBlock block{table, {}, user_numbers()};
+    std::vector<bool> is_numeric;
     QString html = QStringLiteral("<h4>%1</h4><table cellpadding=\"3\" cellspacing=\"0\"><tr>")
                        .arg(core_text(table.title).toHtmlEscaped());
-    for (const TableColumn& column : table.columns) html += head_of(column);
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        is_numeric.push_back(is_numeric_column(block, i));
+        html += element("th", is_numeric[i], head_of(table.columns[i]));
+    }
     html += QStringLiteral("</tr>");
     for (std::size_t r = 0; r < std::min(table.rows.size(), most_rows); ++r) {
-        const auto& row = table.rows[r];
         html += QStringLiteral("<tr>");
-        for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i)
-            html += QStringLiteral("<td align=\"right\">%1</td>").arg(shown(row[i], table.columns[i]));
+        for (std::size_t i = 0; i < std::min(table.rows[r].size(), table.columns.size()); ++i)
+            html += element("td", is_numeric[i], shown(block, r, i));
         html += QStringLiteral("</tr>");
     }
     html += QStringLiteral("</table>");

@@ -22,8 +22,7 @@ void EmptyNote::changeEvent(QEvent* event) {
 
 /// As the text of an empty chart.
 void EmptyNote::take_theme() {
-    const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    const QColor quiet = (dark ? Theme::dark() : Theme::light()).neutrals().quiet;
+    const QColor quiet = Theme::of(palette()).neutrals().quiet;
     if (palette().color(QPalette::WindowText) == quiet) return;
     QPalette own = palette();
     own.setColor(QPalette::WindowText, quiet);

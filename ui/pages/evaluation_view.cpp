@@ -78,8 +78,7 @@ void EvaluationView::changeEvent(QEvent* event) {
 }
 
 void EvaluationView::take_theme() {
-    const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    chart_->set_theme(dark ? Theme::dark() : Theme::light());
+    chart_->set_theme(Theme::of(palette()));
 }
 
 }  // namespace covaria::ui

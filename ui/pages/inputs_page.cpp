@@ -81,6 +81,8 @@ void InputsPage::make_table() {
     table_ = new QTableView;
     table_->setHorizontalHeader(new TypesetHeader(Qt::Horizontal, table_));
     table_->setItemDelegate(new TypesetDelegate(table_));
+    table_->setItemDelegateForColumn(InputQuantitiesModel::components_column,
+                                     new TypesetDelegate(table_, Qt::ElideRight));
     table_->setModel(&filter_);
     table_->setSortingEnabled(true);
     table_->sortByColumn(-1, Qt::AscendingOrder);

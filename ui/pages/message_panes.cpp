@@ -2,7 +2,6 @@
 
 #include <QHeaderView>
 #include <QTime>
-#include <utility>
 
 #include "ui/models/roles.h"
 #include "ui/pages/entry_delegate.h"
@@ -38,11 +37,7 @@ LogPane::LogPane(QWidget* parent) : QPlainTextEdit(parent) {
 void LogPane::write(const QString& message) {
     const QString line = QTime::currentTime().toString(QStringLiteral("HH:mm:ss  ")) + message;
     QMetaObject::invokeMethod(
-        this,
-        [this, line, message] {
-            if (std::exchange(last_, message) != message) appendPlainText(line);
-        },
-        Qt::AutoConnection);
+        this, [this, line] { appendPlainText(line); }, Qt::AutoConnection);
 }
 
 }  // namespace covaria::ui

@@ -28,11 +28,7 @@ class LogPane : public QPlainTextEdit {
     Q_OBJECT
 public:
     explicit LogPane(QWidget* parent = nullptr);
-    /// What has just been said is not said again.
     void write(const QString& message);
-
-private:
-    QString last_;
 };
 
 }  // namespace covaria::ui

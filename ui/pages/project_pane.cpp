@@ -62,6 +62,7 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
     header()->setSectionResizeMode(0, QHeaderView::Stretch);
     header()->setSectionResizeMode(1, QHeaderView::Fixed);  // a mark; its words are in the tooltip
     follow_font(*this, [this] { header()->resizeSection(1, fontMetrics().height() + 14); });
+    setFirstColumnSpanned(ProjectTreeModel::project_row, {}, true);  // its title has no state
     expandAll();
     connect(duplicate_action, &QAction::triggered, this, &ProjectPane::duplicate_selected);
     connect(rename_action, &QAction::triggered, this, [this] { edit(currentIndex().siblingAtColumn(0)); });

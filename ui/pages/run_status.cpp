@@ -122,7 +122,12 @@ void RunStatus::show_state() {
         words += tr(", %1 trials").arg(to_qt(count_text(status.result->trials)));
     const bool warned = status.state == RunState::up_to_date && !status.warnings.empty();
     if (warned) words += tr(", with warnings");
-    set_picture(warned ? QStringLiteral("warning") : state_icon(status.state));
+    const QString verdict =
+        ProjectTreeModel::verdict_words(*document_.project().find_analysis(to_std(id)), status);
+    if (!verdict.isEmpty()) words += QStringLiteral(", ") + verdict;
+    set_picture(!verdict.isEmpty() ? QStringLiteral("state-not-met")
+                : warned           ? QStringLiteral("warning")
+                                   : state_icon(status.state));
     text_->setText(name_of(id) + QStringLiteral(": ") + words);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text/numbers.h"
+#include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -44,8 +45,14 @@ bool is_preview(const AnalysisStatus& status) {
 
 QString result_words(const AnalysisStatus& status) {
     if (is_preview(status)) return preview_words(status);
-    return status.result->trials == 0 ? tr("Law of propagation of uncertainty")
-                                      : tr("Monte Carlo, %1 trials").arg(count(status.result->trials));
+    const UncertaintyResult& result = *status.result;
+    QString words = tr("Law of propagation of uncertainty");
+    if (result.trials > 0)
+        words = (result.adaptive ? tr("Adaptive Monte Carlo, %1 trials") : tr("Monte Carlo, %1 trials"))
+                    .arg(count(result.trials));
+    if (const auto k = result.fixed_coverage_factor)  // not that of the interval beside U
+        words += tr(", chosen k = %1").arg(to_qt(typeset_number(format_typed(*k), number_locale(QLocale()))));
+    return words;
 }
 
 QString reservation(const AnalysisStatus& status) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/theme/formula_picture.h"
+#include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 
@@ -19,7 +20,7 @@ constexpr double column_gap = 40.0;
 /// Equations without a formula are set as the text that they are.
 FormulaPicture picture_of(const ModelEquation& equation, const QFont& font) {
     if (equation.formula.empty()) return {equation_text(equation.text), font};
-    return {equation.formula, font};
+    return {with_numbers(equation.formula, number_locale(QLocale())), font};
 }
 
 struct SetEquations {

@@ -117,6 +117,10 @@ QColor Theme::sequential(double t) const {
     return along(viridis, t);
 }
 
+Theme Theme::of(const QPalette& palette) {
+    return palette.color(QPalette::Window).lightness() < 128 ? dark() : light();
+}
+
 QColor Theme::diverging(double t) const {
     return along(dark_ ? diverging_dark : diverging_light, 0.5 * (std::clamp(t, -1.0, 1.0) + 1.0));
 }

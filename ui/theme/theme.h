@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QPalette>
 
 #include "core/text/numbers.h"
 #include "core/text/plot_specification.h"
@@ -28,6 +29,8 @@ class Theme {
 public:
     static Theme light();
     static Theme dark();
+    /// The one whose ground is that of the palette's windows.
+    static Theme of(const QPalette& palette);
 
     bool is_dark() const { return dark_; }
     /// How numbers in charts are written: as the language of the document does; as the user writes them in

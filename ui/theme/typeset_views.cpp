@@ -43,6 +43,9 @@ QColor text_colour(const QStyleOptionViewItem& option) {
 
 }  // namespace
 
+TypesetDelegate::TypesetDelegate(QObject* parent, Qt::TextElideMode elide)
+    : SteadyDelegate(parent), elide_(elide) {}
+
 void TypesetDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);
     // "θ" of a model whose cell is "theta"; with scripts it is drawn by hand.
@@ -51,7 +54,7 @@ void TypesetDelegate::initStyleOption(QStyleOptionViewItem* option, const QModel
     if (option->displayAlignment & Qt::AlignRight)
         option->font = with_tabular_figures(option->font);
     else
-        option->textElideMode = Qt::ElideMiddle;  // names differ at their end: "... of P12, azimuth"
+        option->textElideMode = elide_;
 }
 
 void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

@@ -13,13 +13,18 @@ namespace covaria::ui {
 /// Cells: subscripts, and figures of equal width where numbers stand to the right.
 class TypesetDelegate : public SteadyDelegate {
 public:
-    using SteadyDelegate::SteadyDelegate;
+    /// Names differ at their end ("... of P12, azimuth"): what has no room loses its middle, else what
+    /// `elide` says.
+    explicit TypesetDelegate(QObject* parent = nullptr, Qt::TextElideMode elide = Qt::ElideMiddle);
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+
+private:
+    Qt::TextElideMode elide_;
 };
 
 class TypesetHeader : public QHeaderView {

@@ -14,6 +14,22 @@ Vector corner(const SceneAxes& axes, bool x_high, bool y_high, bool z_high) {
             z_high ? axes.high.z() : axes.low.z()};
 }
 
+/// How many steps from one number to the next so that none is in the way of another: all of them, or each
+/// second, fifth, tenth, counted from zero.
+int stride(const std::vector<ScreenRect>& words, const std::vector<AxisTick>& ticks, double step) {
+    for (const int each : {1, 2, 5}) {
+        const ScreenRect* before = nullptr;
+        bool fits = true;
+        for (std::size_t i = 0; i < words.size() && fits; ++i) {
+            if (std::lround(ticks[i].at / step) % each != 0) continue;
+            fits = !before || !words[i].overlaps(*before);
+            before = &words[i];
+        }
+        if (fits) return each;
+    }
+    return 10;
+}
+
 }  // namespace
 
 void Overlay::paint_axes() {
@@ -32,35 +48,47 @@ void Overlay::paint_axes() {
     paint_axis(2, low, high);
 }
 
-void Overlay::paint_axis(int axis, const Vector& from, const Vector& to) {
-    const SceneAxes& axes = *scene_.axes;
-    const Pixel a = pixel_of(from), b = pixel_of(to), middle = pixel_of((axes.low + axes.high) / 2);
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
-    if (length < px(40)) return;  // seen from its end
-    Eigen::Vector2d out(-(b.y - a.y) / length, (b.x - a.x) / length);
-    if (out.dot(Eigen::Vector2d((a.x + b.x) / 2 - middle.x, (a.y + b.y) / 2 - middle.y)) < 0) out = -out;
-    canvas_.line(a, b, px(1.1), colour(Role::quiet_text), 0.9);
+double Overlay::paint_ticks(int axis, const Vector& from, const Eigen::Vector2d& out) {
     double farthest = 0.0;
-    for (const AxisTick& tick : axes.ticks[static_cast<std::size_t>(axis)]) {
+    const std::vector<AxisTick>& ticks = scene_.axes->ticks[static_cast<std::size_t>(axis)];
+    std::vector<Word> words;
+    std::vector<ScreenRect> needed;
+    for (const AxisTick& tick : ticks) {
         Vector p = from;
         p[axis] = tick.at;
         const Pixel at = pixel_of(p);
         canvas_.line(at, {at.x + px(4) * out.x(), at.y + px(4) * out.y()}, px(1.1), colour(Role::quiet_text),
                      0.9);
-        const Word word{tick.text, Role::quiet_text, false, 0.88};
-        const TextMask& mask = mask_of(word);
+        words.push_back({tick.text, Role::quiet_text, false, 0.88});
+        const TextMask& mask = mask_of(words.back());
         const double w = mask.letters.width, h = mask.letters.height;
         const double reach = px(7) + (std::abs(out.x()) * w + std::abs(out.y()) * h) / 2;
-        const ScreenRect rect{at.x + reach * out.x() - w / 2, at.y + reach * out.y() - h / 2, w, h};
-        if (!is_free({rect.x - px(3), rect.y, rect.width + px(6), rect.height})) continue;
-        put(word, rect.x, rect.y);
+        needed.push_back(
+            {at.x + reach * out.x() - w / 2 - px(3), at.y + reach * out.y() - h / 2, w + px(6), h});
         farthest = std::max(farthest, reach + (std::abs(out.x()) * w + std::abs(out.y()) * h) / 2);
     }
+    const double step = ticks.size() < 2 ? 1.0 : ticks[1].at - ticks[0].at;
+    const int each = stride(needed, ticks, step);
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (std::lround(ticks[i].at / step) % each == 0 && is_free(needed[i]))
+            put(words[i], needed[i].x + px(3), needed[i].y);
+    return farthest;
+}
+
+void Overlay::paint_axis(int axis, const Vector& from, const Vector& to) {
+    const SceneAxes& axes = *scene_.axes;
+    const Pixel a = pixel_of(from), b = pixel_of(to), middle = pixel_of((axes.low + axes.high) / 2);
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    if (length < px(16)) return;  // seen from its end
+    Eigen::Vector2d out(-(b.y - a.y) / length, (b.x - a.x) / length);
+    if (out.dot(Eigen::Vector2d((a.x + b.x) / 2 - middle.x, (a.y + b.y) / 2 - middle.y)) < 0) out = -out;
+    canvas_.line(a, b, px(1.1), colour(Role::quiet_text), 0.9);
+    const double farthest = paint_ticks(axis, from, out);
     const Word title{axes.titles[static_cast<std::size_t>(axis)], Role::text, false, 0.95};
     const TextMask& mask = mask_of(title);
     const double w = mask.letters.width, h = mask.letters.height;
     const double reach =
-        std::max(farthest, px(8)) + px(3) + (std::abs(out.x()) * w + std::abs(out.y()) * h) / 2;
+        std::max(farthest, px(8)) + px(3) + (std::abs(out.x()) * (w + px(12)) + std::abs(out.y()) * h) / 2;
     for (double along : {0.5, 0.62, 0.38, 0.74, 0.26}) {  // beside the middle, else where nothing stands yet
         const double x = std::clamp(a.x + along * (b.x - a.x) + reach * out.x() - w / 2, 2.0,
                                     canvas_.size().width - w - 2);

@@ -71,6 +71,8 @@ private:
     // axis_words.cpp
     void paint_axes();
     void paint_axis(int axis, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+    /// Of an axis that begins there, its numbers on the side `out`; how far they reach.
+    double paint_ticks(int axis, const Eigen::Vector3d& from, const Eigen::Vector2d& out);
 
     const Scene& scene_;
     const OverlayView& view_;

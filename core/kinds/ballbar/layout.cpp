@@ -35,7 +35,7 @@ private:
         }
         layout_.bodies.push_back(std::move(plate));
         layout_.frames.push_back(
-            {.name = "ballbars",
+            {.name = own_name<"ballbars">(),
              .X_WF = X_RB_,
              .source = {.path = "/placement", .draggable = true, .asset = setup_.ballbars.id}});
     }
@@ -48,8 +48,8 @@ private:
     void add_flange() {
         const Eigen::Isometry3d X_RF = X_RB_ * setup_.X_BF;
         const std::size_t centre = OutputPlaces(setup_).centre;
-        layout_.frames.push_back({.name = "flange", .X_WF = X_RF, .source = flange_source()});
-        layout_.points.push_back({.name = "centre of the flange",
+        layout_.frames.push_back({.name = own_name<"flange">(), .X_WF = X_RF, .source = flange_source()});
+        layout_.points.push_back({.name = own_name<"centre of the flange">(),
                                   .kind = PointKind::flange,
                                   .p_W = X_RF.translation(),
                                   .source = flange_source(),
@@ -57,13 +57,13 @@ private:
                                   .R_WQ = X_RB_.linear()});
         Eigen::Isometry3d X_RT = X_RF;
         X_RT.translation() = X_RF * setup_.tool_F;
-        layout_.frames.push_back({.name = "tool", .X_WF = X_RT});
+        layout_.frames.push_back({.name = own_name<"tool">(), .X_WF = X_RT});
         layout_.points.push_back({.name = "TCP",
                                   .kind = PointKind::tool,
                                   .p_W = X_RT.translation(),
                                   .outputs = {{0, 1, 2}},
                                   .R_WQ = X_RF.linear()});
-        layout_.links.push_back({.name = "tool",
+        layout_.links.push_back({.name = own_name<"tool">(),
                                  .kind = LinkKind::robot_link,
                                  .from_W = X_RF.translation(),
                                  .to_W = X_RT.translation()});

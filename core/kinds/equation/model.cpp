@@ -198,9 +198,9 @@ std::vector<std::string> equation_notes() {
         "implicitly follow JCGM 102 6.3.",
         "A mean of n observations is drawn from a t distribution with n − 1 degrees of freedom (JCGM 101 "
         "6.4.9). Means "
-        "of simultaneous observations are correlated by a Gaussian copula; the multivariate t distribution "
-        "of "
-        "JCGM 102 5.3.2 has no covariance for n − N ≤ 2 and is not offered.",
+        "of simultaneous observations are drawn from one multivariate t distribution with these n − 1 "
+        "degrees "
+        "of freedom; with the n − N of JCGM 102 5.3.2 no mean would keep its own distribution.",
         "JCGM 100 H.1, H.2 and JCGM 101 9.2 to 9.5, JCGM 102 9.2 to 9.4 are examples in projects/gum: "
         "covaria verify "
         "holds them against their published values."};

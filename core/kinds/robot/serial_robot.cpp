@@ -109,9 +109,13 @@ DataTable parameter_table(const SerialRobotSource& robot) {
     table.title = "Parameters and their uncertainty";
     table.columns = {{.header = "parameter"}, {.header = "value"}};
     const std::vector<std::string> sources = sources_of(robot);
-    for (const std::string& source : sources) table.columns.push_back({.header = "u, " + source});
-    for (const char* header : {"u", "U = 2 u", "value − U", "value + U"})
-        table.columns.push_back({.header = header});
+    for (const std::string& source : sources)
+        table.columns.push_back({.header = "u, " + source, .digits = 2});
+    const int u = static_cast<int>(table.columns.size());
+    table.columns.push_back({.header = "u", .digits = 2});
+    table.columns.push_back({.header = "U = 2 u", .digits = 2});
+    for (const char* header : {"value − U", "value + U"})
+        table.columns.push_back({.header = header, .match = u});
     table.columns.push_back({.header = "nu_eff", .is_symbol = true, .digits = 3});
     for (std::size_t i = 0; i < robot.joints().size(); ++i)
         for (JointParameter p : joint_parameters)

@@ -256,5 +256,30 @@ TEST_F(ChainByHand, APointThatTheNetworkHasNotIsNamed) {
     EXPECT_NE(problems.items().front().message.english().find("does not offer"), std::string::npos);
 }
 
+/// What the evaluation says that it does not show.
+std::size_t restated_links(const char* project, const char* analysis) {
+    Problems problems;
+    const auto made =
+        made_analysis(load_project(data_directory() / "projects" / project).project, analysis, problems);
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
+    if (!made) return 0;
+    const std::vector<DataTable> tables = made->model->evaluation();
+    if (tables.empty()) return 0;
+    for (const Message& note : tables.front().notes) {
+        const std::string words = note.english();
+        const std::string before = "other analyses give (";
+        if (const std::size_t at = words.find(before); at != std::string::npos)
+            return std::stoul(words.substr(at + before.size()));
+    }
+    return 0;
+}
+
+// The set-up of the chain's network states a length of its own; that of the robot has what was identified.
+TEST(LinkedEvaluation, SaysWhatTheSetUpStatesOtherwise) {
+    EXPECT_GT(restated_links("chain.covaria", "tool"), 0u);
+    EXPECT_EQ(restated_links("er10l-c10.covaria", "zero-pose-identified"), 0u);
+    EXPECT_EQ(restated_links("er10l-c10.covaria", "zero-pose-from-poses"), 0u);
+}
+
 }  // namespace
 }  // namespace covaria::chain_project_test

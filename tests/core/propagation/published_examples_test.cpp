@@ -313,6 +313,11 @@ TEST(PublishedExamples, CorrelatedInputsOfOneEnsembleKeepTheirDegreesOfFreedom) 
     double shares = 0;
     for (const BudgetRow& row : result->budget.rows[0]) shares += row.share;
     EXPECT_NEAR(shares, 1.0, 1e-12);
+    // F_{2, 4}(0.95) = 2 (0.05^(-1/2) - 1), in closed form; t_4(0.9875) = 3.4954.
+    ASSERT_EQ(result->regions.size(), 1u);
+    EXPECT_NEAR(result->regions[0].ellipsoid_first_order, std::sqrt(4.0 * (1.0 / std::sqrt(0.05) - 1.0)),
+                1e-9);
+    EXPECT_NEAR(result->regions[0].rectangle_first_order, 3.4954, 1e-4);
 }
 
 /// Region factors of JCGM 102 examples: references from 10^7 trials; here k comes from `trials` of the run.

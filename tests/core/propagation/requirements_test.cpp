@@ -51,6 +51,9 @@ void expect_targets_met(const MeasurementModel& model, const InputSet& inputs,
             EXPECT_LT(*reduction.needed, reduction.now);
             EXPECT_NEAR(U, target, tolerance * target) << "component " << reduction.component;
             EXPECT_LE(U, target * (1 + 1e-9)) << "component " << reduction.component;
+            const InputSet without = with_figure(inputs, reduction.component, 0.0);
+            const double remains = evaluate(model, without, options)->outputs[0].expanded_uncertainty;
+            EXPECT_EQ(reduction.rises_again, remains > target) << "component " << reduction.component;
         } else {
             EXPECT_GT(U, target);
         }
@@ -83,6 +86,20 @@ TEST(ReverseBudget, TheCoverageFactorFollowsTheDegreesOfFreedom) {
     for (const double part : {0.9, 0.7, 0.55})
         expect_targets_met(sum_model(inputs), inputs, first_order(), part, 1e-9, 1);
     expect_targets_met(sum_model(inputs), inputs, trials(50'000), 0.7, 2e-4, 1);
+}
+
+// u alone would fall, but two degrees of freedom are left of 21: U is 8.6 without the normal part, 7.5 with
+// it.
+TEST(ReverseBudget, SaysThatUIncreasesWhereTooFewDegreesOfFreedomAreLeft) {
+    InputSet inputs;
+    add_quantity(inputs, "a", Distribution::of(Normal{10, 3}), infinity);
+    add_quantity(inputs, "b", Distribution::of(StudentT{0, 2, 2}), 2);
+    expect_targets_met(sum_model(inputs), inputs, first_order(), 0.95, 1e-9, 2);
+    const auto result = evaluate(sum_model(inputs), inputs, first_order()).value();
+    const double target = 0.95 * result.outputs[0].expanded_uncertainty;
+    const auto budget = reverse_budget(nullptr, result, 0, target).value();
+    for (const auto& reduction : budget.reductions)
+        EXPECT_EQ(reduction.rises_again, reduction.component == 0) << reduction.component;
 }
 
 // Neither variances nor intervals of a product, or of rectangles, add up.

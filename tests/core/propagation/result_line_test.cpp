@@ -52,6 +52,9 @@ TEST(ResultLine, TheDegreesOfFreedomCountOnce) {
         }
         EXPECT_TRUE(std::isinf(y.standard_uncertainty)) << "t with two degrees of freedom has no variance";
         EXPECT_TRUE(std::isnan(y.coverage_factor));
+        EXPECT_TRUE(std::isnan(existing_covariance(trials)(0, 0))) << "that of the trials wanders";
+        EXPECT_TRUE(std::isnan(y.monte_carlo->standard_error_of_mean));
+        EXPECT_TRUE(std::isnan(y.monte_carlo->standard_error_of_uncertainty));
     }
 }
 

@@ -27,6 +27,21 @@ TEST(FormatSignificant, RoundingUpToTheNextDecadeKeepsTheDigits) {
     EXPECT_EQ(format_significant(0.00099951, 3), "0.00100");
 }
 
+TEST(FormatSignificant, ATieGoesAwayFromZeroInEveryUnit) {
+    EXPECT_EQ(format_significant(1.55, 2), "1.6");
+    EXPECT_EQ(format_significant(0.00155, 2), "0.0016");
+    EXPECT_EQ(format_significant(1.55e-6 * 1e3, 2), "0.0016");
+    EXPECT_EQ(format_significant(-2.5, 1), "-3");
+    EXPECT_EQ(format_significant(0.0015499, 2), "0.0015");
+    EXPECT_EQ(format_decimals(1250.0, -2), "1300");
+    EXPECT_EQ(format_decimals(50.000000000001, 12), "50.000000000001");
+    for (int i = 1005; i < 10000; i += 10)
+        for (const double unit : {1.0, 1e-3, 1e-6}) {
+            const std::string in_unit = format_significant(i * unit, 3);
+            EXPECT_DOUBLE_EQ(std::stod(in_unit), (i / 10 + 1) * 10 * unit);
+        }
+}
+
 TEST(FormatSignificant, UsesAnExponentOnlyFarFromOne) {
     EXPECT_EQ(format_significant(0.0001, 2), "0.00010");
     EXPECT_EQ(format_significant(0.0000999, 2), "1.0e-04");

@@ -83,6 +83,20 @@ TEST_F(EditingSession, ATableIsPastedFromAGermanSpreadsheet) {
     EXPECT_FALSE(window_->document().is_modified()) << "a paste is one step";
 }
 
+// Tab had opened the next cell, whose empty editor kept undo for itself.
+TEST_F(EditingSession, AnEditorInWhichNothingWasTypedLeavesUndoToTheProject) {
+    open(project_copy());
+    select(SetupOwner::analysis, window_->document().project().analyses.front().id);
+    paste("poses", 0, 1, QStringLiteral("7\r\n"));
+    ASSERT_TRUE(window_->document().is_modified());
+    go_to_cell("poses", 0, 2);
+    QTest::keyClick(sheet("poses"), Qt::Key_F2);
+    auto* editor = sheet("poses")->viewport()->findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    QTest::keySequence(editor, QKeySequence::Undo);
+    EXPECT_FALSE(window_->document().is_modified());
+}
+
 TEST_F(EditingSession, RowsAreFilledDownInsertedAndDeleted) {
     open(project_copy());
     go_to_cell("poses", 3, 3);

@@ -47,7 +47,7 @@ TEST_F(EvaluationSession, AnAssetShowsItsTablesAndCharts) {
     EvaluationView* view = shown_in(*window_->properties().tabs());
     ASSERT_NE(view, nullptr);
     ASSERT_TRUE(wait_for_text(*view, QStringLiteral("Kim, Table 3")));
-    for (const char* const number : {"0.00481", "1.6671", "2.78"})
+    for (const char* const number : {"0.004 81", "1.6671", "2.78"})
         EXPECT_TRUE(view->text().toPlainText().contains(QLatin1String(number))) << number;
     QComboBox& list = view->chart_list();
     EXPECT_TRUE(list.isVisible());

@@ -88,9 +88,7 @@ TEST_F(ResultsSession, ADotOfTheCloudTellsItsInputs) {
         if (one.role == covaria::Role::output) cloud = &one;
     ASSERT_NE(cloud, nullptr);
     const auto pixel_of = [&](std::size_t dot) {
-        const Eigen::Vector3d p_W =
-            cloud->item.position +
-            Eigen::Map<const Eigen::Vector3f>(cloud->offsets.data() + 3 * dot).cast<double>();
+        const Eigen::Vector3d p_W = cloud->dot(dot);
         Pixel at;
         view.service().post([&](SceneRenderer& renderer) { at = renderer.project(p_W); });
         view.service().wait_until_idle();

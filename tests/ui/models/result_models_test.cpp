@@ -78,12 +78,31 @@ TEST(ResultTableModel, RoundsByTheUncertaintyInTheUnitOfTheQuantity) {
     EXPECT_EQ(cell(model, 0, "k"), "2.26");
     EXPECT_EQ(cell(model, 0, "U"), "0.0099");
     EXPECT_EQ(cell(model, 0, "Unit"), "mm");
-    EXPECT_EQ(cell(model, 0, "Lower limit"), "1023.4480");
-    EXPECT_EQ(cell(model, 1, "Lower limit"), "28.6466") << "0.5 rad - 2.26 u, by the law of propagation";
+    EXPECT_EQ(cell(model, 0, "95\u00a0% interval, low"), "1023.4480");
+    EXPECT_EQ(cell(model, 1, "95\u00a0% interval, low"), "28.6466")
+        << "0.5 rad - 2.26 u, by the law of propagation";
     EXPECT_EQ(cell(model, 0, "First order validated"), "yes");
     EXPECT_EQ(model.index(0, 0).data(group_role).toString(), "pose 1");
     model.set_interval(ResultTableModel::Interval::shortest);
-    EXPECT_EQ(cell(model, 0, "Lower limit"), "1023.4470");
+    EXPECT_EQ(cell(model, 0, "95\u00a0% interval, low"), "1023.4470");
+}
+
+// y ± U would be another part of the distribution than the interval beside it.
+TEST(ResultTableModel, OfASkewedResultUAndKStandBack) {
+    auto result = std::make_shared<UncertaintyResult>(*sample_result());
+    const double y = result->outputs[0].estimate, U = result->outputs[0].expanded_uncertainty;
+    result->outputs[0].monte_carlo->symmetric = {y - 0.2 * U, y + 1.8 * U};
+    ResultTableModel model;
+    model.set_result(result, true);
+    const auto pen = [&](int row, const char* head) {
+        return model.index(row, column(model, QLatin1String(head))).data(Qt::ForegroundRole);
+    };
+    EXPECT_TRUE(pen(0, "U").isValid());
+    EXPECT_TRUE(pen(0, "k").isValid());
+    EXPECT_FALSE(pen(0, "u").isValid());
+    EXPECT_FALSE(pen(1, "U").isValid()) << "symmetric";
+    const auto tip = model.index(0, column(model, QStringLiteral("U"))).data(Qt::ToolTipRole).toString();
+    EXPECT_TRUE(tip.contains(QLatin1String("not symmetric"))) << tip.toStdString();
 }
 
 TEST(ResultTableModel, UnitsDigitsAndGroupCanBeChosen) {
