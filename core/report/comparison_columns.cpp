@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numeric>
 
@@ -222,8 +223,7 @@ Table compared_budget_table(const ResultComparison& comparison, std::vector<Comp
         .print("Symbol")
         .window("Input quantity")
         .of_symbols();
-    add_label_column(
-        table, [&comparison, places, language] { return compared_labels(comparison, *places, language); });
+    add_label_column(table, std::bind_front(compared_labels, std::cref(comparison), *places, language));
     add("component", [](P p) -> Cell { return p.either().name; })
         .print("Component")
         .window("Component of uncertainty");

@@ -15716,13 +15716,6 @@ Gewählt: %2</translation>
     </message>
 </context>
 <context>
-    <name>covaria::ui::OutputTicks</name>
-    <message>
-        <source> of %1</source>
-        <translation> von %1</translation>
-    </message>
-</context>
-<context>
     <name>covaria::ui::PageBar</name>
     <message>
         <source>%1 %</source>
@@ -16679,10 +16672,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Goes to the field that must be given next</source>
         <translation>Geht zu dem Feld, das als Nächstes anzugeben ist</translation>
-    </message>
-    <message>
-        <source> of %1</source>
-        <translation> von %1</translation>
     </message>
     <message>
         <source>All Results</source>

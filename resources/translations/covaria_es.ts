@@ -15716,13 +15716,6 @@ Elegido: %2</translation>
     </message>
 </context>
 <context>
-    <name>covaria::ui::OutputTicks</name>
-    <message>
-        <source> of %1</source>
-        <translation> de %1</translation>
-    </message>
-</context>
-<context>
     <name>covaria::ui::PageBar</name>
     <message>
         <source>%1 %</source>
@@ -16679,10 +16672,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Goes to the field that must be given next</source>
         <translation>Va al campo que debe indicarse a continuación</translation>
-    </message>
-    <message>
-        <source> of %1</source>
-        <translation> de %1</translation>
     </message>
     <message>
         <source>All Results</source>

@@ -15713,13 +15713,6 @@ Chosen: %2</source>
     </message>
 </context>
 <context>
-    <name>covaria::ui::OutputTicks</name>
-    <message>
-        <source> of %1</source>
-        <translation> (%1)</translation>
-    </message>
-</context>
-<context>
     <name>covaria::ui::PageBar</name>
     <message>
         <source>%1 %</source>
@@ -16676,10 +16669,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Goes to the field that must be given next</source>
         <translation>다음에 입력해야 할 필드로 이동합니다</translation>
-    </message>
-    <message>
-        <source> of %1</source>
-        <translation> (%1)</translation>
     </message>
     <message>
         <source>All Results</source>

@@ -15716,13 +15716,6 @@ Escolhido: %2</translation>
     </message>
 </context>
 <context>
-    <name>covaria::ui::OutputTicks</name>
-    <message>
-        <source> of %1</source>
-        <translation> de %1</translation>
-    </message>
-</context>
-<context>
     <name>covaria::ui::PageBar</name>
     <message>
         <source>%1 %</source>
@@ -16679,10 +16672,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Goes to the field that must be given next</source>
         <translation>Vai ao campo que deve ser indicado a seguir</translation>
-    </message>
-    <message>
-        <source> of %1</source>
-        <translation> de %1</translation>
     </message>
     <message>
         <source>All Results</source>

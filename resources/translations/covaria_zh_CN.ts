@@ -15713,13 +15713,6 @@ Chosen: %2</source>
     </message>
 </context>
 <context>
-    <name>covaria::ui::OutputTicks</name>
-    <message>
-        <source> of %1</source>
-        <translation> （%1）</translation>
-    </message>
-</context>
-<context>
     <name>covaria::ui::PageBar</name>
     <message>
         <source>%1 %</source>
@@ -16676,10 +16669,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Goes to the field that must be given next</source>
         <translation>转到下一个必须给出的字段</translation>
-    </message>
-    <message>
-        <source> of %1</source>
-        <translation> （%1）</translation>
     </message>
     <message>
         <source>All Results</source>

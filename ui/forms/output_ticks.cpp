@@ -3,10 +3,10 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "core/base/own_names.h"
 #include "core/text/symbol.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/label_text.h"
+#include "ui/theme/output_words.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset_views.h"
 
@@ -27,9 +27,7 @@ void OutputTicks::show_outputs(const std::vector<OutputQuantity>& all,
         outputs_.push_back({all[i].group, all[i].symbol});
         if (count() <= int(i)) addItem(QString());
         QListWidgetItem* shown = item(int(i));
-        const Text symbol = symbol_text(all[i].symbol);
-        const Text of =
-            symbol + (all[i].group.empty() ? "" : to_std(tr(" of %1").arg(to_qt(said_name(all[i].group)))));
+        const Text of = output_words(all[i].symbol, all[i].group);
         shown->setText(to_qt(to_unicode(of)));
         shown->setData(typeset_role, QVariant::fromValue(of));
         shown->setToolTip(to_qt(all[i].name));

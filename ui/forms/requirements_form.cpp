@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/base/own_names.h"
 #include "core/project/stated_requirements.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
@@ -14,6 +13,7 @@
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/number_locale.h"
+#include "ui/theme/output_words.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -209,9 +209,7 @@ void RequirementsForm::refresh_outputs() {
     const QString before = outputs_->currentText();
     known_ = std::move(outputs);
     outputs_->clear();
-    for (const OutputQuantity& o : known_)
-        outputs_->add_item(symbol_text(o.symbol) +
-                           (o.group.empty() ? "" : ", " + to_std(to_qt(said_name(o.group)))));
+    for (const OutputQuantity& o : known_) outputs_->add_item(output_words(o.symbol, o.group));
     outputs_->setCurrentIndex(std::max(0, outputs_->findText(before)));
 }
 

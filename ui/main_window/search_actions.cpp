@@ -6,7 +6,6 @@
 #include <QMenuBar>
 #include <QTabWidget>
 
-#include "core/base/own_names.h"
 #include "core/manual/help_page.h"
 #include "core/text/symbol.h"
 #include "ui/document/document.h"
@@ -18,6 +17,7 @@
 #include "ui/pages/search_palette.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
+#include "ui/theme/output_words.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -31,8 +31,7 @@ QString without_mnemonic(QString text) {
 }
 
 QString quantity_words(const std::string& symbol, const std::string& group, const Message& name) {
-    QString words = to_qt(symbol_to_unicode(symbol));
-    if (!group.empty()) words += QStringLiteral(" (%1)").arg(to_qt(said_name(group)));
+    const QString words = to_qt(to_unicode(output_words(symbol, group)));
     return name.empty() || name == symbol ? words : words + QStringLiteral(": ") + to_qt(name);
 }
 

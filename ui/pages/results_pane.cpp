@@ -13,7 +13,6 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "core/base/own_names.h"
 #include "core/project/stated_requirements.h"
 #include "core/report/plots.h"
 #include "core/result/representation.h"
@@ -36,6 +35,7 @@
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/elided_label.h"
+#include "ui/theme/output_words.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/tabs.h"
 #include "ui/theme/theme.h"
@@ -353,9 +353,7 @@ void ResultsPane::refresh_outputs() {
     for (std::size_t i = 0; i < result_->outputs.size(); ++i) {
         const OutputQuantity& quantity = result_->outputs[i].quantity;
         if (!shown_group().isEmpty() && to_qt(quantity.group) != shown_group()) continue;
-        const std::string of =
-            quantity.group.empty() ? "" : to_std(tr(" of %1").arg(to_qt(said_name(quantity.group))));
-        output_->add_item(symbol_text(quantity.symbol) + of, int(i));
+        output_->add_item(output_words(quantity.symbol, quantity.group), int(i));
     }
 }
 

@@ -1,0 +1,13 @@
+// What an output is called where one is chosen: "x, TCP".
+#pragma once
+
+#include <string>
+
+#include "core/text/text.h"
+
+namespace covaria::ui {
+
+/// Its symbol, and its group in the language of the window where it has one.
+Text output_words(const std::string& symbol, const std::string& group);
+
+}  // namespace covaria::ui
