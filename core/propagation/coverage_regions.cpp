@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "core/math/decompositions.h"
@@ -17,28 +16,20 @@
 namespace covaria::detail {
 namespace {
 
-class RegionMaker {
-public:
-    RegionMaker(const LawOfPropagation& law, double probability) : law_(law), probability_(probability) {}
-
-    CoverageRegion make(const std::string& group, std::vector<std::size_t> outputs) const {
-        CoverageRegion region;
-        region.group = group;
-        const auto m = static_cast<double>(outputs.size());
-        double nu = std::numeric_limits<double>::infinity();
-        for (const std::size_t j : outputs)  // of an output without uncertainty there are none
-            if (const double own = law_.degrees_of_freedom(static_cast<Eigen::Index>(j)); own < nu) nu = own;
-        region.outputs = std::move(outputs);
-        region.ellipsoid_first_order = std::sqrt(m * f_quantile(probability_, m, nu));
-        region.rectangle_first_order = -t_quantile((1.0 - probability_) / (2.0 * m), nu);
-        region.singular = is_singular(law_.covariance, region.outputs);
-        return region;
-    }
-
-private:
-    const LawOfPropagation& law_;
-    double probability_;
-};
+CoverageRegion region_of(const std::string& group, std::vector<std::size_t> outputs,
+                         const LawOfPropagation& law, double probability) {
+    CoverageRegion region;
+    region.group = group;
+    const auto m = static_cast<double>(outputs.size());
+    double nu = infinity;
+    for (const std::size_t j : outputs)  // of an output without uncertainty there are none
+        if (const double own = law.degrees_of_freedom(static_cast<Eigen::Index>(j)); own < nu) nu = own;
+    region.outputs = std::move(outputs);
+    region.ellipsoid_first_order = std::sqrt(m * f_quantile(probability, m, nu));
+    region.rectangle_first_order = -t_quantile((1.0 - probability) / (2.0 * m), nu);
+    region.singular = is_singular(law.covariance, region.outputs);
+    return region;
+}
 
 Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs) {
     const std::vector<Eigen::Index> index(outputs.begin(), outputs.end());
@@ -49,17 +40,18 @@ Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const std::vector<std
 
 std::vector<CoverageRegion> declare_regions(const std::vector<OutputQuantity>& outputs,
                                             const LawOfPropagation& law, double probability) {
-    const RegionMaker maker(law, probability);
     std::vector<CoverageRegion> regions;
     for (const std::string& group : groups_of(outputs)) {
         std::vector<std::size_t> members = outputs_of_group(outputs, group);
         std::erase_if(members, [&](std::size_t j) { return outputs[j].role != OutputRole::measurand; });
         if (members.size() < 2) continue;
-        regions.push_back(maker.make(group, members));
+        regions.push_back(region_of(group, members, law, probability));
         const auto dimension = [&](std::size_t k) { return outputs[members[k]].unit.dimension(); };
         for (std::size_t k = 0; members.size() > 3 && k + 3 <= members.size();) {
             const bool triple = dimension(k) == dimension(k + 1) && dimension(k) == dimension(k + 2);
-            if (triple) regions.push_back(maker.make(group, {members[k], members[k + 1], members[k + 2]}));
+            if (triple)
+                regions.push_back(
+                    region_of(group, {members[k], members[k + 1], members[k + 2]}, law, probability));
             k += triple ? 3 : 1;
         }
     }

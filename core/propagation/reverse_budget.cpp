@@ -264,10 +264,11 @@ Result<ReverseBudget> searched(VariedUncertainty& varied, const UncertaintyResul
         const auto factor = search.find(varied.steps());
         if (!factor) return fail(factor.error());
         made.reductions.push_back({row.component, component.standard_uncertainty, std::nullopt});
-        if (*factor) {
+        if (*factor) made.reductions.back().needed = **factor * component.standard_uncertainty;
+        if (*factor &&
+            varied.steps() > 1) {  // a single step has begun with none of it, at or below the target
             const auto vanished = varied.of_component(row.component, 0.0);
             if (!vanished) return fail(vanished.error());
-            made.reductions.back().needed = **factor * component.standard_uncertainty;
             made.reductions.back().rises_again = *vanished > target;
         }
         any = any || factor->has_value();

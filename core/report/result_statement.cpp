@@ -41,6 +41,14 @@ bool has_interval(double estimate, double uncertainty) {
     return std::isfinite(estimate) && std::isfinite(uncertainty) && uncertainty > 0.0;
 }
 
+/// By Monte Carlo, of a result line with U > 0.
+bool is_skewed(const OutputResult& output, const UncertaintyResult& result) {
+    const double y = output.estimate, U = output.expanded_uncertainty;
+    if (!output.monte_carlo || !has_interval(y, U)) return false;
+    const CoverageInterval interval = coverage_interval_of(output, result);
+    return !(std::abs(0.5 * (interval.low + interval.high) - y) <= skewed_from * U);
+}
+
 std::string power_words(int exponent) {
     return exponent == 0 ? "" : "×" + power_of_ten(exponent);
 }
@@ -83,7 +91,7 @@ std::string result_statement(const OutputResult& output, const UncertaintyResult
 }
 
 bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& result) {
-    return expanded_by(result) != ExpandedBy::fixed_factor && !skewed_interval(output, result).empty();
+    return expanded_by(result) != ExpandedBy::fixed_factor && is_skewed(output, result);
 }
 
 double stated_probability(const OutputResult& output, const UncertaintyResult& result) {
@@ -128,12 +136,11 @@ std::string coverage_statement(const OutputResult& output, const UncertaintyResu
 
 std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result,
                             const DocumentLanguage& in) {
+    if (!is_skewed(output, result)) return {};
     const Unit& unit = output.quantity.unit;
     const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
     const CoverageInterval interval = coverage_interval_of(output, result);
     const double low = unit.from_si(interval.low), high = unit.from_si(interval.high);
-    if (!output.monte_carlo || !has_interval(y, U) || std::abs(0.5 * (low + high) - y) <= skewed_from * U)
-        return {};
     const Place place = place_for(y, U, 2, in.numbers());
     const char* between = in.numbers().decimal == "," ? "; " : ", ";
     return "[" + place(low) + between + place(high) + "]" + power_words(place.exponent) +

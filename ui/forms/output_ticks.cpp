@@ -3,7 +3,6 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "core/text/symbol.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/output_words.h"

@@ -7,7 +7,6 @@
 #include <QTabWidget>
 
 #include "core/manual/help_page.h"
-#include "core/text/symbol.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/main_window/help_actions.h"

@@ -17,7 +17,6 @@
 #include "core/report/plots.h"
 #include "core/result/representation.h"
 #include "core/text/numbers.h"
-#include "core/text/symbol.h"
 #include "ui/charts/chart_view.h"
 #include "ui/document/missing_fields.h"
 #include "ui/document/setup_address.h"

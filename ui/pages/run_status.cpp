@@ -105,7 +105,8 @@ void RunStatus::show_bar(const QString& words, const RunProgress& progress) {
 void RunStatus::show_state() {
     if (running_) return;
     const QString& id = selection_.analysis();
-    if (!document_.project().find_analysis(to_std(id))) {
+    const AnalysisEntry* analysis = document_.project().find_analysis(to_std(id));
+    if (!analysis) {
         set_picture({});
         if (document_.project().title.empty())
             text_->clear();  // the start page
@@ -122,8 +123,7 @@ void RunStatus::show_state() {
         words += tr(", %1 trials").arg(to_qt(count_text(status.result->trials)));
     const bool warned = status.state == RunState::up_to_date && !status.warnings.empty();
     if (warned) words += tr(", with warnings");
-    const QString verdict =
-        ProjectTreeModel::verdict_words(*document_.project().find_analysis(to_std(id)), status);
+    const QString verdict = ProjectTreeModel::verdict_words(*analysis, status);
     if (!verdict.isEmpty()) words += QStringLiteral(", ") + verdict;
     set_picture(!verdict.isEmpty() ? QStringLiteral("state-not-met")
                 : warned           ? QStringLiteral("warning")
