@@ -1,7 +1,9 @@
 #include "app/window.h"
 
 #include <QIcon>
+#include <QScreen>
 #include <QString>
+#include <QStyle>
 #include <cstdlib>
 
 #include "app/application.h"
@@ -28,6 +30,16 @@ void end_with_a_sentence(QtMsgType type, const QMessageLogContext&, const QStrin
     std::_Exit(exit_bad_input);
 }
 
+/// Maximised where it would not fit onto the screen with its frame.
+void show(QWidget& window) {
+    const QSize screen = window.screen()->availableSize();
+    const int title_bar = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    if (window.width() > screen.width() || window.height() + title_bar > screen.height())
+        window.showMaximized();
+    else
+        window.show();
+}
+
 }  // namespace
 
 int run_window(const std::string& file, const std::string& language) {
@@ -43,7 +55,7 @@ int run_window(const std::string& file, const std::string& language) {
         QIcon(QString::fromStdString((data_directory() / "resources" / "icons" / "covaria.svg").string())));
     ui::speak_as_preferred(QString::fromStdString(language));
     ui::MainWindow window;
-    window.show();
+    show(window);
     window.begin(QString::fromStdString(file));
     return QApplication::exec();
 }

@@ -115,6 +115,17 @@ std::vector<std::size_t> InputSet::estimates_of_components() const {
     return estimates;
 }
 
+std::string symbol_of_component(const InputSet& inputs, std::size_t component) {
+    const InputQuantity* found = nullptr;
+    for (const InputQuantity& quantity : inputs.quantities) {
+        const auto has_it = [component](const Share& share) { return share.component == component; };
+        if (std::none_of(quantity.shares.begin(), quantity.shares.end(), has_it)) continue;
+        if (found || quantity.shares.size() > 1) return inputs.components[component].id;
+        found = &quantity;
+    }
+    return found ? found->symbol : inputs.components[component].id;
+}
+
 double degrees_of_freedom_of(const UncertaintyComponent& component) {
     return std::min(component.degrees_of_freedom, component.distribution.degrees_of_freedom());
 }

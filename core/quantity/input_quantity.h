@@ -140,6 +140,9 @@ struct InputSet {
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 };
 
+/// How people call a component: by the symbol of its quantity where that has no other, else by its id.
+std::string symbol_of_component(const InputSet& inputs, std::size_t component);
+
 /// Those stated, or those of its Student t distribution if these are fewer.
 double degrees_of_freedom_of(const UncertaintyComponent& component);
 /// What Monte Carlo draws: a normal or Student t distribution with finite degrees of freedom is the t

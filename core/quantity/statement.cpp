@@ -158,6 +158,16 @@ const StatementKind* find_statement(std::string_view key) {
     return found == kinds.end() ? nullptr : &*found;
 }
 
+Result<double> figure_in_si(double figure, const Unit& stated, const Unit& of_quantity, bool on_scale,
+                            std::optional<double> estimate) {
+    if (stated.dimension() == of_quantity.dimension())
+        return on_scale ? stated.to_si(figure) : stated.interval_to_si(figure);
+    if (on_scale || !stated.dimension().is_one())
+        return refused(tell<"%1 is no unit for a quantity in %2">(stated.display(), of_quantity.display()));
+    if (!estimate) return refused(tell<"a part of the value needs the value">());
+    return std::abs(*estimate) * stated.interval_to_si(figure);
+}
+
 Result<StatedComponent> stated_component(const Statement& statement) {
     const StatementKind* kind = find_statement(statement.kind);
     if (!kind) return refused(tell<"there is no statement '%1'">(statement.kind));

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/unit.h"
 #include "core/quantity/distribution.h"
 
 namespace covaria {
@@ -32,6 +33,12 @@ struct StatementKind {
 /// All kinds that are about figures; those about observations are not among them.
 const std::vector<StatementKind>& statement_kinds();
 const StatementKind* find_statement(std::string_view key);
+
+/// A figure of a statement in SI: of limits a value on the scale, else an interval. What is stated in % or
+/// ppm of a quantity that has a unit is a part of its `estimate` (SI). Errors: a unit of another dimension, a
+/// part of an estimate that is not there.
+Result<double> figure_in_si(double figure, const Unit& stated, const Unit& of_quantity, bool on_scale,
+                            std::optional<double> estimate);
 
 struct StatedComponent {
     Distribution distribution;  ///< of the deviation from the estimate: mean zero but for counts and limits

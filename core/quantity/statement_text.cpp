@@ -177,8 +177,8 @@ struct Figure {
 
 class StatementReader {
 public:
-    StatementReader(std::string_view text, const Unit& unit, std::optional<double> value, bool decimal_comma)
-        : tokens_(text, decimal_comma), unit_(unit), value_(value) {}
+    StatementReader(std::string_view text, const Unit& unit, bool decimal_comma)
+        : tokens_(text, decimal_comma), unit_(unit) {}
 
     Result<TypedStatement> run() {
         if (!tokens_.peek()) return TypedStatement{};
@@ -254,16 +254,15 @@ private:
         if (!second_.empty() && second_ != notation->second)
             return not_read(tell<"'%1' is no part of it: it is noted as %2">(second_, example(*notation)));
         TypedStatement made{std::string(notation->kind), {}, {}, degrees_of_freedom_};
-        if (count > 0) {
-            auto a = first(*notation);
-            if (!a) return fail(a.error());
-            made.a = *a;
-        }
-        if (count > 1) {
-            auto b = second(*notation);
-            if (!b) return fail(b.error());
-            made.b = *b;
-        }
+        if (count == 0) return made;
+        const Result<Unit> stated = stated_unit(*notation);
+        if (!stated) return fail(stated.error());
+        if (!(*stated == row_unit(*notation))) made.unit = stated->text();
+        made.a = figures_[0].value;
+        if (count == 1) return made;
+        auto b = second(*notation, *stated);
+        if (!b) return fail(b.error());
+        made.b = *b;
         return made;
     }
 
@@ -287,16 +286,34 @@ private:
         return &*std::find_if(all.begin(), all.end(), [&](const Notation& n) { return n.kind == kind; });
     }
 
-    Result<double> first(const Notation& notation) const {
-        const Figure& a = figures_[0];
-        if (!notation.has_unit) return a.unit ? not_read(tell<"it has no unit">()) : Result<double>(a.value);
-        return notation.kind == "limits" ? on_scale(a) : in_row(a);
+    /// Limits are values on the row's scale, the others are intervals.
+    Unit row_unit(const Notation& notation) const {
+        return notation.kind == "limits" ? unit_ : unit_.interval();
     }
 
-    Result<double> second(const Notation& notation) const {
+    /// Of the first figure; of limits, noted as "1 to 2 mm", also that of the second.
+    Result<Unit> stated_unit(const Notation& notation) const {
+        const bool limits = notation.kind == "limits";
+        const std::optional<Unit> typed = limits && !figures_[0].unit ? figures_[1].unit : figures_[0].unit;
+        if (!typed) return row_unit(notation);
+        if (!notation.has_unit) return not_read(tell<"it has no unit">());
+        const Unit unit = limits ? *typed : typed->interval();
+        const bool part_of_value = unit.dimension().is_one() && !limits;
+        if (unit.dimension() != unit_.dimension() && !part_of_value) return not_read(other_dimension(unit));
+        return unit;
+    }
+
+    Result<double> second(const Notation& notation, const Unit& stated) const {
         const Figure& b = figures_[1];
-        if (notation.kind == "limits") return on_scale(b);
-        if (notation.second == "inexactness") return in_row(b);
+        if (notation.kind == "limits" || notation.second == "inexactness") {
+            if (!b.unit) return b.value;
+            const bool limits = notation.kind == "limits";
+            const Unit unit = limits ? *b.unit : b.unit->interval();
+            if (unit == stated) return b.value;
+            if (unit.dimension() != stated.dimension()) return not_read(other_dimension(unit));
+            return clean(limits ? stated.from_si(unit.to_si(b.value))
+                                : stated.interval_from_si(unit.interval_to_si(b.value)));
+        }
         const bool per_cent = notation.second == "p" || notation.second == "+";
         if (b.unit && !(per_cent && b.unit->text() == "%"))
             return not_read(per_cent ? tell<"the second figure has no unit but %">()
@@ -309,23 +326,6 @@ private:
         return b.value;
     }
 
-    /// An interval, in the row's unit.
-    Result<double> in_row(const Figure& figure) const {
-        const Unit row = unit_.interval();
-        if (!figure.unit || *figure.unit == row) return figure.value;
-        const Unit unit = figure.unit->interval();
-        if (unit.dimension() == row.dimension()) return converted(unit.interval_to_si(figure.value), row);
-        if (!unit.dimension().is_one()) return not_read(other_dimension(unit));
-        if (!value_) return not_read(tell<"a part of the value needs the value">());
-        return clean(std::abs(*value_) * unit.interval_to_si(figure.value));
-    }
-    /// A value on the row's scale.
-    Result<double> on_scale(const Figure& figure) const {
-        if (!figure.unit || *figure.unit == unit_) return figure.value;
-        if (figure.unit->dimension() != unit_.dimension()) return not_read(other_dimension(*figure.unit));
-        return clean(unit_.from_si(figure.unit->to_si(figure.value)));
-    }
-    double converted(double si, const Unit& row) const { return clean(row.interval_from_si(si)); }
     Message other_dimension(const Unit& unit) const {
         return tell<"%1 is no unit for a quantity in %2">(unit.display(), unit_.display());
     }
@@ -349,7 +349,6 @@ private:
 
     Tokens tokens_;
     const Unit& unit_;
-    std::optional<double> value_;
     std::string word_, second_;
     bool joined_ = false;  ///< "1 to 2"
     std::vector<Figure> figures_;
@@ -358,10 +357,9 @@ private:
 
 }  // namespace
 
-Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, std::optional<double> value,
-                                      bool decimal_comma, const WordOf& word) {
-    return StatementReader(word ? in_english(text, word) : std::string(text), unit, value, decimal_comma)
-        .run();
+Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, bool decimal_comma,
+                                      const WordOf& word) {
+    return StatementReader(word ? in_english(text, word) : std::string(text), unit, decimal_comma).run();
 }
 
 std::vector<std::string> statement_words() {
@@ -372,8 +370,9 @@ std::vector<std::string> statement_words() {
     return words;
 }
 
-std::string statement_text(const TypedStatement& statement, const Unit& unit,
+std::string statement_text(const TypedStatement& statement, const Unit& row_unit,
                            const std::function<std::string(double)>& number, const WordOf& word) {
+    const Unit unit = statement.unit.empty() ? row_unit : Unit::parse(statement.unit).value_or(row_unit);
     const auto say = [&](std::string_view english) {
         return word && is_translated(english) ? word(std::string(english)) : std::string(english);
     };

@@ -13,26 +13,29 @@
 
 namespace covaria {
 
-/// What a budget's row states: figures in the row's unit, or as they are where they have none.
+/// What a budget's row states: figures in `unit`, or as they are where they have none.
 struct TypedStatement {
     std::string kind =
         {};  ///< key of statement_kinds(), "constant", "observations", "pooled"; empty: nothing
     std::optional<double> a = {}, b = {};
     std::optional<double> degrees_of_freedom = {};
+    std::string unit = {};  ///< as a file has it; empty: the row's
     bool operator==(const TypedStatement&) const = default;
 };
 
 /// A word of the program ("rectangular", "to") in the language of who reads; without: English.
 using WordOf = std::function<std::string(const std::string& english)>;
 
-/// `unit`: of the row. A figure without a unit is in it; "%" and "ppm" of a quantity that has a unit are
-/// parts of its `value`. A bare figure is a standard uncertainty. With `decimal_comma` "0,5" is a half.
-/// English words are read beside those of `word`, whose first letters are enough. Errors: words that are not
-/// known, a missing or superfluous figure, a unit of another dimension.
-Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, std::optional<double> value,
-                                      bool decimal_comma = false, const WordOf& word = {});
+/// `unit`: of the row. A figure without a unit is in it, another unit is kept: what a certificate says stays
+/// to be read. "%" and "ppm" of a quantity that has a unit are parts of its value. A bare figure is a
+/// standard uncertainty. With `decimal_comma` "0,5" is a half. English words are read beside those of `word`,
+/// whose first letters are enough. Errors: words that are not known, a missing or superfluous figure, a unit
+/// of another dimension.
+Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, bool decimal_comma = false,
+                                      const WordOf& word = {});
 
-/// "U = 0.3 µm, k = 2"; empty for a kind that is not about figures or words of its own. `number` writes one.
+/// "U = 0.3 µm, k = 2", `unit` being the row's; empty for a kind that is not about figures or words of its
+/// own. `number` writes one.
 std::string statement_text(const TypedStatement& statement, const Unit& unit,
                            const std::function<std::string(double)>& number, const WordOf& word = {});
 

@@ -58,9 +58,10 @@ TableBlock results_block(const UncertaintyResult& result, const std::vector<std:
                          const Message& title, const DocumentLanguage& in);
 TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const ReportSource& source);
 std::string setup_text(const FieldSpec& field, const SetupValue& value, const ReportSource& source);
-/// Scalar fields as facts, tables as tables, under the headings of their sections.
+/// Scalar fields as facts, tables as tables, under the headings of their sections; `equations` where the
+/// field stands in which they are typed, without one first.
 void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& setup,
-                      const ReportSource& source);
+                      const ReportSource& source, const Blocks& equations = {});
 
 /// A table of a model, an asset or a design: its title and heads are the program's.
 TableBlock said_table(DataTable table, const DocumentLanguage& in);

@@ -55,9 +55,10 @@ std::string power_words(int exponent) {
 
 }  // namespace
 
-std::string value_statement(const OutputResult& output, bool with_unit, const DocumentLanguage& in) {
-    return value_statement(output.estimate, output.expanded_uncertainty, output.quantity.unit, 2, with_unit,
-                           in);
+std::string value_statement(const OutputResult& output, bool with_unit, const DocumentLanguage& in,
+                            const DisplayUnits& units) {
+    return value_statement(output.estimate, output.expanded_uncertainty, units.of(output.quantity.unit), 2,
+                           with_unit, in);
 }
 
 std::string value_statement(double estimate, double uncertainty, const Unit& unit, int digits, bool with_unit,
@@ -73,13 +74,14 @@ std::string value_statement(double estimate, double uncertainty, const Unit& uni
 }
 
 std::string result_statement(const OutputResult& output, const UncertaintyResult& result,
-                             const DocumentLanguage& in) {
+                             const DocumentLanguage& in, const DisplayUnits& units) {
     if (!is_stated_by_interval(output, result)) {
-        const std::string value = value_statement(output, true, in);
-        return output.expanded_uncertainty == 0.0 ? value
-                                                  : value + ", " + coverage_statement(output, result, in);
+        const std::string value = value_statement(output, true, in, units);
+        return output.expanded_uncertainty == 0.0
+                   ? value
+                   : value + ", " + coverage_statement(output, result, in, units);
     }
-    const Unit& unit = output.quantity.unit;
+    const Unit& unit = units.of(output.quantity.unit);
     const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
     const double u = unit.interval_from_si(output.standard_uncertainty);
     const Place place = place_for(y, std::isfinite(u) && u > 0.0 ? u : U, 2, in.numbers());
@@ -87,7 +89,7 @@ std::string result_statement(const OutputResult& output, const UncertaintyResult
     std::string words = place(y) + behind;
     if (std::isfinite(u)) words += ", u = " + place(u) + behind;
     return words + ", p = " + probability_text(stated_probability(output, result), in) + ", " +
-           in.say(certificate_words::coverage_interval, {skewed_interval(output, result, in)});
+           in.say(certificate_words::coverage_interval, {skewed_interval(output, result, in, units)});
 }
 
 bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& result) {
@@ -121,7 +123,7 @@ double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyRe
 }
 
 std::string coverage_statement(const OutputResult& output, const UncertaintyResult& result,
-                               const DocumentLanguage& in) {
+                               const DocumentLanguage& in, const DisplayUnits& units) {
     const double nu = stated_degrees_of_freedom(output, result);
     std::string words =
         std::isfinite(output.coverage_factor)
@@ -130,14 +132,14 @@ std::string coverage_statement(const OutputResult& output, const UncertaintyResu
     if (std::isfinite(nu))
         words += ", nu_eff = " + grouped_digits(format_degrees_of_freedom(nu), in.numbers());
     words += ", p = " + probability_text(stated_probability(output, result), in);
-    const std::string interval = skewed_interval(output, result, in);
+    const std::string interval = skewed_interval(output, result, in, units);
     return interval.empty() ? words : words + ", " + in.say(certificate_words::coverage_interval, {interval});
 }
 
 std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result,
-                            const DocumentLanguage& in) {
+                            const DocumentLanguage& in, const DisplayUnits& units) {
     if (!is_skewed(output, result)) return {};
-    const Unit& unit = output.quantity.unit;
+    const Unit& unit = units.of(output.quantity.unit);
     const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
     const CoverageInterval interval = coverage_interval_of(output, result);
     const double low = unit.from_si(interval.low), high = unit.from_si(interval.high);

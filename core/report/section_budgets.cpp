@@ -26,7 +26,7 @@ public:
           places_(places_that_count(result_, output)),
           table_("budget-" + evaluated.analysis->id + "-" +
                      id_part(output_.quantity.symbol + " " + output_.quantity.group),
-                 tell<"Budget of %1, %2">(output_label(output_.quantity), output_.quantity.name), in) {
+                 title(), in) {
         if (!places_.empty() && row(0).one_at_a_time) keys_.insert(keys_.end() - 1, "one at a time");
     }
 
@@ -44,6 +44,13 @@ public:
 private:
     const BudgetRow& row(std::size_t i) const {
         return result_.budget.rows[places_[i].output][places_[i].row];
+    }
+
+    Message title() const {
+        const Message label = output_label(output_.quantity);
+        const Message& name = output_.quantity.name;
+        if (name.empty() || name == Message(output_.quantity.symbol)) return tell<"Budget of %1">(label);
+        return tell<"Budget of %1, %2">(label, name);
     }
 
     /// A row that only these columns have something for.
@@ -219,6 +226,8 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
     std::string words = in.say(
         tell<"Components by falling share of the variance; cᵢ in the unit of the measurand per unit of "
              "the component.">());
+    if (!result.inputs->correlations.empty())
+        words += " " + in.say(tell<"Two correlated components have half of their covariance each.">());
     if (shown.size() < groups.size()) words += " " + in.say(choice_of_groups(result));
     blocks.push_back(ParagraphBlock{words});
     for (const std::string& group : shown) {

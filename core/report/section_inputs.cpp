@@ -62,11 +62,12 @@ void add_rows(const InputSet& inputs, const Members& members, std::vector<InputR
 void add_correlations(Blocks& blocks, const InputSet& inputs, const DocumentLanguage& in) {
     if (inputs.correlations.empty()) return;
     TableBuilder table("input-correlations", tell<"Correlation coefficients of components">(), in);
-    table.text(tell<"Component">());
-    table.text(tell<"Component">());
+    table.text(tell<"Component">(), true);
+    table.text(tell<"Component">(), true);
     table.symbol("r", 3);
     for (const ComponentCorrelation& c : inputs.correlations)
-        table.row({inputs.components[c.first].id, inputs.components[c.second].id, c.coefficient});
+        table.row(
+            {symbol_of_component(inputs, c.first), symbol_of_component(inputs, c.second), c.coefficient});
     blocks.push_back(table.take());
 }
 

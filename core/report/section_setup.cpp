@@ -115,7 +115,11 @@ void add_paragraphs(Blocks& blocks, const std::string& text) {
 }
 
 void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& setup,
-                      const ReportSource& source) {
+                      const ReportSource& source, const Blocks& equations) {
+    const bool are_typed =
+        std::any_of(schema.fields().begin(), schema.fields().end(),
+                    [&](const FieldSpec& f) { return f.several_lines && is_shown(schema, f, setup); });
+    if (!are_typed) blocks.insert(blocks.end(), equations.begin(), equations.end());
     FactsBlock facts;
     Blocks tables;
     std::string section, heading;
@@ -129,11 +133,15 @@ void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& se
         tables.clear();
     };
     for (const FieldSpec& field : schema.fields()) {
-        if (!is_shown(schema, field, setup) || field.several_lines) continue;  // the model sets its equations
+        if (!is_shown(schema, field, setup)) continue;
         if (field.section != section) flush();
         if (field.section != section && !field.section.empty())
             heading = source.in.say_declared(field.section);
         section = field.section;
+        if (field.several_lines) {  // as the model sets them
+            tables.insert(tables.end(), equations.begin(), equations.end());
+            continue;
+        }
         const SetupValue& value = value_of(field, setup);
         if (const auto* table = std::get_if<SetupTable>(&value)) {
             if (!table->rows.empty()) tables.push_back(setup_table(field, *table, source));
@@ -149,11 +157,12 @@ void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     if (!entry) return;
     blocks.push_back(HeadingBlock{2, source.in.say(tell<"Set-up">())});
     add_paragraphs(blocks, entry->notes);
+    Blocks equations;
     if (evaluated.analysis->model)
         for (const ModelEquation& equation : evaluated.analysis->model->formulas())
-            blocks.push_back(EquationBlock{equation.text, equation.source,
-                                           with_numbers(equation.formula, source.in.numbers())});
-    add_setup_fields(blocks, evaluated.analysis->descriptor->schema, entry->setup, source);
+            equations.push_back(EquationBlock{equation.text, equation.source,
+                                              with_numbers(equation.formula, source.in.numbers())});
+    add_setup_fields(blocks, evaluated.analysis->descriptor->schema, entry->setup, source, equations);
 }
 
 }  // namespace covaria::report_parts

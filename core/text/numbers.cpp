@@ -150,7 +150,7 @@ std::string format_estimate(double value, double uncertainty) {
 double shown_degrees_of_freedom(double nu) {
     if (std::isnan(nu)) return nu;
     if (nu >= 1e4) return std::numeric_limits<double>::infinity();
-    if (nu >= 10.0) return std::floor(nu * (1.0 + 1e-12));
+    if (nu >= 100.0) return std::floor(nu * (1.0 + 1e-12));
     return nu >= 1.0 ? std::round(10.0 * nu) / 10.0 : std::round(100.0 * nu) / 100.0;
 }
 

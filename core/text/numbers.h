@@ -26,8 +26,9 @@ std::string format_to_match(double value, double uncertainty, int digits = 2);
 std::string format_typed(double value);
 /// Of an input quantity: rounded to match its uncertainty, but a typed one keeps every digit.
 std::string format_estimate(double value, double uncertainty);
-/// Degrees of freedom as they are shown, everywhere alike: whole ones, cut off, from 10; infinite from 10
-/// 000, where k of a t distribution differs from the normal one by less than 0.03 %.
+/// Degrees of freedom as they are shown, everywhere alike: with one decimal, by which k can be checked to its
+/// own two; whole ones, cut off, from 100; infinite from 10 000, where k of a t distribution differs from the
+/// normal one by less than 0.03 %.
 double shown_degrees_of_freedom(double nu);
 std::string format_degrees_of_freedom(double nu);
 /// 0 for a length or angle below a femtometre or femtoradian, which is rounding of a computation.

@@ -19,6 +19,17 @@
         <source>&lt;b&gt;Trial %1&lt;/b&gt;, inputs farthest from their estimates: %2</source>
         <translation>&lt;b&gt;Versuch %1&lt;/b&gt;, Eingangsgrößen am weitesten von ihren Schätzwerten: %2</translation>
     </message>
+    <message>
+        <source>Only %1 is shown (Shift+H: all)</source>
+        <translation>Nur %1 ist gezeigt (Umschalt+H: alles)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hidden (Shift+H: show all)</source>
+        <translation>
+            <numerusform>%n ausgeblendet (Umschalt+H: alles zeigen)</numerusform>
+            <numerusform>%n ausgeblendet (Umschalt+H: alles zeigen)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -1612,10 +1623,6 @@
         <translation>Schätzwert, in der Einheit der Zeile; leer, wo Beobachtungen oder Grenzen ihn liefern.</translation>
     </message>
     <message>
-        <source>Unit of value, a and b; empty: 1. A difference of temperatures is given in K.</source>
-        <translation>Einheit von Wert, a und b; leer: 1. Eine Temperaturdifferenz wird in K angegeben.</translation>
-    </message>
-    <message>
         <source>stated as</source>
         <translation>angegeben als</translation>
     </message>
@@ -1690,10 +1697,6 @@
     <message>
         <source>reading of an instrument</source>
         <translation>Ablesung eines Messgeräts</translation>
-    </message>
-    <message>
-        <source>First figure of the statement, in the row&apos;s unit.</source>
-        <translation>Erste Zahl der Angabe, in der Einheit der Zeile.</translation>
     </message>
     <message>
         <source>Second figure of the statement.</source>
@@ -13119,6 +13122,30 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>if it vanished, U would exceed the target again, with fewer degrees of freedom</source>
         <translation>verschwände sie, läge U wieder über der Vorgabe: mit weniger Freiheitsgraden</translation>
     </message>
+    <message>
+        <source>Unit of the value, and of a and b where they have no other; empty: 1. A difference of temperatures is given in K.</source>
+        <translation>Einheit des Werts, und von a und b, wo sie keine andere haben; leer: 1. Eine Temperaturdifferenz wird in K angegeben.</translation>
+    </message>
+    <message>
+        <source>First figure of the statement.</source>
+        <translation>Erste Zahl der Angabe.</translation>
+    </message>
+    <message>
+        <source>unit of a, b</source>
+        <translation>Einheit von a, b</translation>
+    </message>
+    <message>
+        <source>Unit of the statement&apos;s figures; empty: the row&apos;s. % and ppm of a quantity that has a unit are parts of its value.</source>
+        <translation>Einheit der Zahlen der Angabe; leer: die der Zeile. % und ppm einer Größe mit Einheit sind Teile ihres Werts.</translation>
+    </message>
+    <message>
+        <source>Budget of %1</source>
+        <translation>Budget von %1</translation>
+    </message>
+    <message>
+        <source>Two correlated components have half of their covariance each.</source>
+        <translation>Zwei korrelierte Komponenten haben je die Hälfte ihrer Kovarianz.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13269,10 +13296,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>unit</source>
         <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Of the estimate and of what is stated</source>
-        <translation>Des Schätzwerts und des Angegebenen</translation>
     </message>
     <message>
         <source>stated as</source>
@@ -13439,8 +13462,8 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Eine Analyse hinzufügen</translation>
     </message>
     <message>
-        <source>The plus sign in the toolbar adds what a project consists of. Choose Analysis: Measurement equation from its menu.</source>
-        <translation>Das Pluszeichen in der Werkzeugleiste fügt hinzu, woraus ein Projekt besteht. Wählen Sie in seinem Menü Analyse: Messgleichung.</translation>
+        <source>The plus sign in the toolbar adds what a project consists of. Choose Measurement equation from its menu.</source>
+        <translation>Das Pluszeichen in der Werkzeugleiste fügt hinzu, woraus ein Projekt besteht. Wählen Sie in seinem Menü Messgleichung.</translation>
     </message>
     <message>
         <source>Name the quantities</source>
@@ -13583,6 +13606,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>, chosen k = %1</source>
         <translation>, k = %1 gewählt</translation>
+    </message>
+    <message>
+        <source>Of the estimate, and of what is stated without a unit</source>
+        <translation>Des Schätzwerts und dessen, was ohne Einheit angegeben ist</translation>
     </message>
 </context>
 <context>
@@ -14689,6 +14716,21 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::EmptyProject</name>
+    <message>
+        <source>Empty project</source>
+        <translation>Leeres Projekt</translation>
+    </message>
+    <message>
+        <source>What is to be evaluated?</source>
+        <translation>Was soll ausgewertet werden?</translation>
+    </message>
+    <message>
+        <source>&amp;Library and Templates …</source>
+        <translation>Bibliothe&amp;k und Vorlagen …</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::EquationsView</name>
     <message>
         <source>Equations</source>
@@ -14764,10 +14806,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Noch keine Ergebnisse</translation>
     </message>
     <message>
-        <source>No analysis is up to date. Run one first (F5).</source>
-        <translation>Keine Analyse ist aktuell. Zuerst eine ausführen (F5).</translation>
-    </message>
-    <message>
         <source>The export waits until the analyses have run</source>
         <translation>Der Export wartet, bis die Analysen gelaufen sind</translation>
     </message>
@@ -14838,6 +14876,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>The export failed</source>
         <translation>Der Export ist fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>No analysis can be run: each one is incomplete or has errors.</source>
+        <translation>Keine Analyse kann ausgeführt werden: Jede ist unvollständig oder hat Fehler.</translation>
     </message>
 </context>
 <context>
@@ -14966,6 +15008,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
         <translation>%1 wurde von einem anderen Programm entfernt; Speichern schreibt es erneut</translation>
+    </message>
+    <message>
+        <source>Name project</source>
+        <translation>Projekt benennen</translation>
     </message>
 </context>
 <context>
@@ -16084,10 +16130,6 @@ Gewählt: %2</translation>
         <translation>&amp;Hinzufügen</translation>
     </message>
     <message>
-        <source>Analysis: %1</source>
-        <translation>Analyse: %1</translation>
-    </message>
-    <message>
         <source>&amp;Library and Templates …</source>
         <translation>Bibliothe&amp;k und Vorlagen …</translation>
     </message>
@@ -16134,6 +16176,14 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Show in the Scene</source>
         <translation>In der Szene zeigen</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Analyse</translation>
+    </message>
+    <message>
+        <source>What it uses</source>
+        <translation>Was sie verwendet</translation>
     </message>
 </context>
 <context>
@@ -17536,6 +17586,14 @@ und Großraummetrologie</translation>
     <message>
         <source>Import %1</source>
         <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>All columns</source>
+        <translation>Alle Spalten</translation>
+    </message>
+    <message>
+        <source>Shows also the columns that no row has something in</source>
+        <translation>Zeigt auch die Spalten, in denen keine Zeile etwas hat</translation>
     </message>
 </context>
 <context>

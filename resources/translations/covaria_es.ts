@@ -19,6 +19,17 @@
         <source>&lt;b&gt;Trial %1&lt;/b&gt;, inputs farthest from their estimates: %2</source>
         <translation>&lt;b&gt;Ensayo %1&lt;/b&gt;, entradas más alejadas de sus estimaciones: %2</translation>
     </message>
+    <message>
+        <source>Only %1 is shown (Shift+H: all)</source>
+        <translation>Solo se muestra %1 (Mayús+H: todo)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hidden (Shift+H: show all)</source>
+        <translation>
+            <numerusform>%n ocultos (Mayús+H: mostrar todo)</numerusform>
+            <numerusform>%n ocultos (Mayús+H: mostrar todo)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -1612,10 +1623,6 @@
         <translation>Estimación, en la unidad de la fila; vacío si la dan observaciones o límites.</translation>
     </message>
     <message>
-        <source>Unit of value, a and b; empty: 1. A difference of temperatures is given in K.</source>
-        <translation>Unidad de valor, a y b; vacío: 1. Una diferencia de temperaturas se da en K.</translation>
-    </message>
-    <message>
         <source>stated as</source>
         <translation>indicada como</translation>
     </message>
@@ -1690,10 +1697,6 @@
     <message>
         <source>reading of an instrument</source>
         <translation>lectura de un instrumento</translation>
-    </message>
-    <message>
-        <source>First figure of the statement, in the row&apos;s unit.</source>
-        <translation>Primera cifra de la indicación, en la unidad de la fila.</translation>
     </message>
     <message>
         <source>Second figure of the statement.</source>
@@ -13119,6 +13122,30 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>if it vanished, U would exceed the target again, with fewer degrees of freedom</source>
         <translation>si desapareciera, U volvería a superar el objetivo, con menos grados de libertad</translation>
     </message>
+    <message>
+        <source>Unit of the value, and of a and b where they have no other; empty: 1. A difference of temperatures is given in K.</source>
+        <translation>Unidad del valor, y de a y b si no tienen otra; vacía: 1. Una diferencia de temperaturas se da en K.</translation>
+    </message>
+    <message>
+        <source>First figure of the statement.</source>
+        <translation>Primera cifra de la indicación.</translation>
+    </message>
+    <message>
+        <source>unit of a, b</source>
+        <translation>unidad de a, b</translation>
+    </message>
+    <message>
+        <source>Unit of the statement&apos;s figures; empty: the row&apos;s. % and ppm of a quantity that has a unit are parts of its value.</source>
+        <translation>Unidad de las cifras de la indicación; vacía: la de la fila. % y ppm de una magnitud con unidad son partes de su valor.</translation>
+    </message>
+    <message>
+        <source>Budget of %1</source>
+        <translation>Balance de %1</translation>
+    </message>
+    <message>
+        <source>Two correlated components have half of their covariance each.</source>
+        <translation>Dos componentes correlacionadas tienen cada una la mitad de su covarianza.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13269,10 +13296,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>unit</source>
         <translation>unidad</translation>
-    </message>
-    <message>
-        <source>Of the estimate and of what is stated</source>
-        <translation>De la estimación y de lo que se indica</translation>
     </message>
     <message>
         <source>stated as</source>
@@ -13439,8 +13462,8 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Añadir un análisis</translation>
     </message>
     <message>
-        <source>The plus sign in the toolbar adds what a project consists of. Choose Analysis: Measurement equation from its menu.</source>
-        <translation>El signo más de la barra de herramientas añade las partes de un proyecto. Elija en su menú Análisis: Ecuación de medida.</translation>
+        <source>The plus sign in the toolbar adds what a project consists of. Choose Measurement equation from its menu.</source>
+        <translation>El signo más de la barra de herramientas añade las partes de un proyecto. Elija en su menú Ecuación de medida.</translation>
     </message>
     <message>
         <source>Name the quantities</source>
@@ -13583,6 +13606,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>, chosen k = %1</source>
         <translation>, k = %1 elegido</translation>
+    </message>
+    <message>
+        <source>Of the estimate, and of what is stated without a unit</source>
+        <translation>De la estimación y de lo indicado sin unidad</translation>
     </message>
 </context>
 <context>
@@ -14689,6 +14716,21 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::EmptyProject</name>
+    <message>
+        <source>Empty project</source>
+        <translation>Proyecto vacío</translation>
+    </message>
+    <message>
+        <source>What is to be evaluated?</source>
+        <translation>¿Qué se va a evaluar?</translation>
+    </message>
+    <message>
+        <source>&amp;Library and Templates …</source>
+        <translation>&amp;Biblioteca y plantillas …</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::EquationsView</name>
     <message>
         <source>Equations</source>
@@ -14764,10 +14806,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Aún no hay resultados</translation>
     </message>
     <message>
-        <source>No analysis is up to date. Run one first (F5).</source>
-        <translation>Ningún análisis está actualizado. Ejecute antes uno (F5).</translation>
-    </message>
-    <message>
         <source>The export waits until the analyses have run</source>
         <translation>La exportación espera a que se ejecuten los análisis</translation>
     </message>
@@ -14838,6 +14876,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>The export failed</source>
         <translation>La exportación ha fallado</translation>
+    </message>
+    <message>
+        <source>No analysis can be run: each one is incomplete or has errors.</source>
+        <translation>No se puede ejecutar ningún análisis: cada uno está incompleto o tiene errores.</translation>
     </message>
 </context>
 <context>
@@ -14966,6 +15008,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
         <translation>Otro programa eliminó %1; al guardar se escribe de nuevo</translation>
+    </message>
+    <message>
+        <source>Name project</source>
+        <translation>Dar nombre al proyecto</translation>
     </message>
 </context>
 <context>
@@ -16084,10 +16130,6 @@ Elegido: %2</translation>
         <translation>&amp;Añadir</translation>
     </message>
     <message>
-        <source>Analysis: %1</source>
-        <translation>Análisis: %1</translation>
-    </message>
-    <message>
         <source>&amp;Library and Templates …</source>
         <translation>&amp;Biblioteca y plantillas …</translation>
     </message>
@@ -16134,6 +16176,14 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Show in the Scene</source>
         <translation>Mostrar en la escena</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Análisis</translation>
+    </message>
+    <message>
+        <source>What it uses</source>
+        <translation>Lo que utiliza</translation>
     </message>
 </context>
 <context>
@@ -17536,6 +17586,14 @@ y metrología de grandes dimensiones</translation>
     <message>
         <source>Import %1</source>
         <translation>Importar %1</translation>
+    </message>
+    <message>
+        <source>All columns</source>
+        <translation>Todas las columnas</translation>
+    </message>
+    <message>
+        <source>Shows also the columns that no row has something in</source>
+        <translation>Muestra también las columnas en las que ninguna fila tiene algo</translation>
     </message>
 </context>
 <context>

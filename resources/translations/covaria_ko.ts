@@ -19,6 +19,16 @@
         <source>&lt;b&gt;Trial %1&lt;/b&gt;, inputs farthest from their estimates: %2</source>
         <translation>&lt;b&gt;시행 %1&lt;/b&gt;, 추정값에서 가장 먼 입력량: %2</translation>
     </message>
+    <message>
+        <source>Only %1 is shown (Shift+H: all)</source>
+        <translation>%1만 표시됨(Shift+H: 모두)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hidden (Shift+H: show all)</source>
+        <translation>
+            <numerusform>%n개 숨김(Shift+H: 모두 표시)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -1612,10 +1622,6 @@
         <translation>행의 단위로 나타낸 추정값. 관측값이나 한계가 그것을 주면 비워 둡니다.</translation>
     </message>
     <message>
-        <source>Unit of value, a and b; empty: 1. A difference of temperatures is given in K.</source>
-        <translation>값, a, b의 단위. 비어 있으면 1. 온도차는 K로 나타냅니다.</translation>
-    </message>
-    <message>
         <source>stated as</source>
         <translation>제시 형식</translation>
     </message>
@@ -1690,10 +1696,6 @@
     <message>
         <source>reading of an instrument</source>
         <translation>측정기의 읽음값</translation>
-    </message>
-    <message>
-        <source>First figure of the statement, in the row&apos;s unit.</source>
-        <translation>제시된 첫 번째 수치, 행의 단위로.</translation>
     </message>
     <message>
         <source>Second figure of the statement.</source>
@@ -13119,6 +13121,30 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>if it vanished, U would exceed the target again, with fewer degrees of freedom</source>
         <translation>이것이 없어지면 자유도가 줄어 U가 다시 목표를 넘습니다</translation>
     </message>
+    <message>
+        <source>Unit of the value, and of a and b where they have no other; empty: 1. A difference of temperatures is given in K.</source>
+        <translation>값의 단위이며, a와 b에 다른 단위가 없으면 그 단위이기도 합니다. 비우면 1입니다. 온도 차는 K로 제시합니다.</translation>
+    </message>
+    <message>
+        <source>First figure of the statement.</source>
+        <translation>제시한 내용의 첫째 수.</translation>
+    </message>
+    <message>
+        <source>unit of a, b</source>
+        <translation>a, b의 단위</translation>
+    </message>
+    <message>
+        <source>Unit of the statement&apos;s figures; empty: the row&apos;s. % and ppm of a quantity that has a unit are parts of its value.</source>
+        <translation>제시한 수의 단위. 비우면 행의 단위입니다. 단위가 있는 양의 %와 ppm은 그 값에 대한 비율입니다.</translation>
+    </message>
+    <message>
+        <source>Budget of %1</source>
+        <translation>%1의 총괄표</translation>
+    </message>
+    <message>
+        <source>Two correlated components have half of their covariance each.</source>
+        <translation>상관된 두 성분은 공분산의 절반씩을 가집니다.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13269,10 +13295,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>unit</source>
         <translation>단위</translation>
-    </message>
-    <message>
-        <source>Of the estimate and of what is stated</source>
-        <translation>추정값과 제시된 값의 단위</translation>
     </message>
     <message>
         <source>stated as</source>
@@ -13439,8 +13461,8 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>분석 추가</translation>
     </message>
     <message>
-        <source>The plus sign in the toolbar adds what a project consists of. Choose Analysis: Measurement equation from its menu.</source>
-        <translation>도구 모음의 더하기 표시는 프로젝트를 이루는 것을 추가합니다. 그 메뉴에서 분석: 측정 방정식을 고르십시오.</translation>
+        <source>The plus sign in the toolbar adds what a project consists of. Choose Measurement equation from its menu.</source>
+        <translation>도구 모음의 더하기 표시는 프로젝트를 이루는 것을 추가합니다. 그 메뉴에서 측정 방정식을 고르십시오.</translation>
     </message>
     <message>
         <source>Name the quantities</source>
@@ -13583,6 +13605,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>, chosen k = %1</source>
         <translation>, 선택한 k = %1</translation>
+    </message>
+    <message>
+        <source>Of the estimate, and of what is stated without a unit</source>
+        <translation>추정값과 단위 없이 제시된 것의 단위</translation>
     </message>
 </context>
 <context>
@@ -14687,6 +14713,21 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     </message>
 </context>
 <context>
+    <name>covaria::ui::EmptyProject</name>
+    <message>
+        <source>Empty project</source>
+        <translation>빈 프로젝트</translation>
+    </message>
+    <message>
+        <source>What is to be evaluated?</source>
+        <translation>무엇을 평가합니까?</translation>
+    </message>
+    <message>
+        <source>&amp;Library and Templates …</source>
+        <translation>라이브러리와 템플릿(&amp;L) …</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::EquationsView</name>
     <message>
         <source>Equations</source>
@@ -14762,10 +14803,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>아직 결과 없음</translation>
     </message>
     <message>
-        <source>No analysis is up to date. Run one first (F5).</source>
-        <translation>최신 상태인 분석이 없습니다. 먼저 하나를 실행하세요(F5).</translation>
-    </message>
-    <message>
         <source>The export waits until the analyses have run</source>
         <translation>분석이 끝날 때까지 내보내기를 기다립니다</translation>
     </message>
@@ -14836,6 +14873,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>The export failed</source>
         <translation>내보내지 못했습니다</translation>
+    </message>
+    <message>
+        <source>No analysis can be run: each one is incomplete or has errors.</source>
+        <translation>실행할 수 있는 분석이 없습니다. 모두 불완전하거나 오류가 있습니다.</translation>
     </message>
 </context>
 <context>
@@ -14963,6 +15004,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
         <translation>다른 프로그램이 %1을(를) 제거했습니다. 저장하면 다시 씁니다</translation>
+    </message>
+    <message>
+        <source>Name project</source>
+        <translation>프로젝트 이름 지정</translation>
     </message>
 </context>
 <context>
@@ -16081,10 +16126,6 @@ Chosen: %2</source>
         <translation>추가(&amp;A)</translation>
     </message>
     <message>
-        <source>Analysis: %1</source>
-        <translation>분석: %1</translation>
-    </message>
-    <message>
         <source>&amp;Library and Templates …</source>
         <translation>라이브러리와 템플릿(&amp;L) …</translation>
     </message>
@@ -16131,6 +16172,14 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Show in the Scene</source>
         <translation>장면에 표시</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>분석</translation>
+    </message>
+    <message>
+        <source>What it uses</source>
+        <translation>사용하는 것</translation>
     </message>
 </context>
 <context>
@@ -17532,6 +17581,14 @@ and large-scale metrology</source>
     <message>
         <source>Import %1</source>
         <translation>%1 가져오기</translation>
+    </message>
+    <message>
+        <source>All columns</source>
+        <translation>모든 열</translation>
+    </message>
+    <message>
+        <source>Shows also the columns that no row has something in</source>
+        <translation>어느 행에도 값이 없는 열도 보입니다</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,17 @@
         <source>&lt;b&gt;Trial %1&lt;/b&gt;, inputs farthest from their estimates: %2</source>
         <translation>&lt;b&gt;Ensaio %1&lt;/b&gt;, entradas mais afastadas das suas estimativas: %2</translation>
     </message>
+    <message>
+        <source>Only %1 is shown (Shift+H: all)</source>
+        <translation>Só %1 é mostrado (Shift+H: tudo)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hidden (Shift+H: show all)</source>
+        <translation>
+            <numerusform>%n ocultos (Shift+H: mostrar tudo)</numerusform>
+            <numerusform>%n ocultos (Shift+H: mostrar tudo)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -1612,10 +1623,6 @@
         <translation>Estimativa, na unidade da linha; vazio onde observações ou limites a dão.</translation>
     </message>
     <message>
-        <source>Unit of value, a and b; empty: 1. A difference of temperatures is given in K.</source>
-        <translation>Unidade de valor, a e b; vazio: 1. Uma diferença de temperaturas é dada em K.</translation>
-    </message>
-    <message>
         <source>stated as</source>
         <translation>declarado como</translation>
     </message>
@@ -1690,10 +1697,6 @@
     <message>
         <source>reading of an instrument</source>
         <translation>leitura de um instrumento</translation>
-    </message>
-    <message>
-        <source>First figure of the statement, in the row&apos;s unit.</source>
-        <translation>Primeiro número da declaração, na unidade da linha.</translation>
     </message>
     <message>
         <source>Second figure of the statement.</source>
@@ -13119,6 +13122,30 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>if it vanished, U would exceed the target again, with fewer degrees of freedom</source>
         <translation>se desaparecesse, U voltaria a exceder o alvo, com menos graus de liberdade</translation>
     </message>
+    <message>
+        <source>Unit of the value, and of a and b where they have no other; empty: 1. A difference of temperatures is given in K.</source>
+        <translation>Unidade do valor, e de a e b se não têm outra; vazia: 1. Uma diferença de temperaturas é dada em K.</translation>
+    </message>
+    <message>
+        <source>First figure of the statement.</source>
+        <translation>Primeiro valor da declaração.</translation>
+    </message>
+    <message>
+        <source>unit of a, b</source>
+        <translation>unidade de a, b</translation>
+    </message>
+    <message>
+        <source>Unit of the statement&apos;s figures; empty: the row&apos;s. % and ppm of a quantity that has a unit are parts of its value.</source>
+        <translation>Unidade dos valores da declaração; vazia: a da linha. % e ppm de uma grandeza com unidade são partes do seu valor.</translation>
+    </message>
+    <message>
+        <source>Budget of %1</source>
+        <translation>Balanço de %1</translation>
+    </message>
+    <message>
+        <source>Two correlated components have half of their covariance each.</source>
+        <translation>Duas componentes correlacionadas têm cada uma a metade da sua covariância.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13269,10 +13296,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>unit</source>
         <translation>unidade</translation>
-    </message>
-    <message>
-        <source>Of the estimate and of what is stated</source>
-        <translation>Da estimativa e do que é declarado</translation>
     </message>
     <message>
         <source>stated as</source>
@@ -13439,8 +13462,8 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Adicionar uma análise</translation>
     </message>
     <message>
-        <source>The plus sign in the toolbar adds what a project consists of. Choose Analysis: Measurement equation from its menu.</source>
-        <translation>O sinal de mais na barra de ferramentas adiciona as partes de um projeto. Escolha no menu dele Análise: Equação de medição.</translation>
+        <source>The plus sign in the toolbar adds what a project consists of. Choose Measurement equation from its menu.</source>
+        <translation>O sinal de mais na barra de ferramentas adiciona as partes de um projeto. Escolha no menu dele Equação de medição.</translation>
     </message>
     <message>
         <source>Name the quantities</source>
@@ -13583,6 +13606,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>, chosen k = %1</source>
         <translation>, k = %1 escolhido</translation>
+    </message>
+    <message>
+        <source>Of the estimate, and of what is stated without a unit</source>
+        <translation>Da estimativa e do que é declarado sem unidade</translation>
     </message>
 </context>
 <context>
@@ -14689,6 +14716,21 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::EmptyProject</name>
+    <message>
+        <source>Empty project</source>
+        <translation>Projeto vazio</translation>
+    </message>
+    <message>
+        <source>What is to be evaluated?</source>
+        <translation>O que será avaliado?</translation>
+    </message>
+    <message>
+        <source>&amp;Library and Templates …</source>
+        <translation>&amp;Biblioteca e modelos prontos …</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::EquationsView</name>
     <message>
         <source>Equations</source>
@@ -14764,10 +14806,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Ainda sem resultados</translation>
     </message>
     <message>
-        <source>No analysis is up to date. Run one first (F5).</source>
-        <translation>Nenhuma análise está atualizada. Execute uma primeiro (F5).</translation>
-    </message>
-    <message>
         <source>The export waits until the analyses have run</source>
         <translation>A exportação espera até que as análises tenham sido executadas</translation>
     </message>
@@ -14838,6 +14876,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>The export failed</source>
         <translation>A exportação falhou</translation>
+    </message>
+    <message>
+        <source>No analysis can be run: each one is incomplete or has errors.</source>
+        <translation>Nenhuma análise pode ser executada: cada uma está incompleta ou tem erros.</translation>
     </message>
 </context>
 <context>
@@ -14966,6 +15008,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
         <translation>%1 foi removido por outro programa; salvar o escreve de novo</translation>
+    </message>
+    <message>
+        <source>Name project</source>
+        <translation>Dar nome ao projeto</translation>
     </message>
 </context>
 <context>
@@ -16084,10 +16130,6 @@ Escolhido: %2</translation>
         <translation>&amp;Adicionar</translation>
     </message>
     <message>
-        <source>Analysis: %1</source>
-        <translation>Análise: %1</translation>
-    </message>
-    <message>
         <source>&amp;Library and Templates …</source>
         <translation>&amp;Biblioteca e modelos prontos …</translation>
     </message>
@@ -16134,6 +16176,14 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Show in the Scene</source>
         <translation>Mostrar na cena</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Análise</translation>
+    </message>
+    <message>
+        <source>What it uses</source>
+        <translation>O que ela usa</translation>
     </message>
 </context>
 <context>
@@ -17536,6 +17586,14 @@ e metrologia de grandes volumes</translation>
     <message>
         <source>Import %1</source>
         <translation>Importar %1</translation>
+    </message>
+    <message>
+        <source>All columns</source>
+        <translation>Todas as colunas</translation>
+    </message>
+    <message>
+        <source>Shows also the columns that no row has something in</source>
+        <translation>Mostra também as colunas em que nenhuma linha tem algo</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,16 @@
         <source>&lt;b&gt;Trial %1&lt;/b&gt;, inputs farthest from their estimates: %2</source>
         <translation>&lt;b&gt;试验 %1&lt;/b&gt;，偏离估计值最远的输入量：%2</translation>
     </message>
+    <message>
+        <source>Only %1 is shown (Shift+H: all)</source>
+        <translation>仅显示 %1（Shift+H：全部）</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hidden (Shift+H: show all)</source>
+        <translation>
+            <numerusform>已隐藏 %n 项（Shift+H：全部显示）</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -1612,10 +1622,6 @@
         <translation>估计值，以该行的单位表示；由观测值或界限给出时留空。</translation>
     </message>
     <message>
-        <source>Unit of value, a and b; empty: 1. A difference of temperatures is given in K.</source>
-        <translation>值、a 和 b 的单位；留空：1。温度差以 K 给出。</translation>
-    </message>
-    <message>
         <source>stated as</source>
         <translation>给出方式</translation>
     </message>
@@ -1690,10 +1696,6 @@
     <message>
         <source>reading of an instrument</source>
         <translation>仪器读数</translation>
-    </message>
-    <message>
-        <source>First figure of the statement, in the row&apos;s unit.</source>
-        <translation>给出内容的第一个数值，以该行的单位表示。</translation>
     </message>
     <message>
         <source>Second figure of the statement.</source>
@@ -13119,6 +13121,30 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>if it vanished, U would exceed the target again, with fewer degrees of freedom</source>
         <translation>若其为零，U 会再次超过目标，因为自由度变少</translation>
     </message>
+    <message>
+        <source>Unit of the value, and of a and b where they have no other; empty: 1. A difference of temperatures is given in K.</source>
+        <translation>值的单位，以及 a 和 b 没有其他单位时的单位；留空为 1。温度差以 K 给出。</translation>
+    </message>
+    <message>
+        <source>First figure of the statement.</source>
+        <translation>声明的第一个数值。</translation>
+    </message>
+    <message>
+        <source>unit of a, b</source>
+        <translation>a、b 的单位</translation>
+    </message>
+    <message>
+        <source>Unit of the statement&apos;s figures; empty: the row&apos;s. % and ppm of a quantity that has a unit are parts of its value.</source>
+        <translation>声明中数值的单位；留空则为该行的单位。对有单位的量，% 和 ppm 表示其值的一部分。</translation>
+    </message>
+    <message>
+        <source>Budget of %1</source>
+        <translation>%1 的预算</translation>
+    </message>
+    <message>
+        <source>Two correlated components have half of their covariance each.</source>
+        <translation>两个相关的分量各占其协方差的一半。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13269,10 +13295,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>unit</source>
         <translation>单位</translation>
-    </message>
-    <message>
-        <source>Of the estimate and of what is stated</source>
-        <translation>估计值和所给内容的单位</translation>
     </message>
     <message>
         <source>stated as</source>
@@ -13439,8 +13461,8 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>添加分析</translation>
     </message>
     <message>
-        <source>The plus sign in the toolbar adds what a project consists of. Choose Analysis: Measurement equation from its menu.</source>
-        <translation>工具栏中的加号用于添加项目的组成部分。从其菜单中选择“分析：测量方程”。</translation>
+        <source>The plus sign in the toolbar adds what a project consists of. Choose Measurement equation from its menu.</source>
+        <translation>工具栏中的加号用于添加项目的组成部分。从其菜单中选择“测量方程”。</translation>
     </message>
     <message>
         <source>Name the quantities</source>
@@ -13583,6 +13605,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>, chosen k = %1</source>
         <translation>，选定 k = %1</translation>
+    </message>
+    <message>
+        <source>Of the estimate, and of what is stated without a unit</source>
+        <translation>估计值以及未带单位的声明所用的单位</translation>
     </message>
 </context>
 <context>
@@ -14687,6 +14713,21 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
 </context>
 <context>
+    <name>covaria::ui::EmptyProject</name>
+    <message>
+        <source>Empty project</source>
+        <translation>空项目</translation>
+    </message>
+    <message>
+        <source>What is to be evaluated?</source>
+        <translation>要评定什么？</translation>
+    </message>
+    <message>
+        <source>&amp;Library and Templates …</source>
+        <translation>库和模板(&amp;L) …</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::EquationsView</name>
     <message>
         <source>Equations</source>
@@ -14762,10 +14803,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>尚无结果</translation>
     </message>
     <message>
-        <source>No analysis is up to date. Run one first (F5).</source>
-        <translation>没有最新的分析。请先运行一个分析 (F5)。</translation>
-    </message>
-    <message>
         <source>The export waits until the analyses have run</source>
         <translation>导出将等待各分析运行完毕</translation>
     </message>
@@ -14836,6 +14873,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>The export failed</source>
         <translation>导出失败</translation>
+    </message>
+    <message>
+        <source>No analysis can be run: each one is incomplete or has errors.</source>
+        <translation>没有可以运行的分析：每个分析都不完整或有错误。</translation>
     </message>
 </context>
 <context>
@@ -14963,6 +15004,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
         <translation>%1 已被另一程序移除；保存将重新写入</translation>
+    </message>
+    <message>
+        <source>Name project</source>
+        <translation>命名项目</translation>
     </message>
 </context>
 <context>
@@ -16081,10 +16126,6 @@ Chosen: %2</source>
         <translation>添加(&amp;A)</translation>
     </message>
     <message>
-        <source>Analysis: %1</source>
-        <translation>分析：%1</translation>
-    </message>
-    <message>
         <source>&amp;Library and Templates …</source>
         <translation>库和模板(&amp;L) …</translation>
     </message>
@@ -16131,6 +16172,14 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Show in the Scene</source>
         <translation>在场景中显示</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>分析</translation>
+    </message>
+    <message>
+        <source>What it uses</source>
+        <translation>所用的资源</translation>
     </message>
 </context>
 <context>
@@ -17532,6 +17581,14 @@ and large-scale metrology</source>
     <message>
         <source>Import %1</source>
         <translation>导入 %1</translation>
+    </message>
+    <message>
+        <source>All columns</source>
+        <translation>所有列</translation>
+    </message>
+    <message>
+        <source>Shows also the columns that no row has something in</source>
+        <translation>同时显示所有行都为空的列</translation>
     </message>
 </context>
 <context>

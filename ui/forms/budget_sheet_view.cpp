@@ -1,10 +1,12 @@
 #include "ui/forms/budget_sheet_view.h"
 
 #include <QAction>
+#include <QFocusEvent>
 #include <QHeaderView>
 #include <QScrollBar>
 
 #include "ui/forms/cell_delegate.h"
+#include "ui/models/budget_sheet_model.h"
 #include "ui/theme/follow_font.h"
 #include "ui/theme/typeset_views.h"
 
@@ -93,6 +95,17 @@ void BudgetSheetView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEdi
     setCurrentIndex(
         moveCursor(hint == QAbstractItemDelegate::EditNextItem ? MoveNext : MovePrevious, Qt::NoModifier));
     SpreadsheetView::edit(currentIndex());
+}
+
+/// From the equation Tab comes to the first estimate that is missing.
+void BudgetSheetView::focusInEvent(QFocusEvent* event) {
+    if (event->reason() == Qt::TabFocusReason && !currentIndex().isValid()) {
+        int row = 0;
+        const auto estimate = [&] { return model()->index(row, BudgetSheetModel::estimate); };
+        while (row + 2 < model()->rowCount() && !estimate().data(Qt::EditRole).toString().isEmpty()) ++row;
+        setCurrentIndex(estimate());
+    }
+    SpreadsheetView::focusInEvent(event);
 }
 
 QModelIndex BudgetSheetView::moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) {

@@ -53,8 +53,8 @@ LinesEditor::LinesEditor(const FieldSpec& field, const FieldContext& context, QW
       edit_(new QPlainTextEdit(this)),
       message_(new QLabel(this)),
       complete_(new QPushButton(tr("Add rows for new names"), this)),
-      has_default_(std::holds_alternative<std::string>(field.default_value)),
       help_(help_text(field)) {
+    if (const std::string* text = std::get_if<std::string>(&field.default_value)) default_ = to_qt(*text);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
@@ -78,7 +78,7 @@ LinesEditor::LinesEditor(const FieldSpec& field, const FieldContext& context, QW
         const QString text = edit_->toPlainText();
         typed_ = true;
         // Where nothing were said the default would come back.
-        emit edited(text.isEmpty() && !has_default_ ? SetupValue() : SetupValue(to_std(text)));
+        emit edited(text.isEmpty() && default_.isEmpty() ? SetupValue() : SetupValue(to_std(text)));
     });
     connect(complete_, &QPushButton::clicked, this, &LinesEditor::complete);
     connect(&document_, &Document::project_changed, this, &LinesEditor::refresh_completion);
@@ -120,6 +120,8 @@ void LinesEditor::focus_part(const std::string& path) {
         QTextCursor cursor = cursor_at(edit_->document(), *part);
         cursor.setPosition(cursor.selectionStart());
         edit_->setTextCursor(cursor);
+    } else if (edit_->toPlainText() == default_) {
+        edit_->selectAll();  // an example, to be typed over
     }
     edit_->setFocus(Qt::OtherFocusReason);
 }

@@ -36,7 +36,7 @@ private:
     QPlainTextEdit* edit_;
     QLabel* message_;
     QPushButton* complete_;
-    bool has_default_;
+    QString default_;
     QString help_;
     bool typed_ = false;  ///< since the editor was entered
 };

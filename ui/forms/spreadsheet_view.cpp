@@ -10,6 +10,7 @@
 #include <QScrollBar>
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "ui/forms/cell_delegate.h"
 #include "ui/models/cell_blocks.h"
@@ -152,6 +153,10 @@ void SpreadsheetView::keyPressEvent(QKeyEvent* event) {
         QAbstractScrollArea::focusNextPrevChild(event->key() == Qt::Key_Tab);
         return;
     }
+    if (event->key() == Qt::Key_Space && event->modifiers() == Qt::ControlModifier) {
+        selectionModel()->select(currentIndex(), QItemSelectionModel::Toggle);
+        return;
+    }
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (!enter || event->modifiers() != Qt::NoModifier || state() == EditingState) {
         QTableView::keyPressEvent(event);
@@ -166,9 +171,22 @@ void SpreadsheetView::go_to(const QModelIndex& cell) {
     scrollTo(cell);
 }
 
+/// Where the row was begun that Tab went along, as in other spreadsheets.
 void SpreadsheetView::move_down() {
-    const QModelIndex below = currentIndex().siblingAtRow(currentIndex().row() + 1);
+    const QModelIndex now = currentIndex();
+    const QModelIndex below = now.sibling(now.row() + 1, began_ >= 0 ? began_ : now.column());
     if (below.isValid()) go_to(below);
+}
+
+QModelIndex SpreadsheetView::moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) {
+    tabs_on_ = action == MoveNext;
+    return QTableView::moveCursor(action, modifiers);
+}
+
+void SpreadsheetView::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+    const bool goes_along = std::exchange(tabs_on_, false) && current.row() == previous.row();
+    began_ = !goes_along ? -1 : began_ >= 0 ? began_ : previous.column();
+    QTableView::currentChanged(current, previous);
 }
 
 void SpreadsheetView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {

@@ -33,6 +33,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
+    QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
+    void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
 
 private:
     QAction* add(const QString& text, const QKeySequence& key, void (SpreadsheetView::*method)());
@@ -53,6 +55,8 @@ private:
     SpreadsheetModel& model_;
     std::set<int> given_widths_;  ///< columns that the user has resized
     bool fitting_ = false;
+    bool tabs_on_ = false;  ///< the current cell is about to change by Tab
+    int began_ = -1;        ///< column where Tab began to go along the current row; -1: it did not
     QAction* copy_;
     QAction* cut_;
     QAction* paste_;

@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QMenu>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/text/display_units.h"
 #include "ui/forms/complaint.h"
@@ -15,6 +16,27 @@
 
 namespace covaria::ui {
 
+namespace {
+
+/// Places of q_1, q_2 ... and of s_1, s_2 ..., of columns that may be empty.
+std::vector<std::vector<int>> numbered_columns(const std::vector<ColumnSpec>& columns) {
+    std::vector<std::vector<int>> found;
+    std::string letter;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::string& key = columns[i].key;
+        const std::size_t line = key.rfind('_');
+        const bool numbered = columns[i].optional && line != std::string::npos && line + 1 < key.size() &&
+                              key.find_first_not_of("0123456789", line + 1) == std::string::npos;
+        const std::string now = numbered ? key.substr(0, line) : std::string();
+        if (numbered && now != letter) found.emplace_back();
+        if (numbered) found.back().push_back(static_cast<int>(i));
+        letter = now;
+    }
+    return found;
+}
+
+}  // namespace
+
 TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)
     : FieldEditor(parent),
       field_(field),
@@ -22,7 +44,9 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
       view_(new SpreadsheetView(*model_, this)),
       note_(new QLabel(this)),
       origin_(new QLabel(this)),
-      embed_(new QPushButton(tr("Take into the project"), this)) {
+      embed_(new QPushButton(tr("Take into the project"), this)),
+      all_columns_(new QPushButton(tr("All columns"), this)),
+      numbered_(numbered_columns(field.columns)) {
     view_->setAccessibleName(core_text(field.title));
     view_->setObjectName(to_qt(field.key));
     keep_room(*note_, 1);
@@ -32,6 +56,7 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
     auto* import = new QPushButton(tr("Import CSV …"), this);
     buttons->addWidget(import);
     buttons->addWidget(embed_);
+    buttons->addWidget(all_columns_);
     origin_->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -40,6 +65,9 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
     layout->addWidget(origin_);
     layout->addWidget(note_);
     setFocusProxy(view_);
+    all_columns_->setCheckable(true);
+    all_columns_->setToolTip(tr("Shows also the columns that no row has something in"));
+    connect(all_columns_, &QPushButton::toggled, this, &TableEditor::hide_unused_columns);
     view_->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(view_->horizontalHeader(), &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
         choose_unit(view_->horizontalHeader()->logicalIndexAt(at),
@@ -64,7 +92,29 @@ QPushButton* TableEditor::add_button(const QString& text, QAction* action) {
     return button;
 }
 
+void TableEditor::hide_unused_columns() {
+    const SetupTable& table = model_->table();
+    const auto is_used = [&table](int column) {
+        return std::ranges::any_of(table.rows, [at = static_cast<std::size_t>(column)](const auto& row) {
+            return at < row.size() && !std::holds_alternative<std::monostate>(row[at]);
+        });
+    };
+    const bool some_are = std::ranges::any_of(
+        numbered_, [&](const auto& columns) { return std::ranges::any_of(columns, is_used); });
+    bool some_hide = false;
+    for (const std::vector<int>& columns : numbered_) {
+        bool further = false;  // that is used
+        for (auto column = columns.rbegin(); column != columns.rend(); ++column) {
+            further = further || is_used(*column);
+            some_hide = some_hide || (some_are && !further);
+            view_->setColumnHidden(*column, some_are && !further && !all_columns_->isChecked());
+        }
+    }
+    all_columns_->setVisible(some_hide);
+}
+
 void TableEditor::set_value(const SetupValue&) {
+    hide_unused_columns();
     embed_->setVisible(model_->is_linked());
     origin_->setVisible(model_->is_linked());
     origin_->setText(tr("Read from %1").arg(to_qt(model_->table().csv_file)));

@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <vector>
 
 #include "ui/forms/field_editor.h"
 #include "ui/forms/spreadsheet_view.h"
@@ -28,6 +29,8 @@ public:
 private:
     QPushButton* add_button(const QString& text, QAction* action);
     void choose_unit(int column, const QPoint& position);
+    /// Columns for the seventh joint, say, of a table whose arms have six, unless all are asked for.
+    void hide_unused_columns();
 
     FieldSpec field_;
     SetupTableModel* model_;
@@ -35,6 +38,8 @@ private:
     QLabel* note_;
     QLabel* origin_;  ///< which file a linked table is read from
     QPushButton* embed_;
+    QPushButton* all_columns_;
+    std::vector<std::vector<int>> numbered_;  ///< columns q_1, q_2 ... that rows need not have
     QString complaint_;
 };
 

@@ -1,14 +1,20 @@
 #include "ui/main_window/dialogs.h"
 
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
 
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
+
+const QString folder_key = QStringLiteral("lastFolder");
 
 SaveAnswer ask_save(QWidget* parent, const QString& name) {
     QMessageBox box(QMessageBox::Question, tr("Unsaved Changes"), tr("Save the changes to “%1”?").arg(name),
@@ -52,6 +58,17 @@ bool ask_confirm(QWidget* parent, const QString& question, const QString& action
 }
 
 }  // namespace
+
+QString last_folder() {
+    const QString folder = QSettings().value(folder_key).toString();
+    return !folder.isEmpty() && QDir(folder).exists()
+               ? folder
+               : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+void remember_folder_of(const QString& file) {
+    QSettings().setValue(folder_key, QFileInfo(file).absolutePath());
+}
 
 Dialogs standard_dialogs(QWidget* parent) {
     Dialogs dialogs;

@@ -31,4 +31,9 @@ struct Dialogs {
 /// Qt's own dialogs, over `parent`.
 Dialogs standard_dialogs(QWidget* parent);
 
+/// Where the user last opened, saved, imported or exported a file, also in an earlier session; at first where
+/// documents are kept. All dialogs begin there.
+QString last_folder();
+void remember_folder_of(const QString& file);
+
 }  // namespace covaria::ui

@@ -99,13 +99,19 @@ void ExportActions::follow_view(DocumentKind kind) {
 }
 
 QString ExportActions::suggested(const QString& ending) const {
-    const QString folder = document_.file().isEmpty() ? QDir::homePath() : QFileInfo(document_.file()).path();
-    return QDir(folder).filePath(QFileInfo(document_.display_name()).completeBaseName() + ending);
+    return QDir(last_folder()).filePath(QFileInfo(document_.display_name()).completeBaseName() + ending);
 }
 
-bool ExportActions::has_results() {
-    if (runner_.is_busy() || !current_results(document_.project(), runner_).empty()) return true;
-    dialogs_.show_message(tr("No results yet"), tr("No analysis is up to date. Run one first (F5)."));
+/// Whoever wants a document wants what it states to be computed.
+bool ExportActions::has_results_or_runs() {
+    const auto has_results = [this] {
+        return runner_.is_busy() || !current_results(document_.project(), runner_).empty();
+    };
+    if (has_results()) return true;
+    runner_.run_all();
+    if (has_results()) return true;
+    dialogs_.show_message(tr("No results yet"),
+                          tr("No analysis can be run: each one is incomplete or has errors."));
     return false;
 }
 
@@ -120,7 +126,7 @@ void ExportActions::when_finished(const std::function<void()>& what) {
 
 void ExportActions::go_on() {
     const auto what = std::exchange(waiting_, nullptr);
-    if (what && has_results()) what();
+    if (what && has_results_or_runs()) what();
 }
 
 QString ExportActions::without_words(const std::vector<std::string>& analyses) const {
@@ -130,15 +136,17 @@ QString ExportActions::without_words(const std::vector<std::string>& analyses) c
 
 void ExportActions::ask_report(ReportFormat format) {
     finish_typing();
-    if (!has_results()) return;
+    if (!has_results_or_runs()) return;
     const QString ending = QString::fromLatin1(ending_of(format));
     const QString file = dialogs_.file_to_save(tr("Export Report"), suggested(ending), filter_of(format));
-    if (!file.isEmpty()) export_report_to(file.endsWith(ending) ? file : file + ending, format);
+    if (file.isEmpty()) return;
+    remember_folder_of(file);
+    export_report_to(file.endsWith(ending) ? file : file + ending, format);
 }
 
 void ExportActions::ask_certificate() {
     finish_typing();
-    if (!has_results()) return;
+    if (!has_results_or_runs()) return;
     const QStringList missing = missing_words(document_.project().certificate);
     const QString question =
         tr("The certificate does not state what ISO/IEC 17025 requires of it:\n\n%1\n\n"
@@ -151,23 +159,27 @@ void ExportActions::ask_certificate() {
     const QString file =
         dialogs_.file_to_save(tr("Export Certificate"), suggested(QStringLiteral("-certificate.pdf")),
                               filter_of(ReportFormat::pdf));
+    if (file.isEmpty()) return;
+    remember_folder_of(file);
     const bool ends = file.endsWith(QStringLiteral(".pdf"));
-    if (!file.isEmpty()) export_certificate_to(ends ? file : file + QStringLiteral(".pdf"));
+    export_certificate_to(ends ? file : file + QStringLiteral(".pdf"));
 }
 
 void ExportActions::ask_tables() {
     finish_typing();
-    if (!has_results()) return;
+    if (!has_results_or_runs()) return;
     const QString file =
         dialogs_.file_to_save(tr("Export Results and Tables into the Folder of"),
                               QFileInfo(suggested({})).dir().filePath(QStringLiteral("results.json")),
                               tr("Results (results.json)"));
-    if (!file.isEmpty()) export_results_to(QFileInfo(file).path());
+    if (file.isEmpty()) return;
+    remember_folder_of(file);
+    export_results_to(QFileInfo(file).path());
 }
 
 void ExportActions::ask_for_others(const Writer& writer) {
     finish_typing();
-    if (!has_results()) return;
+    if (!has_results_or_runs()) return;
     if (const Problems missing = writer.missing ? writer.missing(document_.project()) : Problems();
         missing.has_errors()) {
         dialogs_.show_message(tr("%1: what it must state is missing").arg(core_text(writer.title)),
@@ -178,7 +190,9 @@ void ExportActions::ask_for_others(const Writer& writer) {
     const QString file =
         dialogs_.file_to_save(tr("Export %1").arg(core_text(writer.title)), suggested(ending),
                               tr("%1 (*%2)").arg(core_text(writer.title), ending));
-    if (!file.isEmpty()) export_for_others(writer, file.endsWith(ending) ? file : file + ending);
+    if (file.isEmpty()) return;
+    remember_folder_of(file);
+    export_for_others(writer, file.endsWith(ending) ? file : file + ending);
 }
 
 void ExportActions::export_for_others(const Writer& writer, const QString& file) {

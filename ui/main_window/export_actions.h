@@ -55,7 +55,7 @@ private:
     void go_on();
     QString without_words(const std::vector<std::string>& analyses) const;
     QString suggested(const QString& ending) const;
-    bool has_results();
+    bool has_results_or_runs();
     void write_document(DocumentKind kind, const QString& file, ReportFormat format);
     void write_results(const QString& folder);
     void write_for_others(const Writer& writer, const QString& file);

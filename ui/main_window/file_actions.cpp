@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
-#include <QStandardPaths>
 
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/start_page.h"
@@ -90,6 +89,7 @@ void FileActions::remember(const QString& file) {
     files.removeAll(file);
     files.prepend(file);
     QSettings().setValue(recent_key, files.mid(0, most_recent_files));
+    remember_folder_of(file);
     emit recent_changed();
 }
 
@@ -106,8 +106,7 @@ void FileActions::new_project() {
 }
 
 void FileActions::open() {
-    const QString folder = document_.file().isEmpty() ? QDir::homePath() : QFileInfo(document_.file()).path();
-    const QString file = dialogs.file_to_open(folder);
+    const QString file = dialogs.file_to_open(last_folder());
     if (!file.isEmpty()) open_file(file);
 }
 
@@ -141,12 +140,9 @@ void FileActions::open_example(const QString& file) {
 }
 
 QString FileActions::suggested_file(const QString& ending) const {
-    const QString folder = document_.file().isEmpty()
-                               ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                               : QFileInfo(document_.file()).path();
     QString name = QFileInfo(document_.display_name()).completeBaseName();
     if (name.isEmpty()) name = document_.display_name();
-    return QDir(folder).filePath(name.replace(QLatin1Char('/'), QLatin1Char('-')) + ending);
+    return QDir(last_folder()).filePath(name.replace(QLatin1Char('/'), QLatin1Char('-')) + ending);
 }
 
 bool FileActions::save() {
@@ -166,6 +162,10 @@ bool FileActions::save_as() {
                                         tr("Covaria project (*.covaria)"));
     if (file.isEmpty()) return false;
     if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".covaria");
+    if (to_qt(document_.project().title) == tr("Untitled project"))
+        document_.apply(tr("Name project"), [&](Project& project) {
+            project.title = to_std(QFileInfo(file).completeBaseName());
+        });
     if (const auto saved = document_.save_as(file); !saved) {
         dialogs.show_message(tr("The project was not saved"), to_qt(saved.error().message));
         return false;

@@ -1,6 +1,5 @@
 #include "ui/main_window/import_actions.h"
 
-#include <QDir>
 #include <QFileInfo>
 
 #include "core/base/file_io.h"
@@ -24,14 +23,15 @@ ImportActions::ImportActions(Document& document, Dialogs& dialogs, QObject* pare
 }
 
 void ImportActions::ask_for_file() {
-    const QString folder = document_.file().isEmpty() ? QDir::homePath() : QFileInfo(document_.file()).path();
     QStringList patterns;
     for (const Reader& reader : reader_registry()) patterns << to_qt(reader.pattern).split(QLatin1Char(' '));
     patterns.removeDuplicates();
     const QString file = dialogs_.file_to_import(
-        tr("Import File"), folder,
+        tr("Import File"), last_folder(),
         tr("Files that are read (%1);;All files (*)").arg(patterns.join(QLatin1Char(' '))));
-    if (!file.isEmpty()) import_file(file);
+    if (file.isEmpty()) return;
+    remember_folder_of(file);
+    import_file(file);
 }
 
 void ImportActions::import_file(const QString& file) {
@@ -58,10 +58,11 @@ void ImportActions::take_over(const QString& name, const Proposals& proposals) {
 }
 
 void ImportActions::ask_for_urdf() {
-    const QString folder = document_.file().isEmpty() ? QDir::homePath() : QFileInfo(document_.file()).path();
-    const QString file =
-        dialogs_.file_to_import(tr("Import Robot"), folder, tr("Robot description (*.urdf);;All files (*)"));
-    if (!file.isEmpty()) import_urdf_file(file);
+    const QString file = dialogs_.file_to_import(tr("Import Robot"), last_folder(),
+                                                 tr("Robot description (*.urdf);;All files (*)"));
+    if (file.isEmpty()) return;
+    remember_folder_of(file);
+    import_urdf_file(file);
 }
 
 void ImportActions::import_urdf_file(const QString& file) {

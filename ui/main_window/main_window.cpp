@@ -7,7 +7,6 @@
 #include <QLineEdit>
 #include <QMap>
 #include <QMenuBar>
-#include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
@@ -15,9 +14,12 @@
 #include <QToolButton>
 
 #include "ui/document/item_move.h"
+#include "ui/forms/budget_sheet_view.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/forms/lines_editor.h"
 #include "ui/main_window/dock_title.h"
 #include "ui/main_window/export_actions.h"
+#include "ui/main_window/file_drops.h"
 #include "ui/main_window/first_steps_guide.h"
 #include "ui/main_window/help_actions.h"
 #include "ui/main_window/import_actions.h"
@@ -33,6 +35,7 @@
 #include "ui/pages/budget_page.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
+#include "ui/pages/empty_project.h"
 #include "ui/pages/library_browser.h"
 #include "ui/pages/message_panes.h"
 #include "ui/pages/project_pane.h"
@@ -50,14 +53,6 @@
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
-namespace {
-
-bool is_project(const QUrl& url) {
-    return url.isLocalFile() && (url.fileName().endsWith(QStringLiteral(".covaria")) ||
-                                 url.fileName().endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive));
-}
-
-}  // namespace
 
 MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     : QMainWindow(parent), files_(document_, std::move(store), this) {
@@ -66,7 +61,6 @@ MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     files_.dialogs = standard_dialogs(this);
     setObjectName(QStringLiteral("MainWindow"));
     setAccessibleName(tr("Covaria"));
-    setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::South);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -96,7 +90,9 @@ void MainWindow::make_panes() {
     connect(budget_, &BudgetPage::quantity_asked, this, &MainWindow::go_to);
     views_ = new ViewActions(document_, scene_->view(), this);
     scene_->offer_views(views_->menu());
+    empty_ = new EmptyProject;
     pages_->addWidget(start_);
+    pages_->addWidget(empty_);
     pages_->addWidget(scene_);
     setCentralWidget(pages_);
     project_ = new ProjectPane(document_, runner_, selection_, preferences_);
@@ -119,6 +115,7 @@ void MainWindow::make_panes() {
     statusBar()->addPermanentWidget(new RunStatus(document_, runner_, selection_));
     exports_ = new ExportActions(document_, runner_, files_.dialogs, this);
     imports_ = new ImportActions(document_, files_.dialogs, this);
+    new FileDrops(*this, files_, *imports_);
 }
 
 QDockWidget* MainWindow::add_dock(Qt::DockWidgetArea area, const QString& title, const QString& name,
@@ -263,8 +260,8 @@ void MainWindow::make_view_menu() {
     menu->addSeparator();
     menu->addAction(icon(QStringLiteral("start")), tr("Start Page"), this,
                     [this] { pages_->setCurrentWidget(start_); });
-    QAction* scene = menu->addAction(icon(QStringLiteral("scene")), tr("3D Scene"), this,
-                                     [this] { pages_->setCurrentWidget(scene_); });
+    QAction* scene =
+        menu->addAction(icon(QStringLiteral("scene")), tr("3D Scene"), this, &MainWindow::show_middle);
     project_actions_ << scene << menu->addMenu(&views_->menu());
 }
 
@@ -295,6 +292,13 @@ void MainWindow::connect_panes() {
         project_, &ProjectPane::entry_added, properties_, [this] { properties_->go_to_first_field(); },
         Qt::QueuedConnection);
     connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
+    connect(empty_, &EmptyProject::library_wanted, this, &MainWindow::show_library);
+    connect(empty_, &EmptyProject::analysis_wanted, project_, &ProjectPane::add_analysis);
+    connect(&document_, &Document::project_changed, this, [this] {
+        if (has_project_ && pages_->currentWidget() != start_) show_middle();
+    });
+    connect(&selection_, &Selection::entry_changed, this, &MainWindow::lead_from_equations_to_budget,
+            Qt::QueuedConnection);
     project_->is_in_scene = [this](const QString& asset) { return scene_->view().shows_asset(asset); };
     connect(project_, &ProjectPane::scene_wanted, &scene_->view(), &SceneView::show_asset);
     connect(start_, &StartPage::file_wanted, &files_, &FileActions::open_file);
@@ -338,16 +342,15 @@ void MainWindow::connect_panes() {
     connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_tab_in_scene);
     connect(&results_->design_tab(), &DesignTab::shown_changed, this, &MainWindow::show_tab_in_scene);
     connect(&results_->tabs(), &QTabWidget::currentChanged, this, &MainWindow::show_tab_in_scene);
-    connect(&results_->study_tab(), &StudyTab::edit_wanted, this, [this] {
+    const auto edit_by = [this](void (PropertiesPane::*show)()) {
         selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
         docks_[1]->show();
-        properties_->show_studies();
-    });
-    connect(&results_->design_tab(), &DesignTab::edit_wanted, this, [this] {
-        selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
-        docks_[1]->show();
-        properties_->show_designs();
-    });
+        (properties_->*show)();
+    };
+    connect(&results_->study_tab(), &StudyTab::edit_wanted, this,
+            [edit_by] { edit_by(&PropertiesPane::show_studies); });
+    connect(&results_->design_tab(), &DesignTab::edit_wanted, this,
+            [edit_by] { edit_by(&PropertiesPane::show_designs); });
     connect(&runner_.designs(), &DesignRunner::changed, this, &MainWindow::show_running_design);
     connect(theme_, &ThemeSwitch::changed, this, [this](bool dark) {
         scene_->set_dark(dark);
@@ -395,7 +398,10 @@ void MainWindow::connect_scene() {
         const std::optional<int> stated = document_.project().results.style.digits;
         return MeasureStyle{results_->units().units(), stated.value_or(preferences_.now().digits)};
     };
-    const auto take_units = [this] { scene_->set_units(results_->units().units()); };
+    const auto take_units = [this] {
+        scene_->set_units(results_->units().units());
+        budget_->set_units(results_->units().units());
+    };
     connect(&document_, &Document::project_changed, this, take_units);
     connect(&preferences_, &PreferenceStore::changed, this, take_units);
     take_units();
@@ -445,7 +451,7 @@ FirstStepsGuide& MainWindow::first_steps() {
 /// A newcomer begins with an empty project; a project that is open stays.
 void MainWindow::show_first_steps() {
     if (!has_project_) files_.new_project();
-    pages_->setCurrentWidget(scene_);
+    show_middle();
     first_steps().begin();
 }
 
@@ -516,7 +522,6 @@ void MainWindow::begin(const QString& file) {
 
 void MainWindow::show_project() {
     const bool first = !std::exchange(has_project_, true);
-    pages_->setCurrentWidget(scene_);
     for (QAction* action : project_actions_) action->setEnabled(true);
     if (first) {
         arrange();
@@ -534,6 +539,20 @@ void MainWindow::show_project() {
     else if (!project.assets.empty())
         selection_.select_entry({SetupOwner::asset, project.assets.front().id});
     update_title();
+    show_middle();
+    if (pages_->currentWidget() == empty_) empty_->setFocus();
+}
+
+void MainWindow::show_middle() {
+    const Project& project = document_.project();
+    const bool is_empty = project.analyses.empty() && project.assets.empty();
+    pages_->setCurrentWidget(is_empty ? static_cast<QWidget*>(empty_) : scene_);
+}
+
+/// What the equations name has its rows there.
+void MainWindow::lead_from_equations_to_budget() {
+    const auto* equations = properties_->findChild<LinesEditor*>();
+    if (equations && budget_->view()) setTabOrder(equations->text_edit(), budget_->view());
 }
 
 /// Nothing is evaluated from an old value while a text stands in its place.
@@ -576,21 +595,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     runner_.stop_all();
     set_rendering_log({});
     event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-    for (const QUrl& url : event->mimeData()->urls())
-        if (is_project(url)) {
-            files_.open_file(url.toLocalFile());
-            return;
-        }
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) return imports_->import_file(url.toLocalFile());
 }
 
 }  // namespace covaria::ui

@@ -18,6 +18,7 @@ class QToolBar;
 namespace covaria::ui {
 
 class BudgetPage;
+class EmptyProject;
 class ExportActions;
 class FirstStepsGuide;
 class HelpActions;
@@ -69,8 +70,6 @@ public:
 protected:
     bool event(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
-    void dragEnterEvent(QDragEnterEvent* event) override;
-    void dropEvent(QDropEvent* event) override;
 
 private:
     void make_panes();
@@ -96,6 +95,9 @@ private:
     void show_running_design(const QString& analysis, const QString& id);
     void show_tab_in_scene();
     void show_project();
+    /// The scene, or what can be put into a project that is empty.
+    void show_middle();
+    void lead_from_equations_to_budget();
     void show_library();
     void connect_library();
     void hold_runs();
@@ -111,6 +113,7 @@ private:
     FileActions files_;
     QStackedWidget* pages_ = nullptr;
     StartPage* start_ = nullptr;
+    EmptyProject* empty_ = nullptr;
     ScenePanel* scene_ = nullptr;
     ViewActions* views_ = nullptr;
     BudgetPage* budget_ = nullptr;

@@ -33,7 +33,8 @@ constexpr std::array<SectionHead, BudgetSheetModel::sections> heads{{
      "symbol", nullptr},
     {QT_TR_NOOP("quantity"), QT_TR_NOOP("What it is"), "name", nullptr},
     {QT_TR_NOOP("estimate"), QT_TR_NOOP("In the row's unit: 50.000 838 or 50.000 838 mm"), "value", nullptr},
-    {QT_TR_NOOP("unit"), QT_TR_NOOP("Of the estimate and of what is stated"), "unit", nullptr},
+    {QT_TR_NOOP("unit"), QT_TR_NOOP("Of the estimate, and of what is stated without a unit"), "unit",
+     nullptr},
     {QT_TR_NOOP("stated as"), "", "statement", nullptr},
     {QT_TR_NOOP("distribution"), QT_TR_NOOP("That Monte Carlo draws"), nullptr, "distribution"},
     {QT_TR_NOOP("type"), QT_TR_NOOP("Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)"), nullptr, "type"},
@@ -160,21 +161,24 @@ std::optional<double> BudgetSheetModel::number_at(int row, const char* key) cons
     return number ? std::optional(*number) : std::nullopt;
 }
 
-Unit BudgetSheetModel::unit_of(int row) const {
+std::string BudgetSheetModel::text_at(int row, const char* key) const {
     if (is_new_row(row)) return {};
     const SetupCell& cell =
-        sheet_.table().rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column("unit"))];
+        sheet_.table().rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column(key))];
     const std::string* text = std::get_if<std::string>(&cell);
-    return text ? Unit::parse(*text).value_or(Unit()) : Unit();
+    return text ? *text : std::string();
+}
+
+Unit BudgetSheetModel::unit_of(int row) const {
+    return Unit::parse(text_at(row, "unit")).value_or(Unit());
 }
 
 QString BudgetSheetModel::stated_words(int row, bool typeset) const {
     if (is_new_row(row)) return {};
-    const SetupCell& cell =
-        sheet_.table().rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column("statement"))];
-    const std::string* kind = std::get_if<std::string>(&cell);
-    if (!kind) return {};
-    const TypedStatement statement{*kind, number_at(row, "a"), number_at(row, "b"), std::nullopt};
+    const std::string kind = text_at(row, "statement");
+    if (kind.empty()) return {};
+    const TypedStatement statement{kind, number_at(row, "a"), number_at(row, "b"), std::nullopt,
+                                   text_at(row, "stated_unit")};
     const auto number = [typeset](double value) {
         return typeset ? grouped_digits(format_typed(value), user_numbers())
                        : to_std(number_text(value, QLocale()));
@@ -203,7 +207,7 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
     if (role == Qt::DisplayRole || role == Qt::EditRole)
         return refused ? kind.data(Qt::EditRole) : QVariant(stated_words(row, role == Qt::DisplayRole));
     if (role == choices_role) return {};
-    for (const char* key : {"statement", "a", "b"}) {
+    for (const char* key : {"statement", "a", "b", "stated_unit"}) {
         const QModelIndex cell = sheet_.index(row, column(key));
         if (!cell.data(problem_role).toString().isEmpty()) return cell.data(role);
     }
@@ -290,7 +294,7 @@ Qt::ItemFlags BudgetSheetModel::flags(const QModelIndex& index) const {
 }
 
 BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QString& text) const {
-    const auto read = read_statement(to_std(text), unit_of(row), number_at(row, "value"),
+    const auto read = read_statement(to_std(text), unit_of(row),
                                      QLocale().decimalPoint() == QLatin1String(","), core_words);
     Cells cells;
     if (!read) {
@@ -303,6 +307,7 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
     cells[column("statement")] = {to_qt(read->kind)};
     cells[column("a")] = number(read->a);
     cells[column("b")] = number(read->b);
+    cells[column("stated_unit")] = {to_qt(read->unit)};
     if (read->degrees_of_freedom) cells[column("nu")] = number(read->degrees_of_freedom);
     return cells;
 }
@@ -356,7 +361,6 @@ bool BudgetSheetModel::setData(const QModelIndex& index, const QVariant& value, 
     const QString text = value.toString();
     if (is_new_row(index.row()) && text.trimmed().isEmpty()) return false;
     const Cells cells = cells_for(index.row(), index.column(), text);
-    unit_with_estimate_ = index.column() == estimate && cells.contains(column("unit")) ? index.row() : -1;
     sheet_.write_row(index.row(), cells);
     if (index.column() == unit) read_again(index.row());
     return true;

@@ -55,8 +55,9 @@ public:
     void fill_down(const QModelIndexList& cells) override;
     void clear(const QModelIndexList& cells) override;
     void remove_rows_at(const std::set<int>& rows) override;
+    /// A unit that is there: what is typed next is the statement.
     bool is_passed_over(const QModelIndex& cell) const override {
-        return cell.column() == unit && cell.row() == unit_with_estimate_;
+        return cell.column() == unit && !text_at(cell.row(), "unit").empty();
     }
     bool is_linked() const override { return sheet_.is_linked(); }
 
@@ -80,6 +81,8 @@ private:
     QString stated_words(int row, bool typeset) const;
     void read_again(int row);
     Unit unit_of(int row) const;
+    /// Empty: the cell is.
+    std::string text_at(int row, const char* key) const;
     std::optional<double> number_at(int row, const char* key) const;
     /// What typing `text` into a section of a row writes there and beside it.
     Cells cells_for(int row, int section, const QString& text) const;
@@ -93,7 +96,6 @@ private:
     std::size_t output_ = 0;
     bool current_ = true;
     int steps_ = 0;
-    int unit_with_estimate_ = -1;                    ///< row in which the estimate last typed gave the unit
     Table budget_;                                   ///< of the result's output, a line for each row there
     std::vector<std::optional<std::size_t>> lines_;  ///< of `budget_`, for each row of the sheet
     std::vector<std::optional<std::size_t>> components_;  ///< of the result, likewise

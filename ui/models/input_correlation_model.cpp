@@ -133,13 +133,21 @@ void InputCorrelationModel::add_component(const std::string& id) {
     refresh();
 }
 
+QString InputCorrelationModel::said(const std::string& id) const {
+    const std::vector<UncertaintyComponent>& all = analysis_->inputs.components;
+    const auto known = std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.id == id; });
+    if (known == all.end()) return to_qt(id);
+    const auto at = static_cast<std::size_t>(known - all.begin());
+    return to_qt(symbol_to_unicode(symbol_of_component(analysis_->inputs, at)));
+}
+
 void InputCorrelationModel::remove_component(int row) {
     const std::string id = ids_[static_cast<std::size_t>(row)];
     std::erase(added_, id);
     forget_unread([&id](const TextPlace& at, const UnreadText&) {
         return at.part.starts_with(correlations_part + id + "|") || at.part.ends_with("|" + id);
     });
-    document_.apply(tr("Remove correlations of %1").arg(to_qt(id)), [&](Project& project) {
+    document_.apply(tr("Remove correlations of %1").arg(said(id)), [&](Project& project) {
         if (AnalysisEntry* entry = find_analysis_entry(project, analysis_->id))
             std::erase_if(entry->correlations, [&](const covaria::CorrelationEdit& edit) {
                 return edit.first == id || edit.second == id;
@@ -236,7 +244,7 @@ bool InputCorrelationModel::setData(const QModelIndex& index, const QVariant& va
     const std::string b = ids_[static_cast<std::size_t>(index.column())];
     for (const std::string& id : {a, b})
         if (!contains(added_, id)) added_.push_back(id);  // stays in sight when its last coefficient goes
-    document_.apply(tr("Change correlation of %1 and %2").arg(to_qt(a), to_qt(b)), [&](Project& project) {
+    document_.apply(tr("Change correlation of %1 and %2").arg(said(a), said(b)), [&](Project& project) {
         AnalysisEntry* entry = find_analysis_entry(project, analysis_->id);
         if (!entry) return;
         auto& all = entry->correlations;

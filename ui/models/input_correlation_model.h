@@ -43,6 +43,8 @@ signals:
     void complaint_changed();
 
 private:
+    /// Of a component, in what is told of an edit.
+    QString said(const std::string& id) const;
     void refresh();
     void check();
     const std::vector<covaria::CorrelationEdit>& edits() const;

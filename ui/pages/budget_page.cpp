@@ -120,6 +120,11 @@ void BudgetPage::ask_for_quantity(int row) {
     emit quantity_asked(to_qt(entry + "/inputs/" + symbol));
 }
 
+void BudgetPage::set_units(const DisplayUnits& units) {
+    units_ = units;
+    take_result();
+}
+
 void BudgetPage::take_result() {
     if (!model_) return;
     const AnalysisStatus& status = runner_.status(analysis_);
@@ -233,7 +238,7 @@ QString BudgetPage::lines_of(const UncertaintyResult& result) const {
             break;
         }
         const std::string symbol = to_html(symbol_text(output.quantity.symbol));
-        const std::string stated = to_html(running_text(result_statement(output, result, in)));
+        const std::string stated = to_html(running_text(result_statement(output, result, in, units_)));
         lines << to_qt("<b>" + symbol + "</b> = ") +
                      to_qt(stated).replace(QStringLiteral(" = "), QStringLiteral("\u00a0=\u00a0"));
     }

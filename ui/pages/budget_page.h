@@ -35,6 +35,9 @@ public:
     /// Another project.
     void start_over();
 
+    /// Of the results below the table.
+    void set_units(const DisplayUnits& units);
+
 signals:
     /// The page of an input quantity is wanted: a JSON pointer into the project.
     void quantity_asked(const QString& path);
@@ -67,6 +70,7 @@ private:
     InputCorrelationModel correlations_;
     QLabel* pair_ = nullptr;
     QLineEdit* correlation_ = nullptr;
+    DisplayUnits units_;
 };
 
 }  // namespace covaria::ui

@@ -7,8 +7,8 @@ namespace covaria::ui {
 const std::array<FirstStep, 10>& first_steps() {
     static const std::array<FirstStep, 10> steps{{
         {QT_TR_NOOP("Add an analysis"),
-         QT_TR_NOOP("The plus sign in the toolbar adds what a project consists of. Choose Analysis: "
-                    "Measurement equation from its menu."),
+         QT_TR_NOOP("The plus sign in the toolbar adds what a project consists of. Choose Measurement "
+                    "equation from its menu."),
          "add_button", nullptr, &StepsTaken::has_budget},
         {QT_TR_NOOP("Name the quantities"),
          QT_TR_NOOP("Replace the equation in the field Equations by yours, such as l = l_S + d. Every name "

@@ -21,7 +21,6 @@
 namespace covaria::ui {
 namespace {
 
-/// A budget is typed into an empty sheet; what stood there would have to be deleted first.
 bool is_typed_as_budget(const std::string& model) {
     const ModelDescriptor* descriptor = find_model(model);
     if (!descriptor) return false;
@@ -31,6 +30,14 @@ bool is_typed_as_budget(const std::string& model) {
 }
 
 }  // namespace
+
+std::vector<const ModelDescriptor*> models_for_new_analyses() {
+    std::vector<const ModelDescriptor*> models;
+    for (const ModelDescriptor& model : model_registry()) models.push_back(&model);
+    std::stable_partition(models.begin(), models.end(),
+                          [](const ModelDescriptor* model) { return is_typed_as_budget(model->id); });
+    return models;
+}
 
 ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& selection,
                          const PreferenceStore& preferences, QWidget* parent)
@@ -77,10 +84,10 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
 QMenu* ProjectPane::make_add_menu(QWidget* parent) {
     auto* menu = new QMenu(tr("&Add"), parent);
     menu->setIcon(icon(QStringLiteral("add")));
-    for (const ModelDescriptor& model : model_registry())
-        menu->addAction(tr("Analysis: %1").arg(core_text(model.title)), this,
-                        [this, id = model.id] { add_analysis(id); });
-    menu->addSeparator();
+    menu->addSection(tr("Analysis"));
+    for (const ModelDescriptor* model : models_for_new_analyses())
+        menu->addAction(core_text(model->title), this, [this, id = model->id] { add_analysis(id); });
+    menu->addSection(tr("What it uses"));
     for (const AssetDescriptor& asset : asset_registry())
         menu->addAction(core_text(asset.title), this, [this, kind = asset.kind] { add_asset(kind); });
     menu->addSeparator();

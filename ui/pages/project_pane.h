@@ -73,4 +73,7 @@ private:
     ProjectTreeModel model_;
 };
 
+/// The everyday one, whose budget is typed, first.
+std::vector<const ModelDescriptor*> models_for_new_analyses();
+
 }  // namespace covaria::ui

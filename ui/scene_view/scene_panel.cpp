@@ -410,7 +410,7 @@ void ScenePanel::describe_item(const QString& id) {
     if (!item) return;
     const LengthUnit& unit = view_->scene()->unit;
     QString text =
-        tr("<b>%1</b>  at %2").arg(to_qt(item->name).toHtmlEscaped(), coordinates(item->position, unit));
+        tr("<b>%1</b>  at %2").arg(to_qt(name_of(*item)).toHtmlEscaped(), coordinates(item->position, unit));
     if (item->u) text += tr(",  u = %1").arg(triple(*item->u, unit));
     if (item->U) text += tr(",  U = %1").arg(triple(*item->U, unit));
     picked_->setText(text);

@@ -14,7 +14,9 @@
 #include <utility>
 
 #include "core/text/round_numbers.h"
+#include "ui/scene_view/handle_painter.h"
 #include "ui/scene_view/view_cube_painter.h"
+#include "ui/scene_view/visibility_note.h"
 #include "ui/theme/strings.h"
 #include "viz/scene/pick.h"
 #include "viz/scene/saved_camera.h"
@@ -28,6 +30,8 @@ constexpr qint64 least_pause_between_moves = 25;  // ms
 constexpr double radius_of_ring = 6.0;            // about the dots of a trial that was picked
 constexpr double reach_of_dot = 8.0;              // of a cloud
 constexpr double reach_of_pointer = 14.0;         // pixels around an item in which it can be grasped
+constexpr double length_of_arrow = 58.0;          // that moves an item along an axis
+constexpr double reach_of_arrow = 6.0;
 constexpr double zoom_per_key = 1.15;
 constexpr double pixels_per_snap = 12.0;  // about; a round number of the unit
 constexpr double degrees_per_snap = 5.0;
@@ -141,6 +145,7 @@ void SceneView::send_scene() {
 }
 
 void SceneView::set_palette_kind(ScenePalette palette) {
+    palette_ = palette;
     service_.post([palette](SceneRenderer& renderer) { renderer.set_palette(palette); });
 }
 
@@ -225,8 +230,15 @@ void SceneView::paintEvent(QPaintEvent*) {
     if (scene_ && !image_.isNull() && failure_.isEmpty()) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(rect(), image_);
+        if (const QString item = item_with_handles(); !item.isEmpty())
+            paint_handles(painter,
+                          handle_marks(*scene_, camera_, picture_size(), to_std(item),
+                                       length_of_arrow * devicePixelRatioF()),
+                          moved_ ? moved_->axis : grasped_axis_, palette_, devicePixelRatioF());
         if (picked_trial_ && layers_[Layer::clouds]) paint_trial(painter, *picked_trial_);
         paint_cube(painter, cube(), pointed_, palette());
+        if (const QString hidden = visibility_words(*whole_, visibility_); !hidden.isEmpty())
+            paint_note(painter, *this, hidden);
         if (hasFocus()) {
             painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
@@ -315,6 +327,9 @@ void SceneView::follow_pointer(QPointF position) {
     if (pointed_) return setCursor(Qt::PointingHandCursor);
     if (picks_places_) return setCursor(place_under(position) ? Qt::PointingHandCursor : Qt::CrossCursor);
     const auto handle = handle_under(position);
+    const QString near = handle ? to_qt(handle->item.id) : is_near(reached_, position) ? reached_ : QString();
+    const int axis = handle ? handle->axis : -1;
+    if (near != std::exchange(reached_, near) || axis != std::exchange(grasped_axis_, axis)) update();
     setCursor(!handle ? Qt::ArrowCursor : handle->turns() ? Qt::OpenHandCursor : Qt::SizeAllCursor);
 }
 
@@ -369,9 +384,28 @@ Pixel SceneView::pixel_at(QPointF position) const {
 
 std::optional<Handle> SceneView::handle_under(QPointF position) const {
     if (picks_places_ || !scene_ || image_.isNull() || face_under(position)) return std::nullopt;
-    return handle_at(
+    const double ratio = devicePixelRatioF();
+    auto handle = handle_at(
         *scene_, camera_, picture_size(), pixel_at(position), [this](Layer layer) { return layers_[layer]; },
-        selected_.toStdString(), reach_of_pointer * devicePixelRatioF());
+        selected_.toStdString(), reach_of_pointer * ratio);
+    if (handle && (handle->turns() || is_near(to_qt(handle->item.id), position, reach_of_pointer / 2)))
+        return handle;
+    const auto arrow = arrow_at(*scene_, camera_, picture_size(), pixel_at(position),
+                                to_std(item_with_handles()), length_of_arrow * ratio, reach_of_arrow * ratio);
+    return arrow ? arrow : handle;
+}
+
+bool SceneView::is_near(const QString& item, QPointF position, double reach) const {
+    const SceneItem* found = scene_ ? find_item(*scene_, to_std(item)) : nullptr;
+    if (!found) return false;
+    const Pixel at = project(camera_, picture_size(), found->position), pixel = pixel_at(position);
+    return std::hypot(at.x - pixel.x, at.y - pixel.y) < reach * devicePixelRatioF();
+}
+
+QString SceneView::item_with_handles() const {
+    if (picks_places_ || !scene_) return {};
+    if (moved_) return to_qt(moved_->item.id);
+    return reached_.isEmpty() ? selected_ : reached_;
 }
 
 void SceneView::bring_item_to(QPointF position, Qt::KeyboardModifiers keys) {
@@ -387,7 +421,9 @@ void SceneView::move_item_to(QPointF position, bool snaps) {
     const QPointF at = position * devicePixelRatioF() + grip_;
     const PictureSize size = picture_size();
     const SceneItem& item = moved_->item;
-    Eigen::Vector3d p_W = world_at(camera_, size, {at.x(), at.y()}, item.position);
+    Eigen::Vector3d p_W =
+        moved_->axis < 0 ? world_at(camera_, size, {at.x(), at.y()}, item.position)
+                         : moved_along(*moved_, camera_, size, pixel_at(*pressed_at_), pixel_at(position));
     double step = metres_per_pixel(camera_, size, item.position);
     if (snaps) {
         step = nearest_round_number(pixels_per_snap * step);

@@ -17,9 +17,10 @@ namespace covaria::ui {
 
 /// Left drag orbits, middle or Shift+left drag pans, wheel or right drag zooms, click selects, double click
 /// fits. An item whose position is written in the project is moved by dragging it, in the plane of the
-/// picture, and turned by the tips of its axes; with Ctrl in round steps. The cursor says what can be
-/// dragged. The cube in the corner turns to its faces. Keys: arrows orbit, plus and minus zoom, F fits, 1 to
-/// 7 are the standard views, H hides what is selected, I shows it alone, Shift+H shows all.
+/// picture, or along one axis by its arrows, and turned by the tips of its axes; with Ctrl in round steps.
+/// The cursor says what can be dragged. The cube in the corner turns to its faces. Keys: arrows orbit, plus
+/// and minus zoom, F fits, 1 to 7 are the standard views, H hides what is selected, I shows it alone, Shift+H
+/// shows all.
 class SceneView : public QWidget {
     Q_OBJECT
 public:
@@ -100,6 +101,7 @@ protected:
     void contextMenuEvent(QContextMenuEvent*) override;
 
 private:
+    static constexpr double reach_of_handles = 72.0;  ///< pixels in which an item keeps its handles
     void send_size();
     void send_scene();
     void take_image(const QImage& image, const Camera& camera);
@@ -117,6 +119,9 @@ private:
     void drag_by(QPointF delta);
     /// What a drag from there would move or turn.
     std::optional<Handle> handle_under(QPointF position) const;
+    bool is_near(const QString& item, QPointF position, double reach = reach_of_handles) const;
+    /// The one that the pointer is or was at, else the one selected.
+    QString item_with_handles() const;
     std::optional<std::uint64_t> trial_under(QPointF position) const;
     /// A ring around its dot in every cloud.
     void paint_trial(QPainter& painter, std::uint64_t trial) const;
@@ -140,6 +145,9 @@ private:
     Camera camera_;  ///< of the image
     bool starts_over_ = false;
     QString selected_;
+    QString reached_;        ///< the item whose handles show because the pointer came to it
+    int grasped_axis_ = -1;  ///< of the arrow under the pointer
+    ScenePalette palette_ = {};
     LayerVisibility layers_;
     bool picks_places_ = false;
     QString empty_text_;

@@ -1,6 +1,7 @@
 #include "viz/scene/handles.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "viz/scene/pick.h"
@@ -16,9 +17,9 @@ bool is_pose(const LayoutSource& source) {
     return source.draggable && source.path.find("/rows/") == std::string::npos;
 }
 
-/// Axes of an instrument have no name of their own.
+/// For the list of undo.
 SceneItem named(SceneItem item) {
-    if (item.name.empty()) item.name = item.id.substr(item.id.find(':') + 1);
+    item.name = name_of(item);
     return item;
 }
 
@@ -51,7 +52,66 @@ Eigen::Vector3d direction_in_plane(const Camera& camera, PictureSize size, Pixel
     return ray.origin + along * ray.direction - origin;
 }
 
+constexpr double arrow_begins = 0.3, shortest_arrow = 0.25;  // of its length
+
+/// How far along the axis through the item the pointer is, m.
+double along_axis(const Handle& arrow, const Camera& camera, PictureSize size, Pixel pixel) {
+    const Ray ray = ray_through(camera, size, pixel);
+    const Eigen::Vector3d axis = arrow.item.source.X_WS.linear().col(arrow.axis);
+    const Eigen::Vector3d to_ray = ray.origin - arrow.item.position;
+    const double cosine = axis.dot(ray.direction);
+    return (to_ray.dot(axis) - cosine * to_ray.dot(ray.direction)) / (1.0 - cosine * cosine);
+}
+
+double distance_to(const HandleMarks::Arrow& arrow, Pixel pixel) {
+    const Eigen::Vector2d from(arrow.from.x, arrow.from.y), to(arrow.to.x, arrow.to.y), at(pixel.x, pixel.y);
+    const double t = (at - from).dot(to - from) / (to - from).squaredNorm();
+    return (at - from - std::clamp(t, 0.0, 1.0) * (to - from)).norm();
+}
+
 }  // namespace
+
+HandleMarks handle_marks(const Scene& scene, const Camera& camera, PictureSize size, const std::string& item,
+                         double length) {
+    HandleMarks marks;
+    const SceneItem* found = find_item(scene, item);
+    if (!found || !found->source.draggable) return marks;
+    const double metres = length * metres_per_pixel(camera, size, found->position);
+    const Pixel middle = project(camera, size, found->position);
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d axis = found->source.X_WS.linear().col(i);
+        const Pixel to = project(camera, size, found->position + metres * axis);
+        if (distance(middle, to) < shortest_arrow * length) continue;
+        const Pixel from{middle.x + arrow_begins * (to.x - middle.x),
+                         middle.y + arrow_begins * (to.y - middle.y)};
+        marks.arrows.push_back({i, from, to});
+    }
+    for (const SceneFrame& frame : scene.frames)
+        if (is_pose(frame.item.source) && frame.item.source.path == found->source.path &&
+            frame.item.source.asset == found->source.asset)
+            for (int i = 0; i < 3; ++i)
+                marks.tips.push_back(
+                    project(camera, size, frame.item.position + frame.length * frame.R_WF.col(i)));
+    return marks;
+}
+
+std::optional<Handle> arrow_at(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
+                               const std::string& item, double length, double reach) {
+    std::optional<Handle> nearest;
+    for (const HandleMarks::Arrow& arrow : handle_marks(scene, camera, size, item, length).arrows)
+        if (const double off = distance_to(arrow, pixel); off < reach) {
+            reach = off;
+            nearest = Handle{named(*find_item(scene, item)), {}, 0, arrow.axis};
+        }
+    return nearest;
+}
+
+Eigen::Vector3d moved_along(const Handle& arrow, const Camera& camera, PictureSize size, Pixel from,
+                            Pixel to) {
+    const double way = along_axis(arrow, camera, size, to) - along_axis(arrow, camera, size, from);
+    if (!std::isfinite(way)) return arrow.item.position;
+    return arrow.item.position + way * arrow.item.source.X_WS.linear().col(arrow.axis);
+}
 
 std::optional<Handle> handle_at(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
                                 const std::function<bool(Layer)>& shown, const std::string& preferred,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "viz/scene/camera.h"
 #include "viz/scene/scene.h"
@@ -16,8 +17,30 @@ struct Handle {
     SceneItem item;
     std::optional<SceneFrame> frame = {};  ///< to turn: its axes
     int tip = 0;                           ///< the axis whose tip is grasped: 0 x, 1 y, 2 z
+    int axis = -1;                         ///< of its field, along which alone it moves; -1: it moves freely
     bool turns() const { return frame.has_value(); }
 };
+
+/// What shows that an item can be grasped: arrows along the axes of its field, and the tips of its own axes
+/// that turn it.
+struct HandleMarks {
+    struct Arrow {
+        int axis = 0;
+        Pixel from, to;
+    };
+    std::vector<Arrow> arrows;
+    std::vector<Pixel> tips;
+};
+/// `length` of an arrow in pixels; one that points at the eye is left out. Nothing for an item whose place
+/// nobody can write.
+HandleMarks handle_marks(const Scene& scene, const Camera& camera, PictureSize size, const std::string& item,
+                         double length);
+/// To move the item along the arrow that is at the pixel.
+std::optional<Handle> arrow_at(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
+                               const std::string& item, double length, double reach);
+/// Where the item of an arrow goes, in W, when the pointer goes from one pixel to another.
+Eigen::Vector3d moved_along(const Handle& arrow, const Camera& camera, PictureSize size, Pixel from,
+                            Pixel to);
 
 /// Tips of axes before items; `preferred`: the id of an item that is taken before others within reach (the
 /// selected one).

@@ -15,11 +15,6 @@ const PointCoordinates* coordinates_in(const Scene& scene, const std::string& id
     return nullptr;
 }
 
-/// The axes of an instrument have no name of their own: theirs is in the id.
-std::string name_of(const SceneItem& item) {
-    return item.name.empty() ? item.id.substr(item.id.find(':') + 1) : item.name;
-}
-
 PointMeasure measured(const std::vector<Eigen::Vector3d>& at, const Eigen::MatrixXd& covariance) {
     return at.size() == 2 ? measured_distance(at[0], at[1], covariance)
                           : measured_angle(at[0], at[1], at[2], covariance);

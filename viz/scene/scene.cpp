@@ -101,6 +101,10 @@ bool SceneMap::operator==(const SceneMap& other) const {
            std::equal(values.begin(), values.end(), other.values.begin(), other.values.end(), same);
 }
 
+std::string name_of(const SceneItem& item) {
+    return item.name.empty() ? item.id.substr(item.id.find(':') + 1) : item.name;
+}
+
 bool SceneItem::operator==(const SceneItem& other) const {
     return id == other.id && body == other.body && name == other.name && group == other.group &&
            position == other.position && u == other.u && U == other.U && source.path == other.source.path &&

@@ -260,6 +260,8 @@ struct Scene {
 
 /// The item with this id, or null.
 const SceneItem* find_item(const Scene& scene, const std::string& id);
+/// Axes of an instrument have no name of their own.
+std::string name_of(const SceneItem& item);
 
 /// A box in W, m.
 struct SceneBounds {

@@ -120,7 +120,7 @@ private:
         draft.unit = unit;
         draft.first_row = row;
         draft.quantity.symbol = symbol;
-        draft.quantity.name = at(row).name.empty() ? symbol : at(row).name;
+        draft.quantity.name = at(row).name.empty() ? symbol_to_unicode(symbol) : at(row).name;
         draft.quantity.unit = unit;
         draft.quantity.source = place_of(row);
         if (at(row).value) draft.estimate = unit.to_si(*at(row).value);
@@ -155,10 +155,17 @@ private:
     bool stated(Draft& draft, std::size_t row, const Unit& unit, UncertaintyComponent& made) {
         const std::string& kind_key = at(row).statement;
         const StatementKind& kind = *find_statement(kind_key);
-        const bool absolute = kind_key == "limits";
+        const Result<Unit> stated =
+            at(row).stated_unit.empty() ? Result<Unit>(unit) : Unit::parse(at(row).stated_unit);
+        bool good = stated.has_value();
+        if (!good) refuse(row, &StatedComponent::stated_unit, stated.error().message);
         const auto figure = [&](const std::optional<double>& value, bool has_unit) -> std::optional<double> {
-            if (!value || !has_unit) return value;
-            return absolute ? unit.to_si(*value) : unit.interval_to_si(*value);
+            if (!value || !has_unit || !good) return value;
+            const auto si = figure_in_si(*value, *stated, unit, kind_key == "limits", draft.estimate);
+            if (si) return *si;
+            good = false;
+            refuse(row, &StatedComponent::statement, si.error().message);
+            return value;
         };
         const Statement statement{kind_key,
                                   figure(at(row).a, kind.a_has_unit),
@@ -166,6 +173,7 @@ private:
                                   at(row).nu,
                                   at(row).r_u,
                                   draft.estimate};
+        if (!good) return false;
         const auto component = stated_component(statement);
         if (!component) {
             refuse(row, &StatedComponent::statement, component.error().message);

@@ -46,8 +46,12 @@ ColumnSpec statement_column() {
 
 void add_figures(Columns<StatedComponent>& columns) {
     using Row = StatedComponent;
-    columns.add(&Row::a, "a", "a", "First figure of the statement, in the row's unit.", maybe)
+    columns.add(&Row::a, "a", "a", "First figure of the statement.", maybe)
         .add(&Row::b, "b", "b", "Second figure of the statement.", maybe)
+        .add(&Row::stated_unit, "stated_unit", "unit of a, b",
+             "Unit of the statement's figures; empty: the row's. % and ppm of a quantity that has a unit are "
+             "parts of its value.",
+             maybe)
         .add(&Row::nu, "nu", "nu", "Degrees of freedom; empty: infinite, or those of the observations.",
              {.range = {.low = 0.0, .low_open = true}, .optional = true})
         .add(&Row::r_u, "r_u", "r_u",
@@ -70,7 +74,9 @@ Columns<StatedComponent> component_columns() {
         .add(&Row::value, "value", "value",
              "Estimate, in the row's unit; empty where observations or limits give it.", maybe)
         .add(&Row::unit, "unit", "unit",
-             "Unit of value, a and b; empty: 1. A difference of temperatures is given in K.", maybe)
+             "Unit of the value, and of a and b where they have no other; empty: 1. A difference of "
+             "temperatures is given in K.",
+             maybe)
         .add(&Row::statement, statement_column());
     add_figures(columns);
     return columns;

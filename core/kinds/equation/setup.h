@@ -21,13 +21,16 @@ struct StatedOutput {
     std::string group;
 };
 
-/// A row of the quantities: figures are as typed, in the row's unit.
+/// A row of the quantities: figures are as typed, the value in the row's unit, what is stated of it in a unit
+/// of its own if it has one.
 struct StatedComponent {
     std::string symbol, name;
     std::optional<double> value;
     std::string unit = "1";
     std::string statement;
-    std::optional<double> a, b, nu, r_u;
+    std::optional<double> a, b;
+    std::string stated_unit;  ///< of a and b; empty: the row's
+    std::optional<double> nu, r_u;
     std::string source;
     Referred instrument;
 };

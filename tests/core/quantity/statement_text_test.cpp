@@ -18,13 +18,13 @@ std::string plain(double value) {
     return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-TypedStatement typed(std::string_view text, const Unit& unit = nm, std::optional<double> value = {}) {
-    const auto read = read_statement(text, unit, value);
+TypedStatement typed(std::string_view text, const Unit& unit = nm) {
+    const auto read = read_statement(text, unit);
     EXPECT_TRUE(read) << text << ": " << (read ? "" : read.error().message.english());
     return read.value_or(TypedStatement{});
 }
-std::string objection(std::string_view text, const Unit& unit = nm, std::optional<double> value = {}) {
-    const auto read = read_statement(text, unit, value);
+std::string objection(std::string_view text, const Unit& unit = nm) {
+    const auto read = read_statement(text, unit);
     EXPECT_FALSE(read) << text;
     return read ? "" : read.error().message.english();
 }
@@ -34,13 +34,13 @@ TEST(StatementText, IsReadAsPeopleNoteIt) {
     EXPECT_EQ(typed("75"), (TypedStatement{"standard", 75.0}));
     EXPECT_EQ(typed("75 nm"), (TypedStatement{"standard", 75.0}));
     EXPECT_EQ(typed("75nm"), (TypedStatement{"standard", 75.0}));
-    EXPECT_EQ(typed("u = 0.075 µm"), (TypedStatement{"standard", 75.0}));
+    EXPECT_EQ(typed("u = 0.075 µm"), (TypedStatement{"standard", 0.075, {}, {}, "um"}));
     EXPECT_EQ(typed("25 nm nu 18"), (TypedStatement{"standard", 25.0, {}, 18.0}));
     EXPECT_EQ(typed("U = 75 nm, k = 3, nu = 18"), (TypedStatement{"certificate-k", 75.0, 3.0, 18.0}));
     EXPECT_EQ(typed("U 75 95 %"), (TypedStatement{"certificate-p", 75.0, 95.0}));
     EXPECT_EQ(typed("cert 75; p=95%"), (TypedStatement{"certificate-p", 75.0, 95.0}));
     EXPECT_EQ(typed("rect 0.5"), (TypedStatement{"rectangular", 0.5}));
-    EXPECT_EQ(typed("±0.5 um"), (TypedStatement{"rectangular", 500.0}));
+    EXPECT_EQ(typed("±0.5 um"), (TypedStatement{"rectangular", 0.5, {}, {}, "um"}));
     EXPECT_EQ(typed("+-0.5"), (TypedStatement{"rectangular", 0.5}));
     EXPECT_EQ(typed("tri ± 2"), (TypedStatement{"triangular", 2.0}));
     EXPECT_EQ(typed("trap 1 ratio 0.5"), (TypedStatement{"trapezoidal", 1.0, 0.5}));
@@ -51,7 +51,7 @@ TEST(StatementText, IsReadAsPeopleNoteIt) {
     EXPECT_EQ(typed("counts 12"), (TypedStatement{"counts", 12.0}));
     EXPECT_EQ(typed("obs"), (TypedStatement{"observations"}));
     EXPECT_EQ(typed("Constant"), (TypedStatement{"constant"}));
-    EXPECT_EQ(read_statement("rect 0,5", nm, {}, true).value(), (TypedStatement{"rectangular", 0.5}));
+    EXPECT_EQ(read_statement("rect 0,5", nm, true).value(), (TypedStatement{"rectangular", 0.5}));
 }
 
 /// As in German; "exp" is the beginning of an English and of a German word.
@@ -70,11 +70,11 @@ std::string in_german(const std::string& english) {
 
 TEST(StatementText, WordsOfAnotherLanguageAreReadBesideTheEnglishOnes) {
     const auto german = [](std::string_view text) {
-        return read_statement(text, nm, {}, true, in_german).value_or(TypedStatement{"refused"});
+        return read_statement(text, nm, true, in_german).value_or(TypedStatement{"refused"});
     };
     EXPECT_EQ(german("rechteckig 0,5"), (TypedStatement{"rectangular", 0.5}));
     EXPECT_EQ(german("Recht ± 0,5"), (TypedStatement{"rectangular", 0.5}));
-    EXPECT_EQ(german("rechteck±0,5 µm"), (TypedStatement{"rectangular", 500.0}));
+    EXPECT_EQ(german("rechteck±0,5 µm"), (TypedStatement{"rectangular", 0.5, {}, {}, "um"}));
     EXPECT_EQ(german("rect 0,5"), (TypedStatement{"rectangular", 0.5}));
     EXPECT_EQ(german(" Grenzen -1 bis 2"), (TypedStatement{"limits", -1.0, 2.0}));
     EXPECT_EQ(german("limits -1 to 2"), (TypedStatement{"limits", -1.0, 2.0}));
@@ -95,26 +95,35 @@ TEST(StatementText, WordsOfAnotherLanguageAreReadBesideTheEnglishOnes) {
               "Grenzen -1 bis 2 nm");
 }
 
-TEST(StatementText, PartsOfTheValue) {
-    EXPECT_EQ(typed("2 ppm", Unit::of("mm"), 50.0), (TypedStatement{"standard", 1e-4}));
-    EXPECT_EQ(typed("rect 1 %", Unit::of("V"), -3.0), (TypedStatement{"rectangular", 0.03}));
-    // Of a number a part is a number: what is typed is meant.
-    EXPECT_EQ(typed("1 %", Unit(), 0.5), (TypedStatement{"standard", 0.01}));
-    EXPECT_NE(objection("2 ppm").find("needs the value"), std::string::npos);
+TEST(StatementText, PartsOfTheValueStayParts) {
+    EXPECT_EQ(typed("2 ppm", Unit::of("mm")), (TypedStatement{"standard", 2.0, {}, {}, "ppm"}));
+    EXPECT_EQ(typed("rect 1 %", Unit::of("V")), (TypedStatement{"rectangular", 1.0, {}, {}, "%"}));
+    EXPECT_EQ(typed("1 %", Unit()), (TypedStatement{"standard", 1.0, {}, {}, "%"}));
+    EXPECT_NE(objection("limits 1 % to 2 %").find("no unit for"), std::string::npos);
+}
+
+TEST(StatementText, TheSecondFigureIsInTheUnitOfTheFirst) {
+    EXPECT_EQ(typed("1 to 2 um"), (TypedStatement{"limits", 1.0, 2.0, {}, "um"}));
+    EXPECT_EQ(typed("500 nm to 2 um"), (TypedStatement{"limits", 500.0, 2000.0}));
+    EXPECT_EQ(typed("ctrap 3 um inexactness 200 nm"),
+              (TypedStatement{"curvilinear-trapezoid", 3.0, 0.2, {}, "um"}));
+    EXPECT_EQ(statement_text({"standard", 2.0, {}, {}, "ppm"}, nm, plain), "u = 2 ppm");
+    EXPECT_EQ(statement_text({"limits", 1.0, 2.0, {}, "um"}, nm, plain), "limits 1 to 2 µm");
 }
 
 TEST(StatementText, AUnitMayBeginWithOne) {
     const Unit per_kelvin = Unit::of("1/K");
-    EXPECT_EQ(typed("2e-6 1/K", per_kelvin, 1.15e-5), (TypedStatement{"standard", 2e-6}));
-    EXPECT_EQ(typed("rect 2e-6 1/K", per_kelvin, 1.15e-5), (TypedStatement{"rectangular", 2e-6}));
-    EXPECT_EQ(typed("U = 1e-6 1/°C, k = 2", per_kelvin), (TypedStatement{"certificate-k", 1e-6, 2.0}));
+    EXPECT_EQ(typed("2e-6 1/K", per_kelvin), (TypedStatement{"standard", 2e-6}));
+    EXPECT_EQ(typed("rect 2e-6 1/K", per_kelvin), (TypedStatement{"rectangular", 2e-6}));
+    EXPECT_EQ(typed("U = 1e-6 1/°C, k = 2", per_kelvin), (TypedStatement{"certificate-k", 1e-6, 2.0, {}, "1/degC"}));
 }
 
 TEST(StatementText, TemperaturesHaveIntervalsAndLimits) {
     const Unit celsius = Unit::of("degC");
-    EXPECT_EQ(typed("0.1 K", celsius, 20.0), (TypedStatement{"standard", 0.1}));
-    EXPECT_EQ(typed("±0.5 °C", celsius, 20.0), (TypedStatement{"rectangular", 0.5}));
-    EXPECT_EQ(typed("limits 293.15 K to 21 °C", celsius), (TypedStatement{"limits", 20.0, 21.0}));
+    EXPECT_EQ(typed("0.1 K", celsius), (TypedStatement{"standard", 0.1}));
+    EXPECT_EQ(typed("±0.5 °C", celsius), (TypedStatement{"rectangular", 0.5}));
+    EXPECT_EQ(typed("limits 293.15 K to 21 °C", celsius),
+              (TypedStatement{"limits", 293.15, 294.15, {}, "K"}));
 }
 
 TEST(StatementText, NothingIsGuessed) {
@@ -144,7 +153,13 @@ TEST(StatementText, ReadsBackWhatIsWritten) {
     for (const TypedStatement& statement : all)
         for (const char* unit : {"nm", "1", "degC", "%", "W/(m*K)"}) {
             const std::string text = statement_text(statement, Unit::of(unit), plain);
-            EXPECT_EQ(typed(text, Unit::of(unit), 20.0), statement) << text;
+            EXPECT_EQ(typed(text, Unit::of(unit)), statement) << text;
+            TypedStatement milli = statement;
+            const StatementKind* kind = find_statement(statement.kind);
+            if (!kind || !statement.a || !kind->a_has_unit || unit != std::string_view("nm")) continue;
+            milli.unit = "mm";
+            const std::string other = statement_text(milli, Unit::of(unit), plain);
+            EXPECT_EQ(typed(other, Unit::of(unit)), milli) << other;
         }
     EXPECT_EQ(statement_text({"certificate-k", 75.0, 3.0}, nm, plain), "U = 75 nm, k = 3");
     EXPECT_EQ(statement_text({"rectangular", 0.5}, nm, plain), "rectangular ± 0.5 nm");

@@ -67,7 +67,7 @@ TEST(ResultStatement, CoverageIsStated) {
     UncertaintyResult result;
     EXPECT_EQ(coverage_statement(output_of(50, 0.1), result), "k = 2.00, p = 95" + hard + "%");
     EXPECT_EQ(coverage_statement(output_of(50, 0.1, 17.8, 2.11), result),
-              "k = 2.11, nu_eff = 17, p = 95" + hard + "%");
+              "k = 2.11, nu_eff = 17.8, p = 95" + hard + "%");
     result.fixed_coverage_factor = 2.0;
     EXPECT_EQ(coverage_statement(output_of(50, 0.1), result), "k = 2.00, p = 95.45" + hard + "%");
     EXPECT_EQ(coverage_statement(output_of(50, 0.1, 10.0), result), "k = 2.00, p = 92.66" + hard + "%")

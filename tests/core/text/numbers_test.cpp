@@ -55,7 +55,9 @@ TEST(FormatSignificant, ZeroAndWhatIsNotFinite) {
     EXPECT_EQ(format_significant(-inf, 2), "-∞");
     for (const double nu : {1e4, 6.09e7, inf}) EXPECT_EQ(format_degrees_of_freedom(nu), "∞") << nu;
     EXPECT_EQ(format_degrees_of_freedom(9999.9), "9999");
-    EXPECT_EQ(format_degrees_of_freedom(18.97), "18");
+    EXPECT_EQ(format_degrees_of_freedom(18.97), "19");
+    EXPECT_EQ(format_degrees_of_freedom(16.66), "16.7");
+    EXPECT_EQ(format_degrees_of_freedom(123.9), "123");
     EXPECT_EQ(format_degrees_of_freedom(9.26), "9.3");
     EXPECT_EQ(format_degrees_of_freedom(3.0), "3");
     EXPECT_EQ(format_degrees_of_freedom(0.25), "0.25");

@@ -256,7 +256,7 @@ protected:
         QTest::keyClick(editor, Qt::Key_Return);
         QCoreApplication::processEvents();  // the editor closes after its key event
     }
-    const QString add_words_ = QStringLiteral("Analysis: Pose from points");
+    const QString add_words_ = QStringLiteral("Pose from points");
 };
 
 TEST_F(MixedEdits, FiftyUndoneGiveTheSavedBytesAndRedoneTheEditedOnes) {

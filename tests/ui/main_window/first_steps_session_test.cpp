@@ -117,7 +117,7 @@ TEST_F(FirstStepsSession, EveryStepCanBeShownInAFreshProject) {
     expect_framed(0);
     EXPECT_TRUE(words("step_remark").contains(QStringLiteral("Add an analysis")))
         << words("step_remark").toStdString();
-    trigger(QStringLiteral("Analysis: Measurement equation"));
+    trigger(QStringLiteral("Measurement equation"));
     for (int step = 0; step < int(first_steps().size()); ++step) {
         const FirstStep& shown = first_steps()[std::size_t(step)];
         EXPECT_EQ(window_->findChildren<QWidget*>(QLatin1String(shown.target)).size(), 1) << shown.target;
@@ -145,7 +145,7 @@ TEST_F(FirstStepsSession, FromNothingToAPdfInTenSteps) {
     QApplication::setActiveWindow(window_.get());
     for (int step = 0; step < int(first_steps().size()); ++step) EXPECT_FALSE(panel().is_done(step)) << step;
     show_and_go_on(0);
-    trigger(QStringLiteral("Analysis: Measurement equation"));
+    trigger(QStringLiteral("Measurement equation"));
     expect_done(0);
 
     show_and_go_on(1);
@@ -217,7 +217,7 @@ TEST_F(FirstStepsSession, FromNothingToAPdfInTenSteps) {
 
 TEST_F(FirstStepsSession, TheKeyboardIsEnough) {
     trigger(QStringLiteral("First Steps"));
-    trigger(QStringLiteral("Analysis: Measurement equation"));
+    trigger(QStringLiteral("Measurement equation"));
     QApplication::setActiveWindow(window_.get());
     auto* show = panel().findChild<QPushButton*>(QStringLiteral("step_show"));
     auto* next = panel().findChild<QPushButton*>(QStringLiteral("step_next"));

@@ -32,7 +32,7 @@ protected:
     }
     void add_equation() {
         trigger(QStringLiteral("New Project"));
-        trigger(QStringLiteral("Analysis: Measurement equation"));
+        trigger(QStringLiteral("Measurement equation"));
     }
 };
 

@@ -34,7 +34,7 @@ protected:
     }
     void build_analysis() {
         const QString artefact = names_in_tree().front();
-        trigger(QStringLiteral("Analysis: Pose from points"));
+        trigger(QStringLiteral("Pose from points"));
         EXPECT_TRUE(names_in_tree().contains(artefact));
         const auto has_result = [&] { return status().result != nullptr; };
         EXPECT_TRUE(wait_for(has_result)) << "a new analysis is prefilled with what runs";

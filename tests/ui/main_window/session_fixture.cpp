@@ -145,6 +145,10 @@ QStringList Session::names_in_tree() const {
     return names;
 }
 
+void type_key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+}
+
 void type_keys(const QString& text) {
     for (const QChar c : text) QTest::keyClick(QApplication::focusWidget(), c.toLatin1());
 }

@@ -67,6 +67,7 @@ protected:
 
 /// To whatever has the focus, as a keyboard does.
 void type_keys(const QString& text);
+void type_key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
 /// Chooses an entry of the context menu that `widget` opens at `at`.
 void choose_from_context_menu(QWidget& widget, QPoint at, const QString& words);
 /// An entry's words without mnemonics and trailing dots.

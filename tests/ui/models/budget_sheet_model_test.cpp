@@ -68,7 +68,9 @@ TEST_F(BudgetSheetModelTest, IsTypedFromNothing) {
     EXPECT_EQ(stored(0, "unit"), SetupCell(std::string("mm")));
     EXPECT_EQ(stored(0, "value"), SetupCell(50.000623));
     EXPECT_EQ(stored(0, "statement"), SetupCell(std::string("standard")));
-    EXPECT_EQ(stored(0, "a"), SetupCell(2.5e-5)) << "in the row's unit";
+    EXPECT_EQ(stored(0, "a"), SetupCell(25.0)) << "as the certificate says it";
+    EXPECT_EQ(stored(0, "stated_unit"), SetupCell(std::string("nm")));
+    EXPECT_EQ(text(0, Section::stated), QStringLiteral("u = 25 nm"));
     EXPECT_EQ(stored(0, "nu"), SetupCell(18.0));
     ASSERT_EQ(model->rowCount(), 2);
     EXPECT_EQ(document.undo_stack().count(), 3) << "a cell is one step";
@@ -80,7 +82,7 @@ TEST_F(BudgetSheetModelTest, IsTypedFromNothing) {
     EXPECT_EQ(text(1, Section::u), QStringLiteral("9.7"));
     EXPECT_EQ(text(1, Section::distribution), QStringLiteral("normal"));
     EXPECT_EQ(text(1, Section::type), QStringLiteral("B"));
-    EXPECT_EQ(text(1, Section::stated), QString::fromUtf8("U = 19.4 nm, k = 2"));
+    EXPECT_EQ(text(1, Section::stated), QString::fromUtf8("U = 0.0194 µm, k = 2"));
     const double share = model->index(0, Section::share).data(exact_role).toDouble();
     EXPECT_NEAR(share, 25.0 * 25.0 / (25.0 * 25.0 + 9.7 * 9.7), 1e-12);
 }
@@ -158,7 +160,7 @@ TEST_F(BudgetSheetModelTest, ABlockIsPastedAsOneStep) {
                                                               "b\twidth\t4\tmm\tu = 0.1 mm\n")),
               0);
     ASSERT_EQ(model->sheet().rowCount(), 2);
-    EXPECT_EQ(stored(0, "a"), SetupCell(0.02));
+    EXPECT_EQ(stored(0, "a"), SetupCell(20.0));
     EXPECT_EQ(stored(1, "name"), SetupCell(std::string("width")));
     EXPECT_EQ(document.undo_stack().count(), 1);
     document.undo_stack().undo();

@@ -74,5 +74,39 @@ TEST(Handles, SnappedCoordinatesAreWholeStepsInTheirFrame) {
     EXPECT_TRUE(p.isApprox(Eigen::Vector3d(0.95, 0.3, 0.1234), 1e-12)) << p.transpose();
 }
 
+TEST(Handles, AnArrowMovesAlongItsAxisOnly) {
+    const Scene scene = a_scene();
+    const Camera camera = view_of({{-1, -1, -1}, {1, 1, 1}}, StandardView::iso, size);
+    const HandleMarks marks = handle_marks(scene, camera, size, "point:A", 58.0);
+    ASSERT_EQ(marks.arrows.size(), 3U);
+    EXPECT_TRUE(marks.tips.empty()) << "a point does not turn";
+    const auto& along_y = marks.arrows[1];
+    const Pixel middle{0.5 * (along_y.from.x + along_y.to.x), 0.5 * (along_y.from.y + along_y.to.y)};
+    const auto arrow = arrow_at(scene, camera, size, middle, "point:A", 58.0, 6.0);
+    ASSERT_TRUE(arrow);
+    EXPECT_EQ(arrow->axis, 1);
+    const Eigen::Vector3d p(0.8, 0.3, 0), step(0, 0.25, 0);
+    const Eigen::Vector3d there =
+        moved_along(*arrow, camera, size, project(camera, size, p), project(camera, size, p + step));
+    EXPECT_TRUE(there.isApprox(p + step, 1e-9)) << there.transpose();
+    // What the pointer does across the axis does not count.
+    const Pixel off = project(camera, size, p + step);
+    const Eigen::Vector3d beside =
+        moved_along(*arrow, camera, size, project(camera, size, p), {off.x + 30, off.y});
+    EXPECT_EQ(beside.x(), 0.8);
+    EXPECT_EQ(beside.z(), 0.0);
+    EXPECT_FALSE(arrow_at(scene, camera, size, {middle.x, middle.y + 90}, "point:A", 58.0, 6.0));
+}
+
+TEST(Handles, WhatCannotBeWrittenHasNoneAndAPoseHasTips) {
+    const Scene scene = a_scene();
+    const Camera top = view_of({{-1, -1, -1}, {1, 1, 1}}, StandardView::top, size);
+    EXPECT_TRUE(handle_marks(scene, top, size, "point:P", 58.0).arrows.empty());
+    EXPECT_TRUE(handle_marks(scene, top, size, "no such item", 58.0).arrows.empty());
+    const HandleMarks marks = handle_marks(scene, top, size, "axes:tracker", 58.0);
+    EXPECT_EQ(marks.arrows.size(), 2U) << "z points at the eye";
+    EXPECT_EQ(marks.tips.size(), 3U);
+}
+
 }  // namespace
 }  // namespace covaria::handles_test

@@ -6,6 +6,7 @@
 #include "core/kinds/registries.h"
 #include "core/model/asset.h"
 #include "core/propagation/engine.h"
+#include "core/quantity/statement.h"
 
 namespace covaria::equation_model_text_test {
 namespace {
@@ -14,7 +15,7 @@ const ModelDescriptor& descriptor() {
     return *find_model("measurement-equation");
 }
 
-using Row = std::vector<SetupCell>;  // symbol, name, value, unit, statement, a, b, nu, r_u
+using Row = std::vector<SetupCell>;  // symbol, name, value, unit, statement, a, b, stated_unit, nu, r_u
 const SetupCell none{};
 
 SetupTable table(const std::string& field, std::vector<Row> rows) {
@@ -29,8 +30,10 @@ SetupTable table(const std::string& field, std::vector<Row> rows) {
 }
 
 Row quantity(const char* symbol, const SetupCell& value, const char* unit, const char* statement = "constant",
-             const SetupCell& a = {}, const SetupCell& b = {}, const SetupCell& nu = {}) {
-    return {std::string(symbol), none, value, std::string(unit), std::string(statement), a, b, nu};
+             const SetupCell& a = {}, const SetupCell& b = {}, const SetupCell& nu = {},
+             const SetupCell& stated_unit = {}) {
+    return {std::string(symbol), none, value, std::string(unit), std::string(statement), a, b,
+            stated_unit,         nu};
 }
 
 covaria::Setup setup_of(const std::string& equations, std::vector<Row> quantities,
@@ -90,6 +93,36 @@ TEST(EquationModel, StatementsGiveTheirStandardUncertainties) {
     }
 }
 
+/// Each statement in its own unit is the same as in the row's; % and ppm are parts of the value.
+TEST(EquationModel, AStatementMayHaveAUnitOfItsOwn) {
+    const SetupCell um = std::string("um"), percent = std::string("%");
+    const auto u = [](const Row& row) {
+        return first_order(setup_of("y = x", {row})).outputs[0].standard_uncertainty;
+    };
+    for (const StatementKind& kind : statement_kinds()) {
+        if (kind.a.empty() || !kind.a_has_unit) continue;
+        const std::string key(kind.key);
+        const bool limits = key == "limits";
+        const SetupCell value = limits ? none : SetupCell(2.0);
+        const double a = 0.012, b = key == "certificate-p" ? 95.0
+                                    : limits               ? 0.019
+                                    : key == "trapezoidal" ? 0.5
+                                                           : 0.004;
+        const double factor = kind.b_has_unit ? 1000.0 : 1.0;
+        const double second = key == "certificate-k" ? 2.0 : b;
+        const SetupCell b_mm = kind.b.empty() ? none : SetupCell(second);
+        const SetupCell b_um = kind.b.empty() ? none : SetupCell(factor * second);
+        const double in_mm = u(quantity("x", value, "mm", key.c_str(), a, b_mm));
+        EXPECT_GT(in_mm, 0.0) << key;
+        EXPECT_NEAR(u(quantity("x", value, "mm", key.c_str(), 1000.0 * a, b_um, none, um)), in_mm,
+                    1e-12 * in_mm)
+            << key;
+    }
+    EXPECT_NEAR(u(quantity("x", -50.0, "mm", "standard", 2.0, none, none, std::string("ppm"))), 1e-7, 1e-20);
+    EXPECT_NEAR(u(quantity("x", 0.5, "1", "standard", 1.0, none, none, percent)), 0.01, 1e-15)
+        << "of a number a part is a number";
+}
+
 TEST(EquationModel, SeveralComponentsOfOneQuantityAddUp) {
     auto rows = std::vector<Row>{quantity("x", 5.0, "mm", "standard", 0.003),
                                  quantity("x", none, "um", "standard", 4.0)};
@@ -116,8 +149,8 @@ TEST(EquationModel, AResultIsInTheUnitOfTheFirstQuantityOfItsDimension) {
 
 TEST(EquationModel, RelativeUncertaintyOfUGivesDegreesOfFreedom) {
     Row row = quantity("x", 5.0, "1", "standard", 1.0);
-    row.resize(9);
-    row[8] = 25.0;
+    row.resize(10);
+    row[9] = 25.0;
     EXPECT_NEAR(first_order(setup_of("y = x", {row})).outputs[0].first_order.effective_degrees_of_freedom,
                 8.0, 1e-12);
 }
@@ -174,6 +207,15 @@ TEST(EquationModel, ProblemsHaveTheirPlace) {
         {"defined", setup_of("y = x", {x, quantity("y", 1.0, "1")}), "/quantities/rows/1/symbol",
          "defined by an equation"},
         {"unit", setup_of("y = x", {quantity("x", 1.0, "parsec")}), "/quantities/rows/0/unit", "not known"},
+        {"unit of the statement",
+         setup_of("y = x", {quantity("x", 1.0, "mm", "standard", 0.1, none, none, std::string("kg"))}),
+         "/quantities/rows/0/statement", "no unit for a quantity"},
+        {"part of no value",
+         setup_of("y = x", {quantity("x", none, "mm", "standard", 0.1, none, none, std::string("ppm"))}),
+         "/quantities/rows/0/statement", "needs the value"},
+        {"no unit of the statement",
+         setup_of("y = x", {quantity("x", 1.0, "mm", "standard", 0.1, none, none, std::string("parsec"))}),
+         "/quantities/rows/0/stated_unit", "not known"},
         {"no value", setup_of("y = x", {quantity("x", none, "mm", "standard", 0.1)}),
          "/quantities/rows/0/value", "missing"},
         {"no figure", setup_of("y = x", {quantity("x", 1.0, "mm", "certificate-k", 0.1)}),

@@ -1,0 +1,27 @@
+// The middle of the window while the project is empty: what can be evaluated, one click or key away.
+#pragma once
+
+#include <QWidget>
+
+class QTreeWidget;
+
+namespace covaria::ui {
+
+class EmptyProject : public QWidget {
+    Q_OBJECT
+public:
+    explicit EmptyProject(QWidget* parent = nullptr);
+    QTreeWidget& models() { return *models_; }
+
+signals:
+    /// By its id.
+    void analysis_wanted(const std::string& model);
+    void library_wanted();
+
+private:
+    void fill();
+
+    QTreeWidget* models_;
+};
+
+}  // namespace covaria::ui
