@@ -3,7 +3,8 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QTreeWidget>
+#include <QStandardItemModel>
+#include <QTreeView>
 #include <QVBoxLayout>
 
 #include "core/model/model_descriptor.h"
@@ -14,7 +15,8 @@
 
 namespace covaria::ui {
 
-EmptyProject::EmptyProject(QWidget* parent) : QWidget(parent), models_(new QTreeWidget(this)) {
+EmptyProject::EmptyProject(QWidget* parent)
+    : QWidget(parent), models_(new QTreeView(this)), rows_(new QStandardItemModel(0, 2, this)) {
     setAccessibleName(tr("Empty project"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 12, 16, 12);
@@ -27,8 +29,9 @@ EmptyProject::EmptyProject(QWidget* parent) : QWidget(parent), models_(new QTree
     column->addLayout(head);
     column->addWidget(models_, 1);
     models_->setObjectName(QStringLiteral("models"));
-    models_->setAccessibleName(title->text());
-    models_->setColumnCount(2);
+    models_->setAccessibleName(tr("What is to be evaluated?"));
+    models_->setModel(rows_);
+    models_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     models_->setHeaderHidden(true);
     models_->setRootIsDecorated(false);
     models_->setAllColumnsShowFocus(true);
@@ -36,20 +39,25 @@ EmptyProject::EmptyProject(QWidget* parent) : QWidget(parent), models_(new QTree
     fill();
     setFocusProxy(models_);
     connect(library, &QPushButton::clicked, this, &EmptyProject::library_wanted);
-    const auto choose = [this](const QTreeWidgetItem* item) {
-        emit analysis_wanted(to_std(item->data(0, Qt::UserRole).toString()));
+    const auto choose = [this](const QModelIndex& cell) {
+        if (isVisible())  // a click may activate, too
+            emit analysis_wanted(to_std(cell.data(Qt::UserRole).toString()));
     };
-    connect(models_, &QTreeWidget::itemClicked, this, choose);
-    connect(models_, &QTreeWidget::itemActivated, this, choose);
+    connect(models_, &QTreeView::clicked, this, choose);
+    connect(models_, &QTreeView::activated, this, choose);
 }
 
 void EmptyProject::fill() {
     for (const ModelDescriptor* model : models_for_new_analyses()) {
-        auto* item = new QTreeWidgetItem(models_, {core_text(model->title), core_text(model->summary)});
-        item->setData(0, Qt::UserRole, to_qt(model->id));
-        for (int i = 0; i < 2; ++i) item->setToolTip(i, item->text(1));
+        QList<QStandardItem*> row;
+        for (const std::string& text : {model->title, model->summary}) {
+            row << new QStandardItem(core_text(text));
+            row.back()->setData(to_qt(model->id), Qt::UserRole);
+            row.back()->setToolTip(core_text(model->summary));
+        }
+        rows_->appendRow(row);
     }
-    models_->setCurrentItem(models_->topLevelItem(0));
+    models_->setCurrentIndex(rows_->index(0, 0));
 }
 
 }  // namespace covaria::ui

@@ -3,7 +3,8 @@
 
 #include <QWidget>
 
-class QTreeWidget;
+class QStandardItemModel;
+class QTreeView;
 
 namespace covaria::ui {
 
@@ -11,7 +12,7 @@ class EmptyProject : public QWidget {
     Q_OBJECT
 public:
     explicit EmptyProject(QWidget* parent = nullptr);
-    QTreeWidget& models() { return *models_; }
+    QTreeView& models() { return *models_; }
 
 signals:
     /// By its id.
@@ -21,7 +22,8 @@ signals:
 private:
     void fill();
 
-    QTreeWidget* models_;
+    QTreeView* models_;
+    QStandardItemModel* rows_;  ///< a model each: its title and its summary
 };
 
 }  // namespace covaria::ui
