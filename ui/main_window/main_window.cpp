@@ -201,7 +201,7 @@ void MainWindow::make_toolbar() {
 void MainWindow::make_menus() {
     make_file_menu();
     make_edit_menu();
-    make_run_menu();
+    run_->add_to(*menuBar()->addMenu(tr("&Run")));
     make_view_menu();
     make_help_menu();
 }
@@ -238,10 +238,6 @@ void MainWindow::make_edit_menu() {
     preferences->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
     preferences->setMenuRole(QAction::PreferencesRole);
     project_actions_ << add_->menuAction();
-}
-
-void MainWindow::make_run_menu() {
-    run_->add_to(*menuBar()->addMenu(tr("&Run")));
 }
 
 void MainWindow::make_view_menu() {
@@ -289,7 +285,11 @@ void MainWindow::connect_panes() {
     connect(start_, &StartPage::first_steps_wanted, this, &MainWindow::show_first_steps);
     // When the menu or the list that it was chosen from has given the keyboard back.
     connect(
-        project_, &ProjectPane::entry_added, properties_, [this] { properties_->go_to_first_field(); },
+        project_, &ProjectPane::entry_added, properties_,
+        [this] {
+            give_names_room();
+            properties_->go_to_first_field();
+        },
         Qt::QueuedConnection);
     connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
     connect(empty_, &EmptyProject::library_wanted, this, &MainWindow::show_library);

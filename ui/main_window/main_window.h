@@ -87,7 +87,6 @@ private:
     void make_toolbar();
     void make_file_menu();
     void make_edit_menu();
-    void make_run_menu();
     void make_view_menu();
     void make_help_menu();
     void connect_panes();

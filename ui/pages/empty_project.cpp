@@ -52,6 +52,7 @@ void EmptyProject::fill() {
         QList<QStandardItem*> row;
         for (const std::string& text : {model->title, model->summary}) {
             row << new QStandardItem(core_text(text));
+            row.back()->setSizeHint({0, fontMetrics().height() + 10});
             row.back()->setData(to_qt(model->id), Qt::UserRole);
             row.back()->setToolTip(core_text(model->summary));
         }

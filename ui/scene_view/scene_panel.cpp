@@ -287,7 +287,9 @@ void ScenePanel::build_scene() {
         const bool of_equations = flat_->isVisibleTo(this) && equations_of_ == analysis_;
         if (of_equations || (below_ && !below_->isHidden())) {
             show_in_space(false);
-            return equations_->show_equations(unprepared_words(status), {});
+            equations_->show_equations(unprepared_words(status), {});
+            if (!of_equations) give_equations_room();
+            return;
         }
         show_in_space(true);
         shown_number_ = ++number_;
@@ -398,22 +400,30 @@ void ScenePanel::show_item(const QString& id) {
 void ScenePanel::show_words() {
     const QString words = measuring_->words();
     if (words.isEmpty()) return describe_item(view_->selected());
+    say(words);
+}
+
+/// No wider than its words: the axes are to be read beside it.
+void ScenePanel::say(const QString& words) {
+    picked_->setWordWrap(false);
     picked_->setText(words);
+    const int wanted = picked_->sizeHint().width();
+    picked_->setFixedWidth(std::min(wanted, view_->width()));
+    picked_->setWordWrap(wanted > view_->width());
     picked_->show();
 }
 
 void ScenePanel::describe_item(const QString& id) {
     if (measuring_->is_active()) return;
     const SceneItem* item = view_->scene() ? find_item(*view_->scene(), id.toStdString()) : nullptr;
-    picked_->setVisible(item != nullptr);
     picked_->setToolTip({});
-    if (!item) return;
+    if (!item) return picked_->hide();
     const LengthUnit& unit = view_->scene()->unit;
     QString text =
         tr("<b>%1</b>  at %2").arg(to_qt(name_of(*item)).toHtmlEscaped(), coordinates(item->position, unit));
     if (item->u) text += tr(",  u = %1").arg(triple(*item->u, unit));
     if (item->U) text += tr(",  U = %1").arg(triple(*item->U, unit));
-    picked_->setText(text);
+    say(text);
 }
 
 /// Its inputs: made again, as the run had them.
@@ -422,9 +432,8 @@ void ScenePanel::show_trial(std::uint64_t trial) {
     if (measuring_->is_active() || !status.prepared || !status.is_of_present()) return;
     const TrialWords words = trial_words(*status.prepared, to_std(group()), trial);
     if (words.line.isEmpty()) return;
-    picked_->setText(words.line);
+    say(words.line);
     picked_->setToolTip(words.all);
-    picked_->show();
 }
 
 /// The user picked an item, or nothing.

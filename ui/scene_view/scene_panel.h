@@ -86,6 +86,7 @@ private:
     bool show_source();
     bool is_selected_source(const SceneItem& item) const;
     void show_trial(std::uint64_t trial);
+    void say(const QString& words);
     void describe_item(const QString& id);
     void show_words();
     void take_pick(const QString& id);

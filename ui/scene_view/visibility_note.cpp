@@ -16,11 +16,16 @@ QString visibility_words(const Scene& whole, const Visibility& visibility) {
     return hidden == 0 ? QString() : QObject::tr("%n hidden (Shift+H: show all)", nullptr, int(hidden));
 }
 
+namespace {
+constexpr int lines_of_title = 3;  // of the scene, and of what is shown of it, with their margin
+constexpr int room_of_cube = 96;
+}  // namespace
+
 void paint_note(QPainter& painter, const QWidget& view, const QString& words) {
-    constexpr int above = 6, left_and_right = 8, top_and_bottom = 3;
+    constexpr int left_and_right = 8, top_and_bottom = 3;
     QRect box = view.fontMetrics().boundingRect(words).adjusted(-left_and_right, -top_and_bottom,
                                                                 left_and_right, top_and_bottom);
-    box.moveTopLeft({(view.width() - box.width()) / 2, above});
+    box.moveTopRight({view.width() - room_of_cube, lines_of_title * view.fontMetrics().height()});
     painter.setPen(view.palette().color(QPalette::Mid));
     painter.setBrush(view.palette().color(QPalette::Window));
     painter.drawRoundedRect(box, 3, 3);
