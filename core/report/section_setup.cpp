@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "core/report/report_parts.h"
-#include "core/setup/symbol_column.h"
+#include "core/setup/text_columns.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
@@ -46,7 +46,7 @@ std::string name_of_asset(const std::string& id, const ReportSource& source) {
 /// A unit that was typed ("um", "kg/m^3") as people read it.
 std::string shown_unit(const std::string& key, const std::string& text) {
     const Result<Unit> unit =
-        key.ends_with("unit") ? Unit::parse(text) : Result<Unit>(fail(ErrorCode::bad_input, ""));
+        names_unit(key) ? Unit::parse(text) : Result<Unit>(fail(ErrorCode::bad_input, ""));
     return unit ? unit->display() : text;
 }
 

@@ -6464,7 +6464,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Of the certificate and the report; what was typed stays as it is.</source>
-        <translation>Von Zertifikat und Bericht; was eingetippt wurde, bleibt, wie es ist.</translation>
+        <translation>Von Kalibrierschein und Bericht; was eingetippt wurde, bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>distributions of %1</source>
@@ -9444,7 +9444,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>the certificate cannot have been issued before the calibration</source>
-        <translation>das Zertifikat kann nicht vor der Kalibrierung ausgestellt worden sein</translation>
+        <translation>der Kalibrierschein kann nicht vor der Kalibrierung ausgestellt worden sein</translation>
     </message>
     <message>
         <source> (or %1)</source>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/setup/symbol_column.h"
+#include "core/setup/text_columns.h"
 #include "core/text/symbol.h"
 #include "ui/document/project_edits.h"
 #include "ui/document/quantity_text.h"
@@ -88,7 +88,7 @@ QString shown_text(const ColumnSpec& column, const SetupCell& cell) {
         return to_qt(grouped_digits(has_power ? format_typed(*number) : typed, user_numbers()));
     }
     const std::string* text = std::get_if<std::string>(&cell);
-    if (!text || text->empty() || column.key != "unit") return {};
+    if (!text || text->empty() || !names_unit(column.key)) return {};
     const Result<Unit> unit = Unit::parse(*text);
     return unit ? to_qt(unit->display()) : QString();
 }

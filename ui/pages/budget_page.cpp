@@ -25,7 +25,8 @@ namespace covaria::ui {
 
 namespace {
 
-constexpr std::size_t most_lines = 6;  // of results; all are in the table below
+constexpr std::size_t most_lines = 6;     // of results; all are in the table below
+constexpr double resolution_of_r = 0.01;  // of computed ones; a typed one keeps its digits
 
 const FieldSpec* stating_table(const Project& project, const SetupAddress& address) {
     const SetupSchema* schema = find_schema(project, address);
@@ -221,9 +222,10 @@ QString BudgetPage::correlation_words(const PreparedAnalysis& analysis) const {
             words << QStringLiteral("…");
             break;
         }
-        words << QStringLiteral("<i>r</i>(%1, %2)\u00a0=\u00a0%3")
+        words << QStringLiteral("<i>r</i>(%1,\u00a0%2)\u00a0=\u00a0%3")
                      .arg(a->second, b->second,
-                          to_qt(typeset_number(format_typed(c.coefficient), language_of_window().numbers())));
+                          to_qt(typeset_number(format_estimate(c.coefficient, resolution_of_r),
+                                               language_of_window().numbers())));
     }
     return words.join(QStringLiteral("; "));
 }
