@@ -342,10 +342,10 @@ void MainWindow::connect_panes() {
     connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_tab_in_scene);
     connect(&results_->design_tab(), &DesignTab::shown_changed, this, &MainWindow::show_tab_in_scene);
     connect(&results_->tabs(), &QTabWidget::currentChanged, this, &MainWindow::show_tab_in_scene);
-    const auto edit_by = [this](void (PropertiesPane::*show)()) {
+    const auto edit_by = [this](void (PropertiesPane::*page)()) {
         selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
         docks_[1]->show();
-        (properties_->*show)();
+        (properties_->*page)();
     };
     connect(&results_->study_tab(), &StudyTab::edit_wanted, this,
             [edit_by] { edit_by(&PropertiesPane::show_studies); });
