@@ -7,7 +7,6 @@
 #include <QLineEdit>
 #include <QMap>
 #include <QMenuBar>
-#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolBar>
@@ -23,6 +22,7 @@
 #include "ui/main_window/first_steps_guide.h"
 #include "ui/main_window/help_actions.h"
 #include "ui/main_window/import_actions.h"
+#include "ui/main_window/middle_pages.h"
 #include "ui/main_window/only_middle.h"
 #include "ui/main_window/pane_keys.h"
 #include "ui/main_window/preferences_dialog.h"
@@ -82,19 +82,13 @@ MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
 MainWindow::~MainWindow() = default;
 
 void MainWindow::make_panes() {
-    pages_ = new QStackedWidget(this);
-    start_ = new StartPage;
     scene_ = new ScenePanel(runner_);
     budget_ = new BudgetPage(document_, runner_, selection_);
     scene_->put_below_equations(budget_);
     connect(budget_, &BudgetPage::quantity_asked, this, &MainWindow::go_to);
     views_ = new ViewActions(document_, scene_->view(), this);
     scene_->offer_views(views_->menu());
-    empty_ = new EmptyProject;
-    pages_->addWidget(start_);
-    pages_->addWidget(empty_);
-    pages_->addWidget(scene_);
-    setCentralWidget(pages_);
+    setCentralWidget(pages_ = new MiddlePages(document_, *scene_));
     project_ = new ProjectPane(document_, runner_, selection_, preferences_);
     project_->confirm = [this](const QString& question, const QString& action) {
         return files_.dialogs.confirm(question, action);
@@ -254,10 +248,9 @@ void MainWindow::make_view_menu() {
     menu->addAction(middle);
     project_actions_ << middle << menu->addAction(tr("&Reset Layout"), this, &MainWindow::arrange);
     menu->addSeparator();
-    menu->addAction(icon(QStringLiteral("start")), tr("Start Page"), this,
-                    [this] { pages_->setCurrentWidget(start_); });
-    QAction* scene =
-        menu->addAction(icon(QStringLiteral("scene")), tr("3D Scene"), this, &MainWindow::show_middle);
+    menu->addAction(icon(QStringLiteral("start")), tr("Start Page"), this, [this] { pages_->show_start(); });
+    QAction* scene = menu->addAction(icon(QStringLiteral("scene")), tr("3D Scene"), this,
+                                     [this] { pages_->show_project(); });
     project_actions_ << scene << menu->addMenu(&views_->menu());
 }
 
@@ -279,10 +272,7 @@ void MainWindow::make_help_menu() {
 }
 
 void MainWindow::connect_panes() {
-    connect(start_, &StartPage::new_wanted, &files_, &FileActions::new_project);
-    connect(start_, &StartPage::open_wanted, &files_, &FileActions::open);
-    connect(start_, &StartPage::library_wanted, this, &MainWindow::show_library);
-    connect(start_, &StartPage::first_steps_wanted, this, &MainWindow::show_first_steps);
+    connect_middle();
     // When the menu or the list that it was chosen from has given the keyboard back.
     connect(
         project_, &ProjectPane::entry_added, properties_,
@@ -292,20 +282,10 @@ void MainWindow::connect_panes() {
         },
         Qt::QueuedConnection);
     connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
-    connect(empty_, &EmptyProject::library_wanted, this, &MainWindow::show_library);
-    connect(empty_, &EmptyProject::analysis_wanted, project_, &ProjectPane::add_analysis);
-    connect(&document_, &Document::project_changed, this, [this] {
-        if (has_project_ && pages_->currentWidget() != start_) show_middle();
-    });
     connect(&selection_, &Selection::entry_changed, this, &MainWindow::lead_from_equations_to_budget,
             Qt::QueuedConnection);
     project_->is_in_scene = [this](const QString& asset) { return scene_->view().shows_asset(asset); };
     connect(project_, &ProjectPane::scene_wanted, &scene_->view(), &SceneView::show_asset);
-    connect(start_, &StartPage::file_wanted, &files_, &FileActions::open_file);
-    connect(start_, &StartPage::example_wanted, &files_, &FileActions::open_example);
-    connect(&files_, &FileActions::recent_changed, start_,
-            [this] { start_->set_recent_files(files_.recent_files()); });
-    start_->set_recent_files(files_.recent_files());
     connect(&files_, &FileActions::project_opened, this, &MainWindow::show_project);
     const auto say = [this](const QString& text) {
         statusBar()->showMessage(text, 8000);
@@ -367,6 +347,22 @@ void MainWindow::connect_panes() {
             });
     set_rendering_log([this](const std::string& message) { log_->write(to_qt(message)); });
     for (QAction* action : project_actions_) action->setEnabled(false);
+}
+
+void MainWindow::connect_middle() {
+    StartPage* start = &pages_->start();
+    connect(start, &StartPage::new_wanted, &files_, &FileActions::new_project);
+    connect(start, &StartPage::open_wanted, &files_, &FileActions::open);
+    connect(start, &StartPage::library_wanted, this, &MainWindow::show_library);
+    connect(start, &StartPage::first_steps_wanted, this, &MainWindow::show_first_steps);
+    connect(start, &StartPage::file_wanted, &files_, &FileActions::open_file);
+    connect(start, &StartPage::example_wanted, &files_, &FileActions::open_example);
+    const auto list_recent = [this, start] { start->set_recent_files(files_.recent_files()); };
+    connect(&files_, &FileActions::recent_changed, start, list_recent);
+    list_recent();
+    EmptyProject* empty = &pages_->empty();
+    connect(empty, &EmptyProject::library_wanted, this, &MainWindow::show_library);
+    connect(empty, &EmptyProject::analysis_wanted, project_, &ProjectPane::add_analysis);
 }
 
 void MainWindow::connect_scene() {
@@ -451,7 +447,7 @@ FirstStepsGuide& MainWindow::first_steps() {
 /// A newcomer begins with an empty project; a project that is open stays.
 void MainWindow::show_first_steps() {
     if (!has_project_) files_.new_project();
-    show_middle();
+    pages_->show_project();
     first_steps().begin();
 }
 
@@ -539,14 +535,8 @@ void MainWindow::show_project() {
     else if (!project.assets.empty())
         selection_.select_entry({SetupOwner::asset, project.assets.front().id});
     update_title();
-    show_middle();
-    if (pages_->currentWidget() == empty_) empty_->setFocus();
-}
-
-void MainWindow::show_middle() {
-    const Project& project = document_.project();
-    const bool is_empty = project.analyses.empty() && project.assets.empty();
-    pages_->setCurrentWidget(is_empty ? static_cast<QWidget*>(empty_) : scene_);
+    pages_->show_project();
+    if (pages_->empty().isVisible()) pages_->empty().setFocus();
 }
 
 /// What the equations name has its rows there.

@@ -12,19 +12,18 @@
 
 class QAction;
 class QDockWidget;
-class QStackedWidget;
 class QToolBar;
 
 namespace covaria::ui {
 
 class BudgetPage;
-class EmptyProject;
 class ExportActions;
 class FirstStepsGuide;
 class HelpActions;
 class ImportActions;
 class LibraryBrowser;
 class LogPane;
+class MiddlePages;
 class ProblemsPane;
 class ProjectPane;
 class PropertiesPane;
@@ -33,7 +32,6 @@ class RunActions;
 class SearchActions;
 class ScenePanel;
 class ViewActions;
-class StartPage;
 class ThemeSwitch;
 
 class MainWindow : public QMainWindow {
@@ -90,12 +88,11 @@ private:
     void make_view_menu();
     void make_help_menu();
     void connect_panes();
+    void connect_middle();
     void connect_scene();
     void show_running_design(const QString& analysis, const QString& id);
     void show_tab_in_scene();
     void show_project();
-    /// The scene, or what can be put into a project that is empty.
-    void show_middle();
     void lead_from_equations_to_budget();
     void show_library();
     void connect_library();
@@ -110,9 +107,7 @@ private:
     Selection selection_;
     AnalysisRunner runner_{document_.maker()};
     FileActions files_;
-    QStackedWidget* pages_ = nullptr;
-    StartPage* start_ = nullptr;
-    EmptyProject* empty_ = nullptr;
+    MiddlePages* pages_ = nullptr;
     ScenePanel* scene_ = nullptr;
     ViewActions* views_ = nullptr;
     BudgetPage* budget_ = nullptr;
