@@ -30,6 +30,10 @@
             <numerusform>%n ausgeblendet (Umschalt+H: alles zeigen)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
+        <translation>Das Intervall liegt nicht symmetrisch um den Schätzwert: das Intervall angeben, nicht y ± U (JCGM 101 5.5).</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -12675,10 +12679,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>stimmt überein</translation>
     </message>
     <message>
-        <source>along any axis</source>
-        <translation>entlang jeder Achse</translation>
-    </message>
-    <message>
         <source>distance: largest</source>
         <translation>Abstand: größter</translation>
     </message>
@@ -13145,6 +13145,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Two correlated components have half of their covariance each.</source>
         <translation>Zwei korrelierte Komponenten haben je die Hälfte ihrer Kovarianz.</translation>
+    </message>
+    <message>
+        <source>u along any axis</source>
+        <translation>u längs jeder Achse</translation>
     </message>
 </context>
 <context>
@@ -16552,13 +16556,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>Die Analyse ausführen, um zu sehen, ob die Anforderung eingehalten ist.</translation>
-    </message>
-</context>
-<context>
-    <name>covaria::ui::ResultTableModel</name>
-    <message>
-        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
-        <translation>Das Intervall liegt nicht symmetrisch um den Schätzwert: das Intervall angeben, nicht y ± U (JCGM 101 5.5).</translation>
     </message>
 </context>
 <context>

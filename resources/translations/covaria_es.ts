@@ -30,6 +30,10 @@
             <numerusform>%n ocultos (Mayús+H: mostrar todo)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
+        <translation>El intervalo no es simétrico respecto a la estimación: indique el intervalo, no y ± U (JCGM 101 5.5).</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -12675,10 +12679,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>concuerda</translation>
     </message>
     <message>
-        <source>along any axis</source>
-        <translation>a lo largo de cualquier eje</translation>
-    </message>
-    <message>
         <source>distance: largest</source>
         <translation>distancia: máxima</translation>
     </message>
@@ -13145,6 +13145,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>Two correlated components have half of their covariance each.</source>
         <translation>Dos componentes correlacionadas tienen cada una la mitad de su covarianza.</translation>
+    </message>
+    <message>
+        <source>u along any axis</source>
+        <translation>u a lo largo de cada eje</translation>
     </message>
 </context>
 <context>
@@ -16552,13 +16556,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>Ejecute el análisis para ver si se cumple el requisito.</translation>
-    </message>
-</context>
-<context>
-    <name>covaria::ui::ResultTableModel</name>
-    <message>
-        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
-        <translation>El intervalo no es simétrico respecto a la estimación: indique el intervalo, no y ± U (JCGM 101 5.5).</translation>
     </message>
 </context>
 <context>

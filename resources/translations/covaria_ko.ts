@@ -29,6 +29,10 @@
             <numerusform>%n개 숨김(Shift+H: 모두 표시)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
+        <translation>구간이 추정값에 대해 대칭이 아닙니다. y ± U 대신 구간을 적으십시오(JCGM 101 5.5).</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -12674,10 +12678,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>일치</translation>
     </message>
     <message>
-        <source>along any axis</source>
-        <translation>어느 축 방향이든</translation>
-    </message>
-    <message>
         <source>distance: largest</source>
         <translation>거리: 최대</translation>
     </message>
@@ -13144,6 +13144,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>Two correlated components have half of their covariance each.</source>
         <translation>상관된 두 성분은 공분산의 절반씩을 가집니다.</translation>
+    </message>
+    <message>
+        <source>u along any axis</source>
+        <translation>각 축 방향의 u</translation>
     </message>
 </context>
 <context>
@@ -16548,13 +16552,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>요구사항의 충족 여부를 보려면 분석을 실행하세요.</translation>
-    </message>
-</context>
-<context>
-    <name>covaria::ui::ResultTableModel</name>
-    <message>
-        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
-        <translation>구간이 추정값에 대해 대칭이 아닙니다. y ± U 대신 구간을 적으십시오(JCGM 101 5.5).</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,10 @@
             <numerusform>%n ocultos (Shift+H: mostrar tudo)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
+        <translation>O intervalo não é simétrico em torno da estimativa: declare o intervalo, não y ± U (JCGM 101 5.5).</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -12675,10 +12679,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>concorda</translation>
     </message>
     <message>
-        <source>along any axis</source>
-        <translation>ao longo de qualquer eixo</translation>
-    </message>
-    <message>
         <source>distance: largest</source>
         <translation>distância: maior</translation>
     </message>
@@ -13145,6 +13145,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Two correlated components have half of their covariance each.</source>
         <translation>Duas componentes correlacionadas têm cada uma a metade da sua covariância.</translation>
+    </message>
+    <message>
+        <source>u along any axis</source>
+        <translation>u ao longo de cada eixo</translation>
     </message>
 </context>
 <context>
@@ -16552,13 +16556,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>Execute a análise para ver se o requisito é atingido.</translation>
-    </message>
-</context>
-<context>
-    <name>covaria::ui::ResultTableModel</name>
-    <message>
-        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
-        <translation>O intervalo não é simétrico em torno da estimativa: declare o intervalo, não y ± U (JCGM 101 5.5).</translation>
     </message>
 </context>
 <context>

@@ -29,6 +29,10 @@
             <numerusform>已隐藏 %n 项（Shift+H：全部显示）</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
+        <translation>区间关于估计值不对称：请给出区间，而不是 y ± U（JCGM 101 5.5）。</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -1211,7 +1215,7 @@
     </message>
     <message>
         <source>Measured is</source>
-        <translation>测量的是</translation>
+        <translation>测量内容</translation>
     </message>
     <message>
         <source>The position of a ball alone, or position and orientation of the tool.</source>
@@ -1655,7 +1659,7 @@
     </message>
     <message>
         <source>limits inexactly known</source>
-        <translation>界限不准确已知</translation>
+        <translation>界限不精确已知</translation>
     </message>
     <message>
         <source>trapezoidal</source>
@@ -2479,7 +2483,7 @@
     </message>
     <message>
         <source>Scale of distances</source>
-        <translation>距离的尺度</translation>
+        <translation>距离的比例误差</translation>
     </message>
     <message>
         <source>Standard uncertainty of the scale, which all distances share: wavelength, refractive index, temperature of a scale.</source>
@@ -2495,7 +2499,7 @@
     </message>
     <message>
         <source>Index of the elevation</source>
-        <translation>俯仰角的指标差</translation>
+        <translation>竖盘指标差</translation>
     </message>
     <message>
         <source>Standard uncertainty of the zero of the vertical circle.</source>
@@ -2763,7 +2767,7 @@
     </message>
     <message>
         <source>Scale of all lengths</source>
-        <translation>所有长度的尺度</translation>
+        <translation>所有长度的比例误差</translation>
     </message>
     <message>
         <source>Standard uncertainty of the scale that all lengths share: wavelength, refractive index.</source>
@@ -2991,7 +2995,7 @@
     </message>
     <message>
         <source>Standard uncertainties of the parameters by source. A row for a joint and a source; components of one parameter combine in quadrature.</source>
-        <translation>按来源给出的参数标准不确定度。每个关节和来源占一行；同一参数的各分量按平方和合成。</translation>
+        <translation>按来源给出的参数标准不确定度。每个关节和来源占一行；同一参数的各分量按方和根合成。</translation>
     </message>
     <message>
         <source>Where the figures come from: repeatability, sampling, range, certificate ...</source>
@@ -3527,7 +3531,7 @@
     </message>
     <message>
         <source>Tool by ballbars</source>
-        <translation>由球杆仪求工具</translation>
+        <translation>由球杆仪求工具中心点</translation>
     </message>
     <message>
         <source>A robot&apos;s tool centre point from rotations measured by telescopic ballbars.</source>
@@ -3651,7 +3655,7 @@
     </message>
     <message>
         <source>Trials one at a time</source>
-        <translation>逐一试验次数</translation>
+        <translation>逐个分量的试验次数</translation>
     </message>
     <message>
         <source>Of Monte Carlo with all components but one kept constant, for each component; 0: none.</source>
@@ -3659,7 +3663,7 @@
     </message>
     <message>
         <source>Trials by contributor</source>
-        <translation>按贡献源的试验次数</translation>
+        <translation>每个贡献源的试验次数</translation>
     </message>
     <message>
         <source>Of Monte Carlo without each contributor, and of it alone; 0: none.</source>
@@ -3987,11 +3991,11 @@
     </message>
     <message>
         <source>curvilinear trapezoid</source>
-        <translation>曲边梯形</translation>
+        <translation>曲线梯形</translation>
     </message>
     <message>
         <source>inexactness of the limits</source>
-        <translation>界限的不准确度</translation>
+        <translation>界限的不精确度</translation>
     </message>
     <message>
         <source>ratio of top to base</source>
@@ -4435,7 +4439,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Guard factor</source>
-        <translation>保护因子</translation>
+        <translation>保护带系数</translation>
     </message>
     <message>
         <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
@@ -4847,7 +4851,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>A single output quantity has nothing to be correlated with</source>
-        <translation>单个输出量没有可相关的对象</translation>
+        <translation>只有一个输出量，无相关性可显示</translation>
     </message>
     <message>
         <source>Correlation coefficients</source>
@@ -5079,7 +5083,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Standard uncertainty of one reading, along and across the line of sight</source>
-        <translation>一次读数的标准不确定度，沿视线与垂直视线</translation>
+        <translation>一次读数的标准不确定度，沿视线与垂直于视线</translation>
     </message>
     <message>
         <source>across, by azimuth</source>
@@ -7091,7 +7095,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the inexactness of the limits must not exceed half the distance between them.</source>
-        <translation>界限的不准确度不得超过其间距的一半。</translation>
+        <translation>界限的不精确度不得超过其间距的一半。</translation>
     </message>
     <message>
         <source>the ratio beta of top to base must lie between 0 and 1.</source>
@@ -7127,7 +7131,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>values</source>
-        <translation>值</translation>
+        <translation>取值个数</translation>
     </message>
     <message>
         <source>probabilities</source>
@@ -8835,7 +8839,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>the guard factor of %1 must lie between -10 and 10; 1 is a guard band of U, 0 simple acceptance</source>
-        <translation>%1 的保护因子必须在 -10 和 10 之间；1 为保护带 U，0 为简单接受</translation>
+        <translation>%1 的保护带系数必须在 -10 和 10 之间；1 为保护带 U，0 为简单接受</translation>
     </message>
     <message>
         <source>the prior of %1 needs both a mean and a standard deviation</source>
@@ -11723,11 +11727,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>forces, to a scale of their own</source>
-        <translation>力，按自身比例</translation>
+        <translation>力（单独比例）</translation>
     </message>
     <message>
         <source>moments, to a scale of their own</source>
-        <translation>力矩，按自身比例</translation>
+        <translation>力矩（单独比例）</translation>
     </message>
     <message>
         <source>uncertainty × %1</source>
@@ -12031,7 +12035,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>scale of distances</source>
-        <translation>距离的尺度</translation>
+        <translation>距离的比例误差</translation>
     </message>
     <message>
         <source>zero offset of distances</source>
@@ -12039,7 +12043,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>index of the elevation</source>
-        <translation>俯仰角的指标差</translation>
+        <translation>竖盘指标差</translation>
     </message>
     <message>
         <source>collimation</source>
@@ -12179,7 +12183,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>scale of all lengths</source>
-        <translation>所有长度的尺度</translation>
+        <translation>所有长度的比例误差</translation>
     </message>
     <message>
         <source>constant of bar %1</source>
@@ -12279,7 +12283,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>Components of a parameter combine in quadrature (Wen et al., Eq. 10). U has the factor 2 of the paper; with few effective degrees of freedom 95 % need more.</source>
-        <translation>一个参数的各分量按平方和合成（Wen et al.，式 10）。U 采用论文的因子 2；有效自由度较少时，95 % 需要更大的因子。</translation>
+        <translation>一个参数的各分量按方和根合成（Wen et al.，式 10）。U 采用论文的因子 2；有效自由度较少时，95 % 需要更大的因子。</translation>
     </message>
     <message>
         <source>Places of the tool in the base frame of the robot.</source>
@@ -12347,7 +12351,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>load %1 by its own channel alone</source>
-        <translation>载荷 %1，仅由其自身通道</translation>
+        <translation>载荷 %1，仅由其自身通道得出</translation>
     </message>
     <message>
         <source>calibration machine, %1</source>
@@ -12555,7 +12559,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>coefficient of the power %1</source>
-        <translation>%1 次幂的系数</translation>
+        <translation>%1 次项系数</translation>
     </message>
     <message>
         <source>mean of y</source>
@@ -12672,10 +12676,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>agrees</source>
         <translation>一致</translation>
-    </message>
-    <message>
-        <source>along any axis</source>
-        <translation>沿任一轴</translation>
     </message>
     <message>
         <source>distance: largest</source>
@@ -12903,11 +12903,11 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>curvilinear</source>
-        <translation>曲边梯形</translation>
+        <translation>曲线梯形</translation>
     </message>
     <message>
         <source>inexactness</source>
-        <translation>不准确度</translation>
+        <translation>不精确度</translation>
     </message>
     <message>
         <source>limits</source>
@@ -13144,6 +13144,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>Two correlated components have half of their covariance each.</source>
         <translation>两个相关的分量各占其协方差的一半。</translation>
+    </message>
+    <message>
+        <source>u along any axis</source>
+        <translation>沿任一轴的 u</translation>
     </message>
 </context>
 <context>
@@ -14412,7 +14416,7 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     </message>
     <message>
         <source>A design finds where to stand and what to measure: the numbers and the rows of the set-up that make the uncertainties smallest. Add one to let Covaria search.</source>
-        <translation>设计用于找出设站位置和测量内容：使不确定度最小的测量设置数值和行。添加一个设计，让 Covaria 搜索。</translation>
+        <translation>设计用于找出设站位置和测量内容：使不确定度最小的设置值和表行。添加一个设计，让 Covaria 搜索。</translation>
     </message>
     <message>
         <source>Add Variable</source>
@@ -16467,7 +16471,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::RequirementsForm</name>
     <message>
         <source>U = %1: the target is %2.</source>
-        <translation>U = %1：目标值为 %2。</translation>
+        <translation>U = %1：%2目标值。</translation>
     </message>
     <message>
         <source>met</source>
@@ -16495,7 +16499,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>(trials)</source>
-        <translation>（试验）</translation>
+        <translation>（由试验得出）</translation>
     </message>
     <message>
         <source>(Student t)</source>
@@ -16548,13 +16552,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>运行分析以查看是否满足要求。</translation>
-    </message>
-</context>
-<context>
-    <name>covaria::ui::ResultTableModel</name>
-    <message>
-        <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
-        <translation>区间关于估计值不对称：请给出区间，而不是 y ± U（JCGM 101 5.5）。</translation>
     </message>
 </context>
 <context>
@@ -16898,7 +16895,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Map of a Study or Design</source>
-        <translation>参数研究或设计的分布图</translation>
+        <translation>参数研究或设计的等值图</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -17265,7 +17262,7 @@ and large-scale metrology</source>
     </message>
     <message>
         <source>A study evaluates this analysis for many values of a number: a sweep over one, a map over two or three. Add one to see how the uncertainty depends on the set-up.</source>
-        <translation>参数研究对一个数值的许多取值评定此分析：对一个数值为扫描，对两个或三个数值为分布图。添加一个，查看不确定度如何随测量设置变化。</translation>
+        <translation>参数研究让一个数值取许多值，逐一评定此分析：一个数值为扫描，两个或三个数值为等值图。添加一个，查看不确定度如何随测量设置变化。</translation>
     </message>
     <message>
         <source>Name of the study</source>
@@ -17439,11 +17436,11 @@ and large-scale metrology</source>
     </message>
     <message>
         <source>A map, or lines over the first axis</source>
-        <translation>分布图，或沿第一轴的曲线</translation>
+        <translation>等值图，或沿第一轴的曲线</translation>
     </message>
     <message>
         <source>Map</source>
-        <translation>分布图</translation>
+        <translation>等值图</translation>
     </message>
     <message>
         <source>Lines</source>

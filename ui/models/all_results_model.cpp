@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "core/report/result_columns.h"
+#include "core/report/result_statement.h"
+#include "ui/models/interval_mark.h"
 #include "ui/models/roles.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
@@ -108,10 +110,13 @@ AllResultsModel::Place AllResultsModel::place_of(int row) const {
     return {analysis.id, analysis.result->outputs[at.output].quantity.group, at.output};
 }
 
-QVariant AllResultsModel::extra(std::size_t row, std::size_t, int role) const {
+QVariant AllResultsModel::extra(std::size_t row, std::size_t column, int role) const {
     const ShownAnalysis& analysis = analyses_[rows_[row].analysis];
     if (role == Qt::ForegroundRole && !analysis.of_present)
         return QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
+    const bool of_symmetric = key(column) == "U" || key(column) == "k";
+    if (of_symmetric && is_stated_by_interval(analysis.result->outputs[rows_[row].output], *analysis.result))
+        if (const QVariant mark = interval_mark(role); mark.isValid()) return mark;
     if (role == Qt::ToolTipRole) return tr("Double click: goes to the analysis");
     return {};
 }

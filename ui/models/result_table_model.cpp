@@ -1,13 +1,12 @@
 // Which columns and rows of a result are shown.
 #include "ui/models/result_table_model.h"
 
-#include <QGuiApplication>
-#include <QPalette>
 #include <algorithm>
 
 #include "core/propagation/requirements.h"
 #include "core/report/result_columns.h"
 #include "core/report/result_statement.h"
+#include "ui/models/interval_mark.h"
 #include "ui/models/roles.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
@@ -89,12 +88,8 @@ std::vector<std::string> ResultTableModel::keys() const {
 QVariant ResultTableModel::extra(std::size_t row, std::size_t column, int role) const {
     const OutputResult& output = result_->outputs[shown_[row]];
     const bool of_symmetric = key(column) == "U" || key(column) == "k";
-    if (of_symmetric && (role == Qt::ForegroundRole || role == Qt::ToolTipRole) &&
-        is_stated_by_interval(output, *result_))
-        return role == Qt::ToolTipRole
-                   ? QVariant(tr("The interval is not symmetric about the estimate: state the interval, not "
-                                 "y ± U (JCGM 101 5.5)."))
-                   : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
+    if (of_symmetric && is_stated_by_interval(output, *result_))
+        if (const QVariant mark = interval_mark(role); mark.isValid()) return mark;
     if (role == group_role) return to_qt(output.quantity.group);
     if (role == id_role) return to_qt(output.quantity.symbol);
     if (role == index_role) return static_cast<qulonglong>(shown_[row]);

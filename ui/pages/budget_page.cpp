@@ -37,6 +37,15 @@ const FieldSpec* stating_table(const Project& project, const SetupAddress& addre
     return found == fields.end() ? nullptr : &*found;
 }
 
+/// "k = 2" and "[0.1, 18.4]" are not broken into lines.
+QString kept_together(QString statement) {
+    statement.replace(QStringLiteral(" = "), QStringLiteral("\u00a0=\u00a0"));
+    const auto open = statement.indexOf(QLatin1Char('[')), close = statement.indexOf(QLatin1Char(']'));
+    if (open < 0 || close < open) return statement;
+    const QString interval = statement.mid(open, close - open);
+    return statement.replace(interval, QString(interval).replace(QLatin1Char(' '), QChar(QChar::Nbsp)));
+}
+
 }  // namespace
 
 BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
@@ -241,8 +250,7 @@ QString BudgetPage::lines_of(const UncertaintyResult& result) const {
         }
         const std::string symbol = to_html(symbol_text(output.quantity.symbol));
         const std::string stated = to_html(running_text(result_statement(output, result, in, units_)));
-        lines << to_qt("<b>" + symbol + "</b> = ") +
-                     to_qt(stated).replace(QStringLiteral(" = "), QStringLiteral("\u00a0=\u00a0"));
+        lines << to_qt("<b>" + symbol + "</b> = ") + kept_together(to_qt(stated));
     }
     return lines.join(QStringLiteral("<br>"));
 }

@@ -2,6 +2,7 @@
 #include "ui/theme/typeset_views.h"
 
 #include <QAbstractItemView>
+#include <QAbstractScrollArea>
 #include <QApplication>
 #include <QStylePainter>
 #include <cmath>
@@ -41,6 +42,14 @@ QColor text_colour(const QStyleOptionViewItem& option) {
         group, option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
 }
 
+/// Whether the edge of the view cuts a number: the digits that remain would be another one.
+bool is_cut_number(const QStyleOptionViewItem& cell) {
+    const auto* view = qobject_cast<const QAbstractScrollArea*>(cell.widget);
+    if (!view || !(cell.displayAlignment & Qt::AlignRight) || cell.text.isEmpty()) return false;
+    const QRect seen = cell.rect & view->viewport()->rect();
+    return !seen.isEmpty() && seen.width() < cell.rect.width();
+}
+
 }  // namespace
 
 TypesetDelegate::TypesetDelegate(QObject* parent, Qt::TextElideMode elide)
@@ -61,7 +70,12 @@ void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
                             const QModelIndex& index) const {
     QStyleOptionViewItem cell(option);
     initStyleOption(&cell, index);
-    const Text text = text_from(index.data(typeset_role), cell.text);
+    const bool cut = is_cut_number(cell);
+    if (cut) {
+        cell.rect &= static_cast<const QAbstractScrollArea*>(cell.widget)->viewport()->rect();
+        cell.text = QStringLiteral("…");
+    }
+    const Text text = cut ? Text("…") : text_from(index.data(typeset_role), cell.text);
     if (!text.has_scripts()) {
         style_of(cell.widget)->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
         return;

@@ -37,14 +37,14 @@ const FontFiles& latin_fonts() {
     return files;
 }
 
+/// With Latin letters and figures, too, since a text has one font: not Droid Sans Fallback, which has none.
 const FontFiles& east_asian_fonts() {
     static const FontFiles files =
         first_of({{"opentype/noto/NotoSansCJK-Regular.ttc", "opentype/noto/NotoSansCJK-Bold.ttc"},
                   {"noto-cjk/NotoSansCJK-Regular.ttc", "noto-cjk/NotoSansCJK-Bold.ttc"},
                   {"google-noto-cjk/NotoSansCJK-Regular.ttc", "google-noto-cjk/NotoSansCJK-Bold.ttc"},
                   {"truetype/wqy/wqy-zenhei.ttc", ""},
-                  {"truetype/wqy/wqy-microhei.ttc", ""},
-                  {"truetype/droid/DroidSansFallbackFull.ttf", ""}});
+                  {"truetype/wqy/wqy-microhei.ttc", ""}});
     return files;
 }
 

@@ -127,10 +127,10 @@ public:
         table.title = "Scatter of a pose that the robot is sent to again";
         table.columns = {{.header = "deviation"},
                          {.header = "distribution"},
-                         {.header = "u", .unit = Unit::of("um"), .is_symbol = true, .digits = 4}};
+                         {.header = "value", .unit = Unit::of("um"), .digits = 4}};
         const Distribution& along = position_[0].distribution;
         table.rows.push_back(
-            {tell<"along any axis">(), Message::declared(along.title()), along.standard_uncertainty()});
+            {tell<"u along any axis">(), Message::declared(along.title()), along.standard_uncertainty()});
         const auto length = length_law_of(along);
         if (length) {
             table.rows.push_back({tell<"distance: largest">(), law_title(), length->largest});

@@ -39,6 +39,15 @@ UncertaintyComponent stated(std::string id, Message name, const Unit& unit, doub
     return component;
 }
 
+/// The curve, and what is least for it: by the residuals, or by what is stated of the points.
+const std::vector<ModelEquation>& curve_equations() {
+    static const std::vector<ModelEquation> all{
+        {"b(x) = y₁ + y₂ (x − x₀) + y₃ (x − x₀)² + …", "JCGM 100, Eq H.12"},
+        {"min Σ (y_i − b(x_i))²", "from the residuals, JCGM 100 H.3.2"},
+        {"min Σ (y_i − b(ξ_i))²/u²(y_i) + (x_i − ξ_i)²/u²(x_i)", "as stated, York et al. 2004"}};
+    return all;
+}
+
 class CalibrationCurve : public EquationModel<CalibrationCurve> {
 public:
     CalibrationCurve(CurveSetup setup, Fit fit, std::vector<InversePlace> inverse)
@@ -63,6 +72,10 @@ public:
     const InputSet& inputs() const override { return inputs_; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double>) const override { return {}; }
+    std::vector<ModelEquation> formulas() const override {
+        const std::vector<ModelEquation>& all = curve_equations();
+        return {all.front(), all[setup_.from_residuals ? 1 : 2]};
+    }
     std::vector<DataTable> evaluation() const override {
         return curve::curve_evaluation(setup_, fit_, inverse_);
     }
@@ -265,9 +278,7 @@ ModelDescriptor calibration_curve_model() {
         {"D. York, N. M. Evensen, M. L. Martínez, J. De Basabe Delgado: Unified equations for the slope, "
          "intercept, and standard errors of the best straight line, Am. J. Phys. 72 (2004) 367"},
         {"ISO/TS 28037:2010"}};
-    d.equations = {{"b(x) = y₁ + y₂ (x − x₀) + y₃ (x − x₀)² + …", "JCGM 100, Eq H.12"},
-                   {"min Σ (y_i − b(x_i))²", "from the residuals, JCGM 100 H.3.2"},
-                   {"min Σ (y_i − b(ξ_i))²/u²(y_i) + (x_i − ξ_i)²/u²(x_i)", "as stated, York et al. 2004"}};
+    d.equations = curve_equations();
     d.notes = {
         "Computed with polynomials that are orthonormal over the points, so results do not depend on the "
         "origin, up to degree 10. From the residuals their coefficients are drawn from a multivariate t "

@@ -49,7 +49,7 @@ public:
         table.id = "loads";
         table.title = "Relative uncertainty of the loads";
         table.columns = {{.header = "axis"},
-                         {.header = "U", .is_symbol = true, .digits = 3},
+                         {.header = "U", .unit = Unit::of("%"), .is_symbol = true, .digits = 3},
                          {.header = "k", .is_symbol = true, .digits = 3},
                          {.header = "u", .unit = Unit::of("%"), .is_symbol = true, .digits = 3}};
         for (std::size_t axis = 0; axis < most_channels; ++axis)

@@ -13,6 +13,19 @@ using group_observations::Between;
 using group_observations::GroupSetup;
 using group_observations::Variances;
 
+/// Of all ways to take the groups into account, in the order of `Between`.
+const std::vector<ModelEquation>& group_equations() {
+    static const std::vector<ModelEquation> all{
+        {"s_a² = Σ n_j (V̄_j − V̄)²/(J − 1),  s_b² = Σ (V_jk − V̄_j)²/(N − J)",
+         "JCGM 100, Eqs H.24, H.25, for groups of any size"},
+        {"u(V̄) = s(V̄_j)/√J,  ν = J − 1", "groups included, JCGM 100 H.5.2.3"},
+        {"u²(V̄) = 1/Σ w_j,  1/w_j = s_B² + s_b²/n_j,  s_B² = (s_a² − s_b²)/n_0",
+         "components of variance, Searle et al. 1992"},
+        {"u²(V̄) = ((J − 1) s_a² + (N − J) s_b²)/(N (N − 1)),  ν = N − 1",
+         "groups not included, JCGM 100, Eq H.28"}};
+    return all;
+}
+
 class GroupObservations : public EquationModel<GroupObservations> {
 public:
     explicit GroupObservations(GroupSetup setup)
@@ -40,6 +53,10 @@ public:
     const InputSet& inputs() const override { return inputs_; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double>) const override { return {}; }
+    std::vector<ModelEquation> formulas() const override {
+        const std::vector<ModelEquation>& all = group_equations();
+        return {all.front(), all[1 + static_cast<std::size_t>(setup_.between)]};
+    }
     std::vector<DataTable> evaluation() const override {
         return group_observations::group_evaluation(setup_, variances_);
     }
@@ -77,13 +94,7 @@ ModelDescriptor group_observations_model() {
     d.references = {{"JCGM 100:2008 (GUM), H.5"}};
     d.references.push_back(
         {"S. R. Searle, G. Casella, C. E. McCulloch: Variance Components, Wiley 1992, 3.6"});
-    d.equations = {{"s_a² = Σ n_j (V̄_j − V̄)²/(J − 1),  s_b² = Σ (V_jk − V̄_j)²/(N − J)",
-                    "JCGM 100, Eqs H.24, H.25, for groups of any size"},
-                   {"u(V̄) = s(V̄_j)/√J,  ν = J − 1", "groups included, JCGM 100 H.5.2.3"},
-                   {"u²(V̄) = 1/Σ w_j,  1/w_j = s_B² + s_b²/n_j,  s_B² = (s_a² − s_b²)/n_0",
-                    "components of variance, Searle et al. 1992"},
-                   {"u²(V̄) = ((J − 1) s_a² + (N − J) s_b²)/(N (N − 1)),  ν = N − 1",
-                    "groups not included, JCGM 100, Eq H.28"}};
+    d.equations = group_equations();
     d.notes = {
         "Groups may have different numbers of observations; n_0 = (N − Σ n_j²/N)/(J − 1) is then their size "
         "in the components of variance.",
