@@ -268,7 +268,11 @@ private:
 
     /// By its word, and U by what is said of it.
     const Notation* find() const {
-        if (word_.empty()) return of_kind(joined_ ? "limits" : "standard");
+        if (word_.empty())  // "75 nm, k = 2" is what a certificate says
+            return of_kind(joined_          ? "limits"
+                           : second_ == "k" ? "certificate-k"
+                           : second_ == "p" ? "certificate-p"
+                                            : "standard");
         for (const Notation& notation : notations()) {
             const bool named = std::any_of(notation.words.begin(), notation.words.end(),
                                            [&](std::string_view word) { return same_word(word, word_); }) ||

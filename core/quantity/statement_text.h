@@ -28,9 +28,9 @@ using WordOf = std::function<std::string(const std::string& english)>;
 
 /// `unit`: of the row. A figure without a unit is in it, another unit is kept: what a certificate says stays
 /// to be read. "%" and "ppm" of a quantity that has a unit are parts of its value. A bare figure is a
-/// standard uncertainty. With `decimal_comma` "0,5" is a half. English words are read beside those of `word`,
-/// whose first letters are enough. Errors: words that are not known, a missing or superfluous figure, a unit
-/// of another dimension.
+/// standard uncertainty, with k or p an expanded one. With `decimal_comma` "0,5" is a half. English words are
+/// read beside those of `word`, whose first letters are enough. Errors: words that are not known, a missing
+/// or superfluous figure, a unit of another dimension.
 Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, bool decimal_comma = false,
                                       const WordOf& word = {});
 

@@ -53,9 +53,10 @@ void add_provenance(Blocks& blocks, const ReportSource& source);
 /// Outputs by group against U, when there are several groups with the same measurands; else nothing.
 std::optional<TableBlock> summary_matrix(const UncertaintyResult& result, const Message& title,
                                          const DocumentLanguage& in);
-/// The result line of the given outputs.
+/// The result line of the given outputs. `explained`: words beside it say that the degrees of freedom are of
+/// first order, and k of Monte Carlo is not taken for them; without words they are left out then.
 TableBlock results_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
-                         const Message& title, const DocumentLanguage& in);
+                         const Message& title, const DocumentLanguage& in, bool explained = true);
 TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const ReportSource& source);
 std::string setup_text(const FieldSpec& field, const SetupValue& value, const ReportSource& source);
 /// Scalar fields as facts, tables as tables, under the headings of their sections; `equations` where the

@@ -94,11 +94,12 @@ void add_second_order(Blocks& blocks, const EvaluatedAnalysis& evaluated, const 
 }  // namespace
 
 TableBlock results_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
-                         const Message& title, const DocumentLanguage& in) {
+                         const Message& title, const DocumentLanguage& in, bool explained) {
     const bool intervals = std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
         return result.outputs[i].monte_carlo.has_value();
     });
     std::vector<std::string> keys = {"symbol", "unit", "estimate", "u", "nu_eff", "k", "U"};
+    if (intervals && !explained) std::erase(keys, "nu_eff");
     if (intervals)
         keys.insert(keys.end(), {"interval low", "interval high", "shortest low", "shortest high"});
     TableBuilder table("results", title, in);

@@ -47,7 +47,7 @@ void add_glance(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docume
     std::vector<std::size_t> outputs;
     for (std::size_t i = 0; i < result.outputs.size(); ++i)
         if (is_measurand(result.outputs[i])) outputs.push_back(i);
-    TableBlock block = results_block(result, outputs, tell<"Results: %1">(name), in);
+    TableBlock block = results_block(result, outputs, tell<"Results: %1">(name), in, false);
     block.table.id = "summary-" + evaluated.analysis->id;
     blocks.push_back(std::move(block));
 }

@@ -34,6 +34,14 @@
         <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
         <translation>Das Intervall liegt nicht symmetrisch um den Schätzwert: das Intervall angeben, nicht y ± U (JCGM 101 5.5).</translation>
     </message>
+    <message>
+        <source>Turns about its %1 axis</source>
+        <translation>Dreht um seine Achse %1</translation>
+    </message>
+    <message>
+        <source>Moves along %1</source>
+        <translation>Verschiebt längs %1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -13718,6 +13726,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
         <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>Beide Größen brauchen eine Unsicherheit, bevor sie korreliert werden können</translation>
     </message>
 </context>
 <context>

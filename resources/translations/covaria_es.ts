@@ -34,6 +34,14 @@
         <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
         <translation>El intervalo no es simétrico respecto a la estimación: indique el intervalo, no y ± U (JCGM 101 5.5).</translation>
     </message>
+    <message>
+        <source>Turns about its %1 axis</source>
+        <translation>Gira alrededor de su eje %1</translation>
+    </message>
+    <message>
+        <source>Moves along %1</source>
+        <translation>Se mueve a lo largo de %1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -13718,6 +13726,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
         <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>Ambas magnitudes necesitan una incertidumbre antes de poder correlacionarse</translation>
     </message>
 </context>
 <context>

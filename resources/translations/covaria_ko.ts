@@ -33,6 +33,14 @@
         <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
         <translation>구간이 추정값에 대해 대칭이 아닙니다. y ± U 대신 구간을 적으십시오(JCGM 101 5.5).</translation>
     </message>
+    <message>
+        <source>Turns about its %1 axis</source>
+        <translation>자신의 %1축 둘레로 돕니다</translation>
+    </message>
+    <message>
+        <source>Moves along %1</source>
+        <translation>%1 방향으로 이동합니다</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -13717,6 +13725,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
         <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>두 양 모두 불확도가 있어야 상관을 줄 수 있습니다</translation>
     </message>
 </context>
 <context>

@@ -34,6 +34,14 @@
         <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
         <translation>O intervalo não é simétrico em torno da estimativa: declare o intervalo, não y ± U (JCGM 101 5.5).</translation>
     </message>
+    <message>
+        <source>Turns about its %1 axis</source>
+        <translation>Gira em torno do seu eixo %1</translation>
+    </message>
+    <message>
+        <source>Moves along %1</source>
+        <translation>Move ao longo de %1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -13718,6 +13726,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
         <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>Ambas as grandezas precisam de uma incerteza antes de poderem ser correlacionadas</translation>
     </message>
 </context>
 <context>

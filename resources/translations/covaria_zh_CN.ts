@@ -33,6 +33,14 @@
         <source>The interval is not symmetric about the estimate: state the interval, not y ± U (JCGM 101 5.5).</source>
         <translation>区间关于估计值不对称：请给出区间，而不是 y ± U（JCGM 101 5.5）。</translation>
     </message>
+    <message>
+        <source>Turns about its %1 axis</source>
+        <translation>绕其 %1 轴旋转</translation>
+    </message>
+    <message>
+        <source>Moves along %1</source>
+        <translation>沿 %1 移动</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -13717,6 +13725,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
         <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>两个量都须有不确定度，才能给出相关系数</translation>
     </message>
 </context>
 <context>

@@ -40,7 +40,7 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     connect(horizontalScrollBar(), &QScrollBar::valueChanged, this, &BudgetSheetView::place_frozen);
     connect(frozen_, &QTableView::doubleClicked, this, [this](const QModelIndex& cell) {
         setFocus();
-        scrollTo(cell);
+        horizontalScrollBar()->setValue(0);
         edit(cell);
     });
     quantity_ = new QAction(tr("Show Quantity"), this);
@@ -69,16 +69,21 @@ void BudgetSheetView::resizeEvent(QResizeEvent* event) {
     place_frozen();
 }
 
-/// Not under the frozen column.
+/// Not under the frozen column; what stands in that is in view, wherever the others are.
 void BudgetSheetView::scrollTo(const QModelIndex& index, ScrollHint hint) {
+    const int before = horizontalScrollBar()->value();
     SpreadsheetView::scrollTo(index, hint);
-    if (index.column() == 0) return;
+    if (index.column() == 0) {
+        if (frozen_->isVisible() && state() != EditingState) horizontalScrollBar()->setValue(before);
+        return;
+    }
     const int hidden = columnWidth(0) - visualRect(index).left();
     if (hidden > 0) horizontalScrollBar()->setValue(horizontalScrollBar()->value() - hidden);
 }
 
 bool BudgetSheetView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
     const bool begins = SpreadsheetView::edit(index, trigger, event);
+    if (begins && index.column() == 0) horizontalScrollBar()->setValue(0);  // where its editor is
     if (begins) rows_before_ = model()->rowCount();
     return begins;
 }
@@ -99,7 +104,8 @@ void BudgetSheetView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEdi
 
 /// From the equation Tab comes to the first estimate that is missing.
 void BudgetSheetView::focusInEvent(QFocusEvent* event) {
-    if (event->reason() == Qt::TabFocusReason && !currentIndex().isValid()) {
+    const bool nowhere = !currentIndex().isValid() || currentIndex().row() == model()->rowCount() - 1;
+    if (event->reason() == Qt::TabFocusReason && nowhere) {
         int row = 0;
         const auto estimate = [&] { return model()->index(row, BudgetSheetModel::estimate); };
         while (row + 2 < model()->rowCount() && !estimate().data(Qt::EditRole).toString().isEmpty()) ++row;

@@ -1,6 +1,7 @@
 #include "ui/forms/certificate_form.h"
 
 #include <QApplication>
+#include <QScrollArea>
 #include <algorithm>
 
 #include "core/manual/help_page.h"
@@ -171,6 +172,12 @@ bool CertificateForm::focus_field(const std::string& path) {
 }
 
 /// After the field with the focus, or from the first on.
+/// Qt scrolls to what Tab reaches only.
+void CertificateForm::scroll_to(QWidget& editor) {
+    for (QWidget* around = parentWidget(); around; around = around->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(around)) return area->ensureWidgetVisible(&editor);
+}
+
 void CertificateForm::focus_next_missing() {
     const auto has_focus = [](const Row& row) {
         return row.editor->isAncestorOf(QApplication::focusWidget());
@@ -179,7 +186,9 @@ void CertificateForm::focus_next_missing() {
     const std::size_t first = start == rows_.end() ? 0 : std::size_t(start - rows_.begin()) + 1;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Row& row = rows_[(first + i) % rows_.size()];
-        if (is_missing(*row.field, document_.project().certificate)) return row.editor->focus_part({});
+        if (!is_missing(*row.field, document_.project().certificate)) continue;
+        row.editor->focus_part({});
+        return scroll_to(*row.editor);
     }
 }
 

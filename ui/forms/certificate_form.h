@@ -25,6 +25,7 @@ public:
     void focus_next_missing();
 
 private:
+    void scroll_to(QWidget& editor);
     struct Row {
         const CertificateField* field;
         FieldEditor* editor;

@@ -2,7 +2,9 @@
 
 #include <QSignalBlocker>
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "core/project/stated_requirements.h"
 #include "core/text/numbers.h"
@@ -34,18 +36,30 @@ bool is_empty(const Requirement& r) {
 }
 
 QString number(const Unit& unit, double si, int digits = 3) {
-    return localized(format_significant(unit.interval_from_si(si), digits)) + QChar(0xa0) +
-           to_qt(unit.display());
+    return localized(format_significant(unit.interval_from_si(si), digits)) + to_qt(unit_after_number(unit));
+}
+
+/// Both with as many digits as tell them apart; the second one rounded down, so that it suffices as it
+/// stands.
+std::pair<QString, QString> told_apart(const Unit& unit, double now, double needed) {
+    constexpr int fewest = 3, most = 8;
+    const double value = unit.interval_from_si(needed);
+    for (int digits = fewest;; ++digits) {
+        const double step = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - digits + 1) : 1.0;
+        const double down = step * std::floor(value / step * (1.0 + 1e-12));
+        const std::pair texts(number(unit, now, digits), number(unit, unit.interval_to_si(down), digits));
+        if (texts.first != texts.second || digits == most) return texts;
+    }
 }
 
 QString percent(double p) {
     return to_qt(probability_text(p, number_locale(QLocale()))).toHtmlEscaped();  // "< 0.01 %"
 }
 
-QString target_words(const UncertaintyResult& result, const RequirementResult& r) {
+QString target_words(const UncertaintyResult& result, const RequirementResult& r, double target) {
     const OutputResult& output = result.outputs[r.output];
     return RequirementsForm::tr("U = %1: the target is %2.")
-        .arg(number(output.quantity.unit, output.expanded_uncertainty),
+        .arg(told_apart(output.quantity.unit, output.expanded_uncertainty, target).first,
              r.meets_target ? RequirementsForm::tr("met") : RequirementsForm::tr("not met"));
 }
 
@@ -56,9 +70,9 @@ QString reduction_words(const UncertaintyResult& result, const ReverseBudget& bu
     for (const auto& reduction : budget.reductions) {
         if (!reduction.needed || ++shown > most_reductions) continue;
         const BudgetComponent& c = result.budget.components[reduction.component];
+        const auto texts = told_apart(c.unit.interval(), reduction.now, *reduction.needed);
         list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3</li>")
-                    .arg(to_qt(c.name).toHtmlEscaped(), number(c.unit.interval(), reduction.now),
-                         number(c.unit.interval(), *reduction.needed));
+                    .arg(to_qt(c.name).toHtmlEscaped(), texts.first, texts.second);
     }
     if (!list.isEmpty())
         return RequirementsForm::tr("<br>It would be met with one of these alone:<ul>%1</ul>").arg(list);
@@ -254,7 +268,8 @@ void RequirementsForm::refresh_verdict() {
                 words << not_judged_words(r);
                 continue;
             }
-            if (r.target_uncertainty) words << target_words(*status.result, r) + reductions(status, r);
+            if (r.target_uncertainty)
+                words << target_words(*status.result, r, *r.target_uncertainty) + reductions(status, r);
             if (r.lower_limit || r.upper_limit) words << conformity_words(*status.result, r);
         }
     if (!words.isEmpty() && status.stage == ResultStage::first_order &&

@@ -87,7 +87,10 @@ QPushButton* TableEditor::add_button(const QString& text, QAction* action) {
     auto* button = new QPushButton(text, this);
     button->setToolTip(action->text() + " (" + action->shortcut().toString(QKeySequence::NativeText) + ')');
     button->setEnabled(action->isEnabled());
-    connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    connect(button, &QPushButton::clicked, this, [this, action] {
+        action->trigger();
+        view_->setFocus();  // what comes next is typed
+    });
     connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
     return button;
 }

@@ -522,9 +522,8 @@ void MainWindow::show_project() {
     if (first) {
         arrange();
         restore_window(*this);
-    } else {
-        give_names_room();
     }
+    give_names_room();
     selection_.clear();
     budget_->start_over();
     scene_->start_over();

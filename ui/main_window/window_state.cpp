@@ -14,7 +14,8 @@ constexpr int state_version =
 
 bool restore_window(QMainWindow& window) {
     const QSettings settings;
-    window.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    if (!window.isMaximized())  // on a small screen: what is remembered does not fit
+        window.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     return window.restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), state_version);
 }
 

@@ -101,6 +101,12 @@ void BudgetSheetModel::set_result(std::shared_ptr<const UncertaintyResult> resul
     emit dataChanged(index(0, 0), index(rowCount() - 1, sections - 1));
 }
 
+void BudgetSheetModel::set_units(const DisplayUnits& units) {
+    units_ = units;
+    emit headerDataChanged(Qt::Horizontal, 0, sections - 1);
+    emit dataChanged(index(0, 0), index(rowCount() - 1, sections - 1));
+}
+
 /// Which component each row states; of a chain of analyses only those of this one's set-up.
 void BudgetSheetModel::refresh_computed() {
     lines_.clear();
@@ -224,7 +230,9 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
                         Qt::AlignVCenter);
     if (role == Qt::ToolTipRole) return current_ ? QVariant() : QVariant(tr("Out of date: being computed."));
     if (!result_ || at >= components_.size() || !components_[at]) return {};
-    const TableView view{{}, 2, language_of_window()};
+    // What is stated stays in the row's unit, what comes of it is in that of the results below.
+    const bool of_result = section == c || section == contribution;
+    const TableView view{of_result ? units_ : DisplayUnits(), 2, language_of_window()};
     const BudgetComponent& component = result_->budget.components[*components_[at]];
     if (section == estimate && role == Qt::DisplayRole)
         return localized(format_typed(unit_of(row).from_si(component.estimate)));
@@ -233,9 +241,18 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     const char* key = head_of(section).of_budget;
     if (!key) return {};
     if (lines_[at]) {
+        // A view with units of its own would also change that of a row of the same dimension.
+        const Unit& of_output = result_->outputs[output_].quantity.unit;
+        const Unit& shown = units_.of(of_output);
+        if (section == c && !(shown == of_output) && shown.dimension() == component.unit.dimension()) {
+            const double si = result_->budget.rows[output_][*lines_[at]].sensitivity;
+            const double value = shown.interval_from_si(component.unit.interval_to_si(si));
+            if (role == exact_role) return value;
+            return role == Qt::DisplayRole ? QVariant(localized(format_significant(value, 2))) : QVariant();
+        }
         const Column& of = budget_[key];
         if (role == exact_role) {
-            const auto number = number_in(of.cell(*lines_[at]));
+            const auto number = number_in(of.cell(*lines_[at]), view.units);
             return number ? QVariant(*number) : QVariant();
         }
         if (role == Qt::DisplayRole) return to_qt(to_unicode(cell_shown(budget_, of, *lines_[at], view)));
@@ -278,8 +295,8 @@ QVariant BudgetSheetModel::headerData(int section, Qt::Orientation orientation, 
     const SectionHead& head = head_of(section);
     Text title = section == nu ? symbol_text("nu") : Text(to_std(ui::tr(head.title)));
     if (section == contribution && result_)
-        title = to_std(
-            with_unit(QString::fromUtf8(head.title), result_->outputs[output_].quantity.unit.interval()));
+        title = to_std(with_unit(QString::fromUtf8(head.title),
+                                 units_.of(result_->outputs[output_].quantity.unit).interval()));
     if (role == Qt::DisplayRole) return to_qt(to_unicode(title));
     if (role == typeset_role) return QVariant::fromValue(title);
     if (role == Qt::ToolTipRole)

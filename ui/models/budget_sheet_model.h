@@ -40,6 +40,8 @@ public:
 
     /// A null result, or an output it does not have, leaves the computed cells empty.
     void set_result(std::shared_ptr<const UncertaintyResult> result, std::size_t output, bool current);
+    /// Of the result, for what comes of the rows.
+    void set_units(const DisplayUnits& units);
     SetupTableModel& sheet() { return sheet_; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -94,6 +96,7 @@ private:
     SetupTableModel sheet_;
     std::shared_ptr<const UncertaintyResult> result_;
     std::size_t output_ = 0;
+    DisplayUnits units_;
     bool current_ = true;
     int steps_ = 0;
     Table budget_;                                   ///< of the result's output, a line for each row there

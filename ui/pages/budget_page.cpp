@@ -63,7 +63,6 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
     correlation_ = new QLineEdit(this);
     correlation_->setObjectName(QStringLiteral("correlation"));
     correlation_->setAccessibleName(tr("Correlation coefficient"));
-    correlation_->setToolTip(tr("Select two rows, and type the correlation coefficient of their components"));
     follow_font(*correlation_, [this] {
         correlation_->setFixedWidth(8 * correlation_->fontMetrics().averageCharWidth() + 12);
     });
@@ -105,6 +104,7 @@ void BudgetPage::show_analysis() {
     setVisible(field != nullptr);
     if (!field) return;
     model_ = std::make_unique<BudgetSheetModel>(document_, address, *field);
+    model_->set_units(units_);
     view_ = new BudgetSheetView(*model_, this);
     view_->setObjectName(QStringLiteral("budget"));
     view_->setAccessibleName(tr("Budget"));
@@ -113,7 +113,6 @@ void BudgetPage::show_analysis() {
             &BudgetPage::show_correlation);
     connect(view_, &BudgetSheetView::quantity_asked, this, &BudgetPage::ask_for_quantity);
     auto* correlate = new QAction(tr("Correlation of Two Rows"), view_);
-    correlate->setToolTip(correlation_->toolTip());
     correlate->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
     correlate->setShortcutContext(Qt::WidgetShortcut);
     view_->addAction(correlate);
@@ -132,6 +131,7 @@ void BudgetPage::ask_for_quantity(int row) {
 
 void BudgetPage::set_units(const DisplayUnits& units) {
     units_ = units;
+    if (model_) model_->set_units(units_);
     take_result();
 }
 
@@ -199,6 +199,10 @@ void BudgetPage::show_correlation() {
                              .arg(symbol(*selected_rows().begin()), symbol(*selected_rows().rbegin()))
                        : tr("<i>r</i> of two rows ="));
     correlation_->setText(cell.isValid() ? cell.data(Qt::EditRole).toString() : QString());
+    const bool lack = !cell.isValid() && view_ && selected_rows().size() == 2;
+    correlation_->setToolTip(
+        lack ? tr("Both quantities need an uncertainty before they can be correlated")
+             : tr("Select two rows, and type the correlation coefficient of their components"));
 }
 
 void BudgetPage::take_correlation() {

@@ -131,13 +131,15 @@ void CompareTab::keep() {
                           : tr("The results are kept: the tab Compare shows them beside those to come."));
 }
 
-/// One edit: the project as it was evaluated.
+/// One edit: what is evaluated, as it was; certificate, author and notes of the project stay.
 void CompareTab::go_back() {
     finish_typing();
     const KeptState* kept = kept_.find(selection_.analysis());
     if (!kept) return;
-    document_.apply(tr("Go back to kept state"),
-                    [before = kept->project](Project& project) { project = *before; });
+    document_.apply(tr("Go back to kept state"), [before = kept->project](Project& project) {
+        project.assets = before->assets;
+        project.analyses = before->analyses;
+    });
 }
 
 void CompareTab::update_actions() {
@@ -147,7 +149,9 @@ void CompareTab::update_actions() {
     keep_->setToolTip(kept
                           ? tr("Keeps the present results in place of those kept before, which are forgotten")
                           : tr("Keeps the present results of this analysis, to compare later ones with"));
-    go_back_->setEnabled(kept && !(*kept->project == document_.project()));
+    const Project& now = document_.project();
+    go_back_->setEnabled(kept &&
+                         !(kept->project->assets == now.assets && kept->project->analyses == now.analyses));
     discard_->setEnabled(kept != nullptr);
 }
 

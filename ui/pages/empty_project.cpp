@@ -48,11 +48,13 @@ EmptyProject::EmptyProject(QWidget* parent)
 }
 
 void EmptyProject::fill() {
+    constexpr int around = 10;
     for (const ModelDescriptor* model : models_for_new_analyses()) {
         QList<QStandardItem*> row;
         for (const std::string& text : {model->title, model->summary}) {
             row << new QStandardItem(core_text(text));
-            row.back()->setSizeHint({0, fontMetrics().height() + 10});
+            row.back()->setSizeHint({fontMetrics().horizontalAdvance(row.back()->text()) + around,
+                                     fontMetrics().height() + around});
             row.back()->setData(to_qt(model->id), Qt::UserRole);
             row.back()->setToolTip(core_text(model->summary));
         }

@@ -1,6 +1,7 @@
 #include "ui/scene_view/handle_painter.h"
 
 #include <QLineF>
+#include <QObject>
 #include <QPainter>
 #include <QPolygonF>
 
@@ -13,6 +14,13 @@ constexpr double head_length = 9.0, head_angle = 24.0;
 constexpr double radius_of_tip = 5.0;
 
 }  // namespace
+
+QString handle_words(const Handle& handle, const Camera& camera) {
+    static constexpr char axes[] = "xyz";
+    if (handle.turns())
+        return QObject::tr("Turns about its %1 axis").arg(QLatin1Char(axes[turning_axis(handle, camera)]));
+    return handle.axis < 0 ? QString() : QObject::tr("Moves along %1").arg(QLatin1Char(axes[handle.axis]));
+}
 
 void paint_handles(QPainter& painter, const HandleMarks& marks, int grasped, ScenePalette colours,
                    double ratio) {

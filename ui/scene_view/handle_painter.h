@@ -1,5 +1,8 @@
-// Paints what can be grasped of an item in the scene: the arrows that move it and the tips that turn it.
+// What can be grasped of an item in the scene, painted and in words: the arrows that move it, the tips that
+// turn it.
 #pragma once
+
+#include <QString>
 
 #include "viz/scene/handles.h"
 #include "viz/vtk/palette.h"
@@ -12,5 +15,8 @@ namespace covaria::ui {
 /// painter's.
 void paint_handles(QPainter& painter, const HandleMarks& marks, int grasped, ScenePalette colours,
                    double ratio);
+
+/// "Turns about its x axis", what a drag by it does; empty: it moves freely.
+QString handle_words(const Handle& handle, const Camera& camera);
 
 }  // namespace covaria::ui

@@ -15,6 +15,7 @@
 
 #include "core/text/round_numbers.h"
 #include "ui/scene_view/handle_painter.h"
+#include "ui/scene_view/scene_keys.h"
 #include "ui/scene_view/view_cube_painter.h"
 #include "ui/scene_view/visibility_note.h"
 #include "ui/theme/strings.h"
@@ -25,7 +26,6 @@
 namespace covaria::ui {
 namespace {
 
-constexpr double pixels_per_key = 30.0;
 constexpr qint64 least_pause_between_moves = 25;  // ms
 constexpr double radius_of_ring = 6.0;            // about the dots of a trial that was picked
 constexpr double reach_of_dot = 8.0;              // of a cloud
@@ -36,27 +36,6 @@ constexpr double zoom_per_key = 1.15;
 constexpr double pixels_per_snap = 12.0;  // about; a round number of the unit
 constexpr double degrees_per_snap = 5.0;
 constexpr QSize saved_picture_size(2560, 1600);
-
-std::optional<StandardView> view_of_key(int key) {
-    const int number = key - Qt::Key_1;
-    if (number < 0 || number >= static_cast<int>(standard_view_count)) return {};
-    return static_cast<StandardView>(number);
-}
-
-QPointF orbit_of_key(int key) {
-    switch (key) {
-        case Qt::Key_Left:
-            return {-pixels_per_key, 0};
-        case Qt::Key_Right:
-            return {pixels_per_key, 0};
-        case Qt::Key_Up:
-            return {0, -pixels_per_key};
-        case Qt::Key_Down:
-            return {0, pixels_per_key};
-        default:
-            return {};
-    }
-}
 
 }  // namespace
 
@@ -329,6 +308,7 @@ void SceneView::follow_pointer(QPointF position) {
     const auto handle = handle_under(position);
     const QString near = handle ? to_qt(handle->item.id) : is_near(reached_, position) ? reached_ : QString();
     const int axis = handle ? handle->axis : -1;
+    setToolTip(handle ? handle_words(*handle, camera_) : QString());
     if (near != std::exchange(reached_, near) || axis != std::exchange(grasped_axis_, axis)) update();
     setCursor(!handle ? Qt::ArrowCursor : handle->turns() ? Qt::OpenHandCursor : Qt::SizeAllCursor);
 }
@@ -474,6 +454,10 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
         emit drag_finished();
         emit item_picked(selected_);  // its values stand in the form, to be typed
     }
+    end_press();
+}
+
+void SceneView::end_press() {
     since_move_.invalidate();
     brought_to_.reset();
     moved_.reset();
@@ -537,14 +521,15 @@ bool SceneView::take_key(const QKeyEvent& event) {
 
 void SceneView::hide_item(const QString& item_id) {
     Visibility visibility = visibility_;
-    if (visibility.only == item_id.toStdString()) visibility.only.clear();
-    if (!item_id.isEmpty()) visibility.hidden.insert(item_id.toStdString());
+    const std::string thing = whole_ ? thing_of(*whole_, to_std(item_id)) : std::string();
+    if (visibility.only == thing) visibility.only.clear();
+    if (!thing.empty()) visibility.hidden.insert(thing);
     set_visibility(visibility);
 }
 
 void SceneView::show_alone(const QString& item_id) {
-    if (item_id.isEmpty()) return;
-    set_visibility({{}, item_id.toStdString()});
+    if (item_id.isEmpty() || !whole_) return;
+    set_visibility({{}, thing_of(*whole_, to_std(item_id))});
     fit();
 }
 
@@ -591,6 +576,7 @@ void SceneView::contextMenuEvent(QContextMenuEvent* event) {
         if (!file.isEmpty()) save_picture(file, saved_picture_size);
     });
     menu.exec(event->globalPos());
+    end_press();  // the menu had the release of the button
 }
 
 }  // namespace covaria::ui

@@ -103,6 +103,7 @@ protected:
 private:
     static constexpr double reach_of_handles = 72.0;  ///< pixels in which an item keeps its handles
     void send_size();
+    void end_press();
     void send_scene();
     void take_image(const QImage& image, const Camera& camera);
     void hide_item(const QString& item_id);

@@ -126,12 +126,18 @@ std::optional<Handle> handle_at(const Scene& scene, const Camera& camera, Pictur
     return std::nullopt;
 }
 
+int turning_axis(const Handle& handle, const Camera& camera) {
+    const int next = (handle.tip + 1) % 3, last = (handle.tip + 2) % 3;
+    const auto towards_eye = [&](int axis) {
+        return std::abs(handle.frame->R_WF.col(axis).dot(camera.direction));
+    };
+    return towards_eye(last) > towards_eye(next) ? last : next;
+}
+
 Eigen::Matrix3d turn_by(const Handle& handle, const Camera& camera, PictureSize size, Pixel from, Pixel to,
                         double step) {
     const SceneFrame& frame = *handle.frame;
-    Eigen::Vector3d axis = frame.R_WF.col((handle.tip + 1) % 3);
-    const Eigen::Vector3d other = frame.R_WF.col((handle.tip + 2) % 3);
-    if (std::abs(other.dot(camera.direction)) > std::abs(axis.dot(camera.direction))) axis = other;
+    const Eigen::Vector3d axis = frame.R_WF.col(turning_axis(handle, camera));
     const Eigen::Vector3d& origin = frame.item.position;
     const Eigen::Vector3d a = direction_in_plane(camera, size, from, origin, axis),
                           b = direction_in_plane(camera, size, to, origin, axis);

@@ -48,6 +48,9 @@ std::optional<Handle> handle_at(const Scene& scene, const Camera& camera, Pictur
                                 const std::function<bool(Layer)>& shown, const std::string& preferred,
                                 double reach);
 
+/// About which axis of its frame a tip turns: that of the other two which points most to or from the eye.
+int turning_axis(const Handle& handle, const Camera& camera);
+
 /// The turn in W, about the origin of the frame and that one of its other two axes that points most to or
 /// from the eye, by which the tip follows the pointer; in whole steps of `step` (rad) where it is not 0.
 Eigen::Matrix3d turn_by(const Handle& handle, const Camera& camera, PictureSize size, Pixel from, Pixel to,

@@ -47,14 +47,29 @@ bool explains(const LegendLine& line, const Scene& scene) {
     return true;
 }
 
+/// Whether the item is the place of that body: one field of a set-up says where both stand.
+bool is_its_body(const SceneItem& item, const SceneItem* body) {
+    return body && !body->source.path.empty() && item.source.path == body->source.path &&
+           item.source.asset == body->source.asset;
+}
+
 }  // namespace
+
+std::string thing_of(const Scene& scene, const std::string& item) {
+    const SceneItem* found = find_item(scene, item);
+    return found && is_its_body(*found, find_item(scene, found->body)) ? found->body : item;
+}
 
 Scene visible_part(Scene scene, const Visibility& visibility) {
     if (visibility.shows_all()) return scene;
     const Filter filter(scene, visibility);
-    std::set<std::string> shown;
+    std::set<std::string> shown, places;  // of bodies
+    for (const ScenePoint& point : scene.points)
+        if (is_its_body(point.item, find_item(scene, point.item.body))) places.insert(point.item.id);
     const auto keep = [&](auto& items, bool goes_along) {
-        std::erase_if(items, [&](const auto& each) { return !filter.shows(each.item, goes_along); });
+        std::erase_if(items, [&](const auto& each) {
+            return !filter.shows(each.item, goes_along || places.contains(each.item.id));
+        });
         for (const auto& each : items) shown.insert(each.item.id);
     };
     keep(scene.frames, true);

@@ -15,9 +15,12 @@ struct Visibility {
     bool operator==(const Visibility&) const = default;
 };
 
-/// The scene without what is hidden, its label, ellipsoid and cloud. With a body go its axes, and the lines
-/// that start from it; points stay. Alone is an item with what stands on it, in axes of its own. An id that
-/// the scene does not have hides nothing, and is not shown alone.
+/// What is hidden, or shown alone, by an item: the axes of an instrument and its place stand for its body.
+std::string thing_of(const Scene& scene, const std::string& item);
+
+/// The scene without what is hidden, its label, ellipsoid and cloud. With a body go its axes, its place and
+/// the lines that start from it; other points stay. Alone is an item with what stands on it, in axes of its
+/// own. An id that the scene does not have hides nothing, and is not shown alone.
 Scene visible_part(Scene scene, const Visibility& visibility);
 
 /// Ids of what stands in the set-up of an asset.

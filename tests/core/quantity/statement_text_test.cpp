@@ -37,6 +37,8 @@ TEST(StatementText, IsReadAsPeopleNoteIt) {
     EXPECT_EQ(typed("u = 0.075 µm"), (TypedStatement{"standard", 0.075, {}, {}, "um"}));
     EXPECT_EQ(typed("25 nm nu 18"), (TypedStatement{"standard", 25.0, {}, 18.0}));
     EXPECT_EQ(typed("U = 75 nm, k = 3, nu = 18"), (TypedStatement{"certificate-k", 75.0, 3.0, 18.0}));
+    EXPECT_EQ(typed("75 nm k=3"), (TypedStatement{"certificate-k", 75.0, 3.0}));
+    EXPECT_EQ(typed("75 nm, p = 95 %"), (TypedStatement{"certificate-p", 75.0, 95.0}));
     EXPECT_EQ(typed("U 75 95 %"), (TypedStatement{"certificate-p", 75.0, 95.0}));
     EXPECT_EQ(typed("cert 75; p=95%"), (TypedStatement{"certificate-p", 75.0, 95.0}));
     EXPECT_EQ(typed("rect 0.5"), (TypedStatement{"rectangular", 0.5}));
@@ -115,7 +117,8 @@ TEST(StatementText, AUnitMayBeginWithOne) {
     const Unit per_kelvin = Unit::of("1/K");
     EXPECT_EQ(typed("2e-6 1/K", per_kelvin), (TypedStatement{"standard", 2e-6}));
     EXPECT_EQ(typed("rect 2e-6 1/K", per_kelvin), (TypedStatement{"rectangular", 2e-6}));
-    EXPECT_EQ(typed("U = 1e-6 1/°C, k = 2", per_kelvin), (TypedStatement{"certificate-k", 1e-6, 2.0, {}, "1/degC"}));
+    EXPECT_EQ(typed("U = 1e-6 1/°C, k = 2", per_kelvin),
+              (TypedStatement{"certificate-k", 1e-6, 2.0, {}, "1/degC"}));
 }
 
 TEST(StatementText, TemperaturesHaveIntervalsAndLimits) {

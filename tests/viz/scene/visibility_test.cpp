@@ -51,6 +51,26 @@ TEST(Visibility, ABodyGoesWithItsAxesAndLines) {
     EXPECT_EQ(scene.legend.size() + 1, stewart().legend.size()) << "no line of sight is left";
 }
 
+/// One field says where an instrument stands: its place, its axes and its body are one thing.
+TEST(Visibility, AnInstrumentIsHiddenByItsPlaceOrItsAxes) {
+    Scene scene = stewart();
+    for (SceneBody& body : scene.bodies)
+        if (body.item.id == "body:tracker") body.item.source = {"/station", true};
+    for (SceneFrame& frame : scene.frames)
+        if (frame.item.id == "axes:tracker") frame.item.source = {"/station", true};
+    ScenePoint place{.item = {.id = "point:tracker", .position = {2, 0, 1}}, .radius = 0.01};
+    place.item.source = {"/station", true};
+    place.item.body = "body:tracker";
+    scene.points.push_back(place);
+    for (const char* id : {"body:tracker", "axes:tracker", "point:tracker"})
+        EXPECT_EQ(thing_of(scene, id), "body:tracker") << id;
+    EXPECT_EQ(thing_of(scene, "point:b1"), "point:b1") << "it stands on a plate, and is none";
+    EXPECT_EQ(thing_of(scene, "no such item"), "no such item");
+    const Scene left = visible_part(scene, {{"body:tracker"}, {}});
+    for (const char* id : {"body:tracker", "axes:tracker", "point:tracker"})
+        EXPECT_FALSE(has(left, id)) << id;
+}
+
 TEST(Visibility, PointsOfAHiddenPlateStay) {
     const Scene scene = visible_part(stewart(), {{"body:moving platform", "point:p2"}, {}});
     EXPECT_FALSE(has(scene, "body:moving platform"));
