@@ -5,6 +5,7 @@
 
 #include "core/base/version.h"
 #include "core/project/certificate_logo.h"
+#include "core/report/certificate_defaults.h"
 #include "core/report/certificate_parts.h"
 #include "core/report/report.h"
 #include "core/result/representation.h"
@@ -63,7 +64,7 @@ void add_facts(Blocks& blocks, const Certificate& certificate,
     facts.literal = true;
     for (const auto member : members) {
         std::string text = stated(certificate, member, in);
-        if (text.empty() && member == &Certificate::place) text = in.say(words::in_the_laboratory);
+        if (text.empty()) text = said_in_place_of(member, in);
         if (!text.empty())
             facts.facts.emplace_back(in.say_declared(certificate_field(member).title), std::move(text));
     }
@@ -181,6 +182,10 @@ ReportDocument build_certificate(const MadeProject& made, const std::vector<Eval
     add_certified_conformity(document.blocks, source, shown, in);
     add_closing(document.blocks, source, shown, in);
     return document;
+}
+
+std::string said_in_place_of(std::string Certificate::*text, const DocumentLanguage& in) {
+    return text == &Certificate::place ? in.say(words::in_the_laboratory) : std::string();
 }
 
 }  // namespace covaria

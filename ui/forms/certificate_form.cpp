@@ -6,6 +6,7 @@
 
 #include "core/manual/help_page.h"
 #include "core/manual/markdown.h"
+#include "core/report/certificate_defaults.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/date_editor.h"
 #include "ui/forms/file_editor.h"
@@ -14,6 +15,7 @@
 #include "ui/forms/prose_editor.h"
 #include "ui/forms/simple_editors.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -129,11 +131,13 @@ void CertificateForm::refresh() {
     const Certificate& certificate = document_.project().certificate;
     QStringList missing;
     int required = 0;
+    const DocumentLanguage in = language_of_window();
     for (const Row& row : rows_) {
         const std::string& text = certificate.*row.field->member;
         row.editor->set_value(text.empty() ? SetupValue() : SetupValue(text));
         const bool lacks = is_missing(*row.field, certificate);
-        row.editor->set_hint(lacks ? clause_words(*row.field) : QString());
+        row.editor->set_hint(lacks ? clause_words(*row.field)
+                                   : to_qt(said_in_place_of(row.field->member, in)));
         if (row.field->required) ++required;
         if (lacks) missing << core_text(row.field->title);
     }
