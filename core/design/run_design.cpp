@@ -130,7 +130,8 @@ private:
         std::set<std::string> of_assets;  // ids
         for (const UncertaintyComponent& component : inputs.components)
             if (!component.contributor.empty() && !component.origin.empty()) of_assets.insert(component.id);
-        std::map<std::string, std::vector<double>> shares;  // of the goals
+        std::map<std::string, std::vector<double>> shares;  // of the goals, by what is said in English
+        std::map<std::string, Message> said;
         std::vector<double> expanded;
         for (std::size_t k = 0; k < result_.goals.size(); ++k) {
             expanded.push_back(result_.goals[k].after);
@@ -138,8 +139,10 @@ private:
             if (j == verified.outputs.size() || j >= verified.budget.rows.size()) return;
             for (const BudgetRow& row : verified.budget.rows[j]) {
                 const BudgetComponent& component = verified.budget.components[row.component];
-                auto& of_origin =
-                    shares[of_assets.contains(component.id) ? component.origin.english() : component.id];
+                const Message origin =
+                    of_assets.contains(component.id) ? component.origin : Message(component.id);
+                said[origin.english()] = origin;
+                std::vector<double>& of_origin = shares[origin.english()];
                 of_origin.resize(result_.goals.size(), 0.0);
                 of_origin[k] += row.share;
             }
@@ -150,7 +153,7 @@ private:
             for (std::size_t k = 0; k < without.size(); ++k)
                 without[k] *= std::sqrt(std::max(0.0, 1.0 - share[k]));
             const double gain = 1.0 - objective_of(design_.design.objective, without, references) / now;
-            if (gain > least_gain_of_source) result_.sources.push_back({origin, gain});
+            if (gain > least_gain_of_source) result_.sources.push_back({said[origin], gain});
         }
         std::stable_sort(result_.sources.begin(), result_.sources.end(),
                          [](const DesignSource& a, const DesignSource& b) { return a.gain > b.gain; });

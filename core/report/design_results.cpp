@@ -159,6 +159,18 @@ bool says_something(const DataTable& table, std::size_t column) {
     });
 }
 
+/// A column of nothing but "yes" and "no" is in the program's words.
+void say_yes_and_no(DataTable& table, std::size_t column) {
+    const auto is_answer = [](const TableCell& cell) {
+        const auto* text = std::get_if<std::string>(&cell);
+        return std::holds_alternative<std::monostate>(cell) || (text && (*text == "yes" || *text == "no"));
+    };
+    if (!std::ranges::all_of(table.rows, [&](const auto& row) { return is_answer(row[column]); })) return;
+    for (std::vector<TableCell>& row : table.rows)
+        if (const auto* text = std::get_if<std::string>(&row[column]))
+            row[column] = *text == "yes" ? tell<"yes">() : tell<"no">();
+}
+
 OrderedJson cell_json(const TableCell& cell) {
     if (const auto* number = std::get_if<double>(&cell)) return json_number(*number);
     if (const auto* quantity = std::get_if<Quantity>(&cell)) return json_number(quantity->value);
@@ -284,7 +296,7 @@ void write_sources(std::ostringstream& out, const DesignResult& result) {
     out << "\nThe objective would be smaller without the uncertainty of\n";
     std::vector<std::vector<std::string>> rows;
     for (std::size_t i = 0; i < std::min(most, result.sources.size()); ++i)
-        rows.push_back({result.sources[i].origin, percent(-result.sources[i].gain)});
+        rows.push_back({result.sources[i].origin.english(), percent(-result.sources[i].gain)});
     write_table(out, rows);
 }
 
@@ -349,6 +361,7 @@ std::vector<DataTable> readable_design_tables(const DesignResult& result) {
             if (!counts.contains(table.columns[c].header)) readable.columns.back().digits = 4;
             for (std::size_t r = 0; r < table.rows.size(); ++r) readable.rows[r].push_back(table.rows[r][c]);
         }
+        for (std::size_t c = 0; c < readable.columns.size(); ++c) say_yes_and_no(readable, c);
         tables.push_back(std::move(readable));
     }
     return tables;

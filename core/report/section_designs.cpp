@@ -47,21 +47,6 @@ std::string what_was_found(const DesignResult& design, const DocumentLanguage& i
     return words;
 }
 
-bool is_yes_or_no(const TableCell& cell) {
-    const auto* text = std::get_if<std::string>(&cell);
-    return !text || *text == "yes" || *text == "no";
-}
-
-/// Columns of nothing but "yes" and "no" are the program's words too.
-TableBlock said_design_table(DataTable table, const DocumentLanguage& in) {
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-        if (!std::ranges::all_of(table.rows, [c](const auto& row) { return is_yes_or_no(row[c]); })) continue;
-        for (std::vector<TableCell>& row : table.rows)
-            if (auto* text = std::get_if<std::string>(&row[c])) *text = in.say_declared(*text);
-    }
-    return said_table(std::move(table), in);
-}
-
 SceneBlock scene_of(const DesignResult& design, const DocumentLanguage& in) {
     SceneBlock scene;
     scene.id = id_part(design.analysis) + "-design-" + id_part(design.id);
@@ -87,7 +72,7 @@ void add_designs(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
         for (DataTable& table : readable_design_tables(*design)) {
             if (table.rows.size() > most_printed) continue;
             table.id = "design-" + design->id + "-" + table.id;
-            TableBlock block = said_design_table(std::move(table), in);
+            TableBlock block = said_table(std::move(table), in);
             block.table.title = design->name + ": " + block.table.title;
             blocks.push_back(std::move(block));
         }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/model/output_quantity.h"
 #include "core/result/design_places.h"
 #include "core/text/typeset_message.h"
@@ -46,7 +47,7 @@ struct DesignGain {
 /// A certificate, an instrument's statement, readings: components of one origin, by the budget of what was
 /// found.
 struct DesignSource {
-    std::string origin;
+    Message origin;
     /// Part by which the objective would be smaller if they had no uncertainty, by first order and with the
     /// weights of an adjustment as they are.
     double gain = 0.0;

@@ -32,10 +32,16 @@ std::vector<StudyQuantity> study_quantities(const StudyResult& study, const Docu
     const auto in = [](const std::string& group) { return group.empty() ? std::string() : ", " + group; };
     const auto said = [&](const std::string& group) { return in(language.say(said_name(group))); };
     std::vector<StudyQuantity> quantities;
+    // The same point of several poses is told apart by these.
+    const auto is_repeated = [&](const std::string& name) {
+        return std::ranges::count(study.triples, name, &StudyTriple::name) > 1;
+    };
     for (std::size_t t = 0; t < study.triples.size(); ++t) {
         const OutputQuantity& first = study.outputs[study.triples[t].outputs[0]];
         const std::string& name = study.triples[t].name;
-        quantities.push_back({"u(3D)" + in(name), "u(3D)" + said(name), "u(3D)", first.unit, true, t});
+        const std::string group = is_repeated(name) ? first.group : std::string();
+        quantities.push_back({"u(3D)" + in(name) + in(group), "u(3D)" + said(name) + said(group), "u(3D)",
+                              first.unit, true, t});
     }
     for (std::size_t j = 0; j < study.outputs.size(); ++j) {
         const OutputQuantity& output = study.outputs[j];

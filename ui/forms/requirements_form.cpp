@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/project/stated_requirements.h"
+#include "core/report/component_labels.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
@@ -65,14 +66,21 @@ QString target_words(const UncertaintyResult& result, const RequirementResult& r
 
 QString reduction_words(const UncertaintyResult& result, const ReverseBudget& budget) {
     if (budget.reductions.empty()) return {};
-    QString list;
-    std::size_t shown = 0;
+    std::vector<const BudgetComponent*> components;
+    std::vector<const ReverseBudget::Reduction*> reductions;
     for (const auto& reduction : budget.reductions) {
-        if (!reduction.needed || ++shown > most_reductions) continue;
-        const BudgetComponent& c = result.budget.components[reduction.component];
+        if (!reduction.needed || reductions.size() == most_reductions) continue;
+        components.push_back(&result.budget.components[reduction.component]);
+        reductions.push_back(&reduction);
+    }
+    const std::vector<Text> labels = component_labels(components, language_of_window());
+    QString list;
+    for (std::size_t i = 0; i < reductions.size(); ++i) {
+        const auto& reduction = *reductions[i];
+        const BudgetComponent& c = *components[i];
         const auto texts = told_apart(c.unit.interval(), reduction.now, *reduction.needed);
         list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3</li>")
-                    .arg(to_qt(c.name).toHtmlEscaped(), texts.first, texts.second);
+                    .arg(to_qt(to_html(labels[i])), texts.first, texts.second);
     }
     if (!list.isEmpty())
         return RequirementsForm::tr("<br>It would be met with one of these alone:<ul>%1</ul>").arg(list);

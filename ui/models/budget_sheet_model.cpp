@@ -336,7 +336,8 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_estimate(int row, const QStri
     while (digits > 0 && !parse_number(trimmed.left(digits), QLocale())) --digits;
     const QString behind = trimmed.mid(digits).trimmed();
     Cells cells;
-    if (digits == 0 || behind.isEmpty()) {
+    const bool is_cut = !behind.isEmpty() && behind.front().isDigit();  // "1e400" is no "1e40 0"
+    if (digits == 0 || behind.isEmpty() || is_cut) {
         cells[column("value")] = {text};
         return cells;
     }

@@ -19,6 +19,7 @@
 #include "ui/scene_view/trial_words.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
+#include "ui/theme/follow_font.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "viz/scene/analysis_scene.h"
@@ -28,7 +29,6 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int room_of_caption = 36;
 constexpr int usual_probability = 2;  // of the list: 95 %
 
 /// "0.021 0.034 0.012 mm"
@@ -65,17 +65,14 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     picked_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     picked_->setWordWrap(true);
     picked_->setAutoFillBackground(true);
-    picked_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     picked_->hide();
+    line_ = new QWidget(this);
+    follow_font(*picked_, [this] { line_->setFixedHeight(picked_->fontMetrics().height() + 6); });
     column->addWidget(toolbar_);
     column->addWidget(view_, 1);
+    column->addWidget(line_);
     column->addWidget(flat_, 1);
     flat_->hide();
-    auto* over = new QVBoxLayout(view_);  // on the picture: the scene keeps its size
-    over->setContentsMargins(0, 0, 0, 0);
-    over->addStretch(1);
-    over->addWidget(picked_);
-    over->addSpacing(room_of_caption);  // with the magnification and the scale, which belong to every picture
     measuring_ = new MeasureTool(*view_, this);
     connect(measuring_, &MeasureTool::changed, this, &ScenePanel::show_words);
     make_toolbar();
@@ -370,6 +367,7 @@ void ScenePanel::show_in_space(bool in_space) {
     view_->setVisible(in_space);
     flat_->setVisible(!in_space);
     setFocusProxy(in_space || !below_ ? view_ : below_);
+    line_->setVisible(in_space);
     if (!in_space) picked_->hide();
 }
 
@@ -403,14 +401,23 @@ void ScenePanel::show_words() {
     say(words);
 }
 
-/// No wider than its words: the axes are to be read beside it.
+/// In the line below the picture, which keeps its size; what needs more grows over it.
 void ScenePanel::say(const QString& words) {
-    picked_->setWordWrap(false);
     picked_->setText(words);
-    const int wanted = picked_->sizeHint().width();
-    picked_->setFixedWidth(std::min(wanted, view_->width()));
-    picked_->setWordWrap(wanted > view_->width());
     picked_->show();
+    place_words();
+}
+
+void ScenePanel::place_words() {
+    const int height = std::max(line_->height(), picked_->heightForWidth(width()));
+    picked_->setGeometry(0, line_->geometry().bottom() + 1 - height, width(), height);
+    picked_->raise();
+}
+
+void ScenePanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    // When the layout has placed the line.
+    QMetaObject::invokeMethod(this, &ScenePanel::place_words, Qt::QueuedConnection);
 }
 
 void ScenePanel::describe_item(const QString& id) {

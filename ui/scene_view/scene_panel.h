@@ -69,6 +69,9 @@ signals:
     /// asset (empty: of the analysis).
     void source_picked(const QString& asset, const QString& path);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void make_toolbar();
     void make_layers_menu();
@@ -87,6 +90,7 @@ private:
     bool is_selected_source(const SceneItem& item) const;
     void show_trial(std::uint64_t trial);
     void say(const QString& words);
+    void place_words();
     void describe_item(const QString& id);
     void show_words();
     void take_pick(const QString& id);
@@ -115,6 +119,7 @@ private:
     QSplitter* flat_ = nullptr;  ///< the equations and what is below them
     QWidget* below_ = nullptr;
     MeasureTool* measuring_ = nullptr;
+    QWidget* line_ = nullptr;  ///< below the picture, for what is said of it
     QLabel* picked_ = nullptr;
     std::atomic<quint64> number_ = 0;
     quint64 shown_number_ = 0;

@@ -4,6 +4,7 @@
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
 #include <QApplication>
+#include <QScrollBar>
 #include <QStylePainter>
 #include <cmath>
 
@@ -53,7 +54,12 @@ bool is_cut_number(const QStyleOptionViewItem& cell) {
 }  // namespace
 
 TypesetDelegate::TypesetDelegate(QObject* parent, Qt::TextElideMode elide)
-    : SteadyDelegate(parent), elide_(elide) {}
+    : SteadyDelegate(parent), elide_(elide) {
+    // Scrolling moves what was painted; a number that was cut is whole then, and another one is cut.
+    if (const auto* view = qobject_cast<QAbstractScrollArea*>(parent))
+        connect(view->horizontalScrollBar(), &QScrollBar::valueChanged, view->viewport(),
+                qOverload<>(&QWidget::update));
+}
 
 void TypesetDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);
