@@ -60,6 +60,7 @@ TableBlock sweep_table(const StudyResult& study, const DocumentLanguage& in) {
 TableBlock extremes_table(const StudyResult& study, const DocumentLanguage& in) {
     TableBuilder table("study-" + study.id, tell<"%1: best and worst grid points">(study.name), in);
     table.text(tell<"Quantity">());
+    table.text(tell<"Unit">());
     table.number(tell<"least">(), 3);
     table.text(tell<"at">());
     table.number(tell<"greatest">(), 3);
@@ -71,9 +72,12 @@ TableBlock extremes_table(const StudyResult& study, const DocumentLanguage& in) 
         const auto cell = [&](std::size_t point) {
             return interval_in(all[q].unit, value_at(study, all[q], point));
         };
-        table.row({to_unicode(all[q].title), cell(extremes.best), point_words(study, extremes.best, in),
-                   cell(extremes.worst), point_words(study, extremes.worst, in)});
+        table.row({to_unicode(all[q].title), unit_text(all[q].unit), cell(extremes.best),
+                   point_words(study, extremes.best, in), cell(extremes.worst),
+                   point_words(study, extremes.worst, in)});
     }
+    if (all.size() > most_quantities)
+        table.note(tell<"The CSV table of the study has all output quantities.">());
     return table.take();
 }
 

@@ -2,8 +2,10 @@
 #include "ui/forms/complaint.h"
 
 #include <QAbstractItemView>
+#include <QEvent>
 #include <QPalette>
 #include <QVariant>
+#include <algorithm>
 
 #include "ui/theme/follow_font.h"
 
@@ -19,7 +21,41 @@ QColor mixed(const QColor& a, const QColor& b, float part) {
                             a.blueF() + (b.blueF() - a.blueF()) * part);
 }
 
+constexpr const char* note = "note";  // the whole text of a label that shows what fits of it
+
+void show_what_fits(QLabel& label) {
+    label.setText(what_fits(label, label.property(note).toString()));
+}
+
+class NoteRoom : public QObject {
+public:
+    explicit NoteRoom(QLabel& label) : QObject(&label), label_(label) { label.installEventFilter(this); }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Resize) show_what_fits(label_);
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    QLabel& label_;
+};
+
 }  // namespace
+
+QString what_fits(const QLabel& label, const QString& text) {
+    const int margins = 2 * label.margin();
+    const QRect room(0, 0, std::max(1, label.contentsRect().width() - margins), QWIDGETSIZE_MAX);
+    const int height = label.contentsRect().height() - margins;
+    const auto fits = [&](const QString& shown) {
+        return label.fontMetrics().boundingRect(room, Qt::TextWordWrap, shown).height() <= height;
+    };
+    if (fits(text)) return text;
+    qsizetype shown = 0;
+    for (qsizetype step = text.size(); step > 0; step /= 2)
+        while (shown + step <= text.size() && fits(text.left(shown + step) + QChar(u'…'))) shown += step;
+    return text.left(shown).trimmed() + QChar(u'…');
+}
 
 void mark(QWidget& widget, const QString& complaint, const QString& help) {
     widget.setToolTip(complaint.isEmpty() ? help : complaint);
@@ -39,13 +75,15 @@ void mark(QWidget& widget, const QString& complaint, const QString& help) {
 void keep_room(QLabel& label, int lines) {
     label.setWordWrap(true);
     label.setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    new NoteRoom(label);
     follow_font(label,
                 [&label, lines] { label.setFixedHeight(lines * label.fontMetrics().lineSpacing() + 2); });
 }
 
 void show_note(QLabel& label, const QString& text) {
-    label.setText(text);
+    label.setProperty(note, text);
     label.setToolTip(text);
+    show_what_fits(label);
 }
 
 QString complaint_of(const QWidget& widget) {

@@ -336,7 +336,9 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_estimate(int row, const QStri
     while (digits > 0 && !parse_number(trimmed.left(digits), QLocale())) --digits;
     const QString behind = trimmed.mid(digits).trimmed();
     Cells cells;
-    const bool is_cut = !behind.isEmpty() && behind.front().isDigit();  // "1e400" is no "1e40 0"
+    // "1e400" is too large, no "1e40" in the unit "0"; "2e-6 1/K" is a number and its unit.
+    const bool is_cut =
+        digits > 0 && digits < trimmed.size() && trimmed[digits - 1].isDigit() && trimmed[digits].isDigit();
     if (digits == 0 || behind.isEmpty() || is_cut) {
         cells[column("value")] = {text};
         return cells;

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QEvent>
 
+#include "ui/forms/complaint.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/follow_font.h"
 
@@ -46,11 +47,18 @@ bool FieldHelp::eventFilter(QObject* watched, QEvent* event) {
     return QLabel::eventFilter(watched, event);
 }
 
+void FieldHelp::resizeEvent(QResizeEvent* event) {
+    QLabel::resizeEvent(event);
+    if (shown_) show_help();
+}
+
 void FieldHelp::show_help() {
-    const QString name = shown_->accessibleName().toHtmlEscaped();
-    const QString help =
-        shown_->toolTip().toHtmlEscaped().replace(QStringLiteral("\n\n"), QStringLiteral(" "));
-    setText(name.isEmpty() ? help : QStringLiteral("<b>%1.</b> %2").arg(name, help));
+    const QString name = shown_->accessibleName();
+    const QString head = name.isEmpty() ? QString() : name + QStringLiteral(". ");
+    const QString all = head + shown_->toolTip().replace(QStringLiteral("\n\n"), QStringLiteral(" "));
+    const QString fitting = what_fits(*this, all);
+    setText(QStringLiteral("<b>%1</b>%2")
+                .arg(fitting.left(head.size()).toHtmlEscaped(), fitting.mid(head.size()).toHtmlEscaped()));
     setToolTip(shown_->toolTip());
 }
 

@@ -18,6 +18,7 @@ public:
 protected:
     /// What is said follows the field: a complaint goes when it is solved.
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void follow(QWidget* widget);

@@ -152,6 +152,9 @@ TEST_F(BudgetSheetModelTest, WhatIsNotUnderstoodIsKeptAndSaidWhy) {
     EXPECT_FALSE(problem(0, Section::estimate).isEmpty());
     type(0, Section::estimate, "300 um");
     EXPECT_EQ(stored(0, "value"), SetupCell(0.3));
+    type(0, Section::estimate, "1e400");
+    EXPECT_FALSE(problem(0, Section::estimate).contains(QStringLiteral("unit"))) << "it is a number";
+    EXPECT_FALSE(problem(0, Section::estimate).isEmpty());
 }
 
 // Copied out and pasted in again, computed cells and all: the same.
