@@ -25,8 +25,7 @@ namespace covaria::ui {
 
 namespace {
 
-constexpr std::size_t most_lines = 6;     // of results; all are in the table below
-constexpr double resolution_of_r = 0.01;  // of computed ones; a typed one keeps its digits
+constexpr std::size_t most_lines = 6;  // of results; all are in the table below
 
 const FieldSpec* stating_table(const Project& project, const SetupAddress& address) {
     const SetupSchema* schema = find_schema(project, address);
@@ -35,6 +34,12 @@ const FieldSpec* stating_table(const Project& project, const SetupAddress& addre
     const auto found =
         std::find_if(fields.begin(), fields.end(), [](const FieldSpec& f) { return f.states_quantities; });
     return found == fields.end() ? nullptr : &*found;
+}
+
+/// Three decimals at the most.
+std::string shown_coefficient(double r) {
+    const std::string typed = format_typed(r), rounded = format_decimals(r, 3);
+    return typed.size() <= rounded.size() ? typed : rounded;
 }
 
 /// "k = 2" and "[0.1, 18.4]" are not broken into lines.
@@ -237,7 +242,7 @@ QString BudgetPage::correlation_words(const PreparedAnalysis& analysis) const {
         }
         words << QStringLiteral("<i>r</i>(%1,\u00a0%2)\u00a0=\u00a0%3")
                      .arg(a->second, b->second,
-                          to_qt(typeset_number(format_estimate(c.coefficient, resolution_of_r),
+                          to_qt(typeset_number(shown_coefficient(c.coefficient),
                                                language_of_window().numbers())));
     }
     return words.join(QStringLiteral("; "));
