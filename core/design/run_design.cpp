@@ -130,8 +130,11 @@ private:
         std::set<std::string> of_assets;  // ids
         for (const UncertaintyComponent& component : inputs.components)
             if (!component.contributor.empty() && !component.origin.empty()) of_assets.insert(component.id);
-        std::map<std::string, std::vector<double>> shares;  // of the goals, by what is said in English
-        std::map<std::string, Message> said;
+        struct Shares {
+            Message origin;
+            std::vector<double> of_goals;
+        };
+        std::map<std::string, Shares> shares;  // by what is said in English
         std::vector<double> expanded;
         for (std::size_t k = 0; k < result_.goals.size(); ++k) {
             expanded.push_back(result_.goals[k].after);
@@ -141,19 +144,19 @@ private:
                 const BudgetComponent& component = verified.budget.components[row.component];
                 const Message origin =
                     of_assets.contains(component.id) ? component.origin : Message(component.id);
-                said[origin.english()] = origin;
-                std::vector<double>& of_origin = shares[origin.english()];
-                of_origin.resize(result_.goals.size(), 0.0);
-                of_origin[k] += row.share;
+                Shares& made = shares[origin.english()];
+                made.origin = origin;
+                made.of_goals.resize(result_.goals.size(), 0.0);
+                made.of_goals[k] += row.share;
             }
         }
         const double now = objective_of(design_.design.objective, expanded, references);
-        for (const auto& [origin, share] : shares) {
+        for (const auto& [words, share] : shares) {
             std::vector<double> without = expanded;
             for (std::size_t k = 0; k < without.size(); ++k)
-                without[k] *= std::sqrt(std::max(0.0, 1.0 - share[k]));
+                without[k] *= std::sqrt(std::max(0.0, 1.0 - share.of_goals[k]));
             const double gain = 1.0 - objective_of(design_.design.objective, without, references) / now;
-            if (gain > least_gain_of_source) result_.sources.push_back({said[origin], gain});
+            if (gain > least_gain_of_source) result_.sources.push_back({share.origin, gain});
         }
         std::stable_sort(result_.sources.begin(), result_.sources.end(),
                          [](const DesignSource& a, const DesignSource& b) { return a.gain > b.gain; });

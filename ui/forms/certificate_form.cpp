@@ -1,12 +1,12 @@
 #include "ui/forms/certificate_form.h"
 
 #include <QApplication>
-#include <QScrollArea>
 #include <algorithm>
 
 #include "core/manual/help_page.h"
 #include "core/manual/markdown.h"
 #include "core/report/certificate_defaults.h"
+#include "ui/forms/bring_into_view.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/date_editor.h"
 #include "ui/forms/file_editor.h"
@@ -176,12 +176,6 @@ bool CertificateForm::focus_field(const std::string& path) {
 }
 
 /// After the field with the focus, or from the first on.
-/// Qt scrolls to what Tab reaches only.
-void CertificateForm::scroll_to(QWidget& editor) {
-    for (QWidget* around = parentWidget(); around; around = around->parentWidget())
-        if (auto* area = qobject_cast<QScrollArea*>(around)) return area->ensureWidgetVisible(&editor);
-}
-
 void CertificateForm::focus_next_missing() {
     const auto has_focus = [](const Row& row) {
         return row.editor->isAncestorOf(QApplication::focusWidget());
@@ -192,7 +186,7 @@ void CertificateForm::focus_next_missing() {
         const Row& row = rows_[(first + i) % rows_.size()];
         if (!is_missing(*row.field, document_.project().certificate)) continue;
         row.editor->focus_part({});
-        return scroll_to(*row.editor);
+        return bring_into_view(*row.editor);
     }
 }
 

@@ -25,7 +25,6 @@ public:
     void focus_next_missing();
 
 private:
-    void scroll_to(QWidget& editor);
     struct Row {
         const CertificateField* field;
         FieldEditor* editor;

@@ -3,11 +3,11 @@
 #include <QApplication>
 #include <QLabel>
 #include <QPointer>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/document/setup_address.h"
+#include "ui/forms/bring_into_view.h"
 #include "ui/forms/certificate_form.h"
 #include "ui/forms/designs_form.h"
 #include "ui/forms/help_place.h"
@@ -186,8 +186,7 @@ void PropertiesPane::focus_field(const QString& path) {
 void PropertiesPane::scroll_to_focus() {
     QWidget* focused = QApplication::focusWidget();
     if (!focused || !isAncestorOf(focused)) return;
-    for (QWidget* around = focused->parentWidget(); around != this; around = around->parentWidget())
-        if (auto* area = qobject_cast<QScrollArea*>(around)) area->ensureWidgetVisible(focused);
+    bring_into_view(*focused);
 }
 
 void PropertiesPane::go_to_field(const QString& path) {
