@@ -87,8 +87,7 @@ HandleMarks handle_marks(const Scene& scene, const Camera& camera, PictureSize s
         marks.arrows.push_back({i, from, to});
     }
     for (const SceneFrame& frame : scene.frames)
-        if (is_pose(frame.item.source) && frame.item.source.path == found->source.path &&
-            frame.item.source.asset == found->source.asset)
+        if (is_pose(frame.item.source) && stand_by_one_field(frame.item, *found))
             for (int i = 0; i < 3; ++i)
                 marks.tips.push_back(
                     project(camera, size, frame.item.position + frame.length * frame.R_WF.col(i)));

@@ -105,6 +105,10 @@ std::string name_of(const SceneItem& item) {
     return item.name.empty() ? item.id.substr(item.id.find(':') + 1) : item.name;
 }
 
+bool stand_by_one_field(const SceneItem& a, const SceneItem& b) {
+    return a.source.path == b.source.path && a.source.asset == b.source.asset;
+}
+
 bool SceneItem::operator==(const SceneItem& other) const {
     return id == other.id && body == other.body && name == other.name && group == other.group &&
            position == other.position && u == other.u && U == other.U && source.path == other.source.path &&

@@ -262,6 +262,8 @@ struct Scene {
 const SceneItem* find_item(const Scene& scene, const std::string& id);
 /// Axes of an instrument have no name of their own.
 std::string name_of(const SceneItem& item);
+/// Whether one field of a set-up says where both stand.
+bool stand_by_one_field(const SceneItem& a, const SceneItem& b);
 
 /// A box in W, m.
 struct SceneBounds {

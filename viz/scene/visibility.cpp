@@ -47,10 +47,9 @@ bool explains(const LegendLine& line, const Scene& scene) {
     return true;
 }
 
-/// Whether the item is the place of that body: one field of a set-up says where both stand.
+/// Whether the item is the place of that body.
 bool is_its_body(const SceneItem& item, const SceneItem* body) {
-    return body && !body->source.path.empty() && item.source.path == body->source.path &&
-           item.source.asset == body->source.asset;
+    return body && !body->source.path.empty() && stand_by_one_field(item, *body);
 }
 
 }  // namespace
