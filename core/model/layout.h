@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/model/triangle_mesh.h"
 
 namespace covaria {
@@ -109,6 +110,7 @@ struct Layout {
     std::vector<LayoutBody> bodies;
     std::vector<LayoutVector> vectors;
     std::vector<LayoutMesh> meshes = {};
+    std::vector<Message> notes = {};  ///< what has to be said beside a picture of it
 };
 
 /// The layout of an asset as part of another layout: what is written in its own set-up is marked with its id.

@@ -237,6 +237,7 @@ private:
 
     Result<TypedStatement> statement() {
         const Notation* notation = find();
+        if (notation && notation->kind == "observations" && !figures_.empty()) return observed();
         if (!notation)
             return not_read(
                 tell<"'%1' is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; "
@@ -266,13 +267,28 @@ private:
         return made;
     }
 
+    /// A unit behind the last one is that of all before it that have none.
+    Result<TypedStatement> observed() const {
+        TypedStatement made{"observations", {}, {}, degrees_of_freedom_};
+        for (const Figure& figure : figures_) {
+            const Unit& unit = figure.unit            ? *figure.unit
+                               : figures_.back().unit ? *figures_.back().unit
+                                                      : unit_;
+            if (unit.dimension() != unit_.dimension()) return not_read(other_dimension(unit));
+            made.observations.push_back(unit == unit_ ? figure.value
+                                                      : clean(unit_.from_si(unit.to_si(figure.value))));
+        }
+        return made;
+    }
+
     /// By its word, and U by what is said of it.
     const Notation* find() const {
         if (word_.empty())  // "75 nm, k = 2" is what a certificate says
-            return of_kind(joined_          ? "limits"
-                           : second_ == "k" ? "certificate-k"
-                           : second_ == "p" ? "certificate-p"
-                                            : "standard");
+            return of_kind(figures_.size() > 2 && second_.empty() && !joined_ ? "observations"
+                           : joined_                                          ? "limits"
+                           : second_ == "k"                                   ? "certificate-k"
+                           : second_ == "p"                                   ? "certificate-p"
+                                                                              : "standard");
         for (const Notation& notation : notations()) {
             const bool named = std::any_of(notation.words.begin(), notation.words.end(),
                                            [&](std::string_view word) { return same_word(word, word_); }) ||
@@ -386,6 +402,8 @@ std::string statement_text(const TypedStatement& statement, const Unit& row_unit
             return number(figure) + (of.text() == "1" ? "" : " " + of.display());
         };
         std::string text = say(notation.words.front());
+        for (std::size_t i = 0; i < statement.observations.size(); ++i)
+            text += (i == 0 ? " " : "; ") + number(statement.observations[i]);
         const bool limits = notation.kind == "limits";
         if (statement.a) {
             text += ' ';
@@ -411,7 +429,8 @@ std::string statement_examples() {
            "U = 0.3 um, k = 2 (or p = 95 %): certificate\n"
            "rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine\n"
            "limits 19.5 to 20.5: they give the value\n"
-           "resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant\n"
+           "10.1; 10.3; 10.2: observations\n"
+           "resolution 0.01, MPE 3 + 0.1 %, counts 12, constant\n"
            "nu 18 behind any of them: degrees of freedom";
 }
 

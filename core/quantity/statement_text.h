@@ -19,7 +19,8 @@ struct TypedStatement {
         {};  ///< key of statement_kinds(), "constant", "observations", "pooled"; empty: nothing
     std::optional<double> a = {}, b = {};
     std::optional<double> degrees_of_freedom = {};
-    std::string unit = {};  ///< as a file has it; empty: the row's
+    std::string unit = {};                  ///< as a file has it; empty: the row's
+    std::vector<double> observations = {};  ///< in the unit of the row
     bool operator==(const TypedStatement&) const = default;
 };
 
@@ -28,9 +29,9 @@ using WordOf = std::function<std::string(const std::string& english)>;
 
 /// `unit`: of the row. A figure without a unit is in it, another unit is kept: what a certificate says stays
 /// to be read. "%" and "ppm" of a quantity that has a unit are parts of its value. A bare figure is a
-/// standard uncertainty, with k or p an expanded one. With `decimal_comma` "0,5" is a half. English words are
-/// read beside those of `word`, whose first letters are enough. Errors: words that are not known, a missing
-/// or superfluous figure, a unit of another dimension.
+/// standard uncertainty, with k or p an expanded one; three or more are observations. With `decimal_comma`
+/// "0,5" is a half. English words are read beside those of `word`, whose first letters are enough. Errors:
+/// words that are not known, a missing or superfluous figure, a unit of another dimension.
 Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, bool decimal_comma = false,
                                       const WordOf& word = {});
 

@@ -67,6 +67,11 @@ DataTable outputs_table(const DesignResult& result) {
     return table;
 }
 
+Message at_end_words(const DesignValue& value) {
+    return tell<"%1: chosen at an end of its range; a wider one can give a better design.">(
+        value.title.message());
+}
+
 DataTable values_table(const DesignResult& result) {
     DataTable table =
         table_of("values", "Values", {"variable", "unit", "from", "to", "before", "chosen", "tolerance"});
@@ -76,6 +81,7 @@ DataTable values_table(const DesignResult& result) {
         table.rows.push_back({value.title.message(), value.unit.text(), value.from, value.to, value.before,
                               value.chosen, value.tolerance});
         if (priced) table.rows.back().push_back(number_cell(value.cost));
+        if (value.is_at_end()) table.notes.push_back(at_end_words(value));
     }
     return table;
 }
@@ -255,6 +261,8 @@ void write_values(std::ostringstream& out, const DesignResult& result) {
         if (value.cost) rows.back().push_back(format_significant(*value.cost, 4));
     }
     write_table(out, rows);
+    for (const DesignValue& value : result.values)
+        if (value.is_at_end()) out << "  " << at_end_words(value).english() << '\n';
 }
 
 void write_cost(std::ostringstream& out, const DesignResult& result) {
@@ -354,10 +362,12 @@ std::vector<DataTable> readable_design_tables(const DesignResult& result) {
         if (table.id == "path") continue;
         if (table.id == "front" && table.rows.size() > most_readable) continue;  // the chart shows it
         DataTable readable{
-            table.id, table.title, {}, std::vector<std::vector<TableCell>>(table.rows.size()), {}};
+            table.id, table.title, {}, std::vector<std::vector<TableCell>>(table.rows.size()), table.notes};
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
             if (!says_something(table, c)) continue;
             readable.columns.push_back(table.columns[c]);
+            // The other targets are points.
+            if (table.columns[c].header == "target") readable.columns.back().header = "target uncertainty";
             if (!counts.contains(table.columns[c].header)) readable.columns.back().digits = 4;
             for (std::size_t r = 0; r < table.rows.size(); ++r) readable.rows[r].push_back(table.rows[r][c]);
         }

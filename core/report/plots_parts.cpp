@@ -51,9 +51,7 @@ void PlottedOutput::set_density_axis(PlotAxis& axis) const {
 }
 
 std::string PlottedOutput::plain_result(double si) const {
-    const double u = output_.standard_uncertainty;
-    const double spread = std::isfinite(u) ? u : 0.5 * output_.expanded_uncertainty;
-    return format_to_match(value(si), interval(spread));
+    return format_to_match(value(si), interval(output_.expanded_uncertainty));
 }
 
 std::string PlottedOutput::plain_uncertainty(double si, int digits) const {

@@ -84,10 +84,13 @@ std::string result_statement(const OutputResult& output, const UncertaintyResult
     const Unit& unit = units.of(output.quantity.unit);
     const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
     const double u = unit.interval_from_si(output.standard_uncertainty);
-    const Place place = place_for(y, std::isfinite(u) && u > 0.0 ? u : U, 2, in.numbers());
+    const Place place = place_for(y, U, 2, in.numbers());  // as the tables of results round it
     const std::string behind = power_words(place.exponent) + unit_after_number(unit);
     std::string words = place(y) + behind;
-    if (std::isfinite(u)) words += ", u = " + place(u) + behind;
+    if (std::isfinite(u))
+        words += ", u = " +
+                 grouped_digits(format_significant(u * std::pow(10.0, -place.exponent), 2), in.numbers()) +
+                 behind;
     return words + ", p = " + probability_text(stated_probability(output, result), in) + ", " +
            in.say(certificate_words::coverage_interval, {skewed_interval(output, result, in, units)});
 }

@@ -8,6 +8,7 @@
 #include "core/report/certificate_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
+#include "core/text/round_numbers.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -54,7 +55,8 @@ Message reduction_words(const ReverseBudget& budget, const DocumentLanguage& in)
                   "draws.">(count_text(budget.trials, in.numbers()));
     if (budget.common_factor)
         words += " " + tell<"No component suffices alone: all standard uncertainties multiplied by %1 do.">(
-                           grouped_digits(format_significant(*budget.common_factor, 3), in.numbers()));
+                           grouped_digits(format_significant(rounded_down(*budget.common_factor, 3), 3),
+                                          in.numbers()));
     return words;
 }
 
@@ -63,6 +65,14 @@ Message remark_on(const ReverseBudget::Reduction& reduction) {
     if (reduction.rises_again)
         return tell<"if it vanished, U would exceed the target again, with fewer degrees of freedom">();
     return {};
+}
+
+constexpr int digits_of_reductions = 3;
+
+/// As it is printed, it suffices.
+Quantity sufficient(Quantity needed) {
+    needed.value = rounded_down(needed.value, digits_of_reductions);
+    return needed;
 }
 
 void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedAnalysis& evaluated,
@@ -79,15 +89,15 @@ void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedA
         in);
     table.text(tell<"Component">());
     table.text(tell<"Unit">());
-    table.symbol("u(x_i)", 3);
-    table.number(tell<"needed">(), 3);
+    table.symbol("u(x_i)", digits_of_reductions);
+    table.number(tell<"needed">(), digits_of_reductions);
     table.text(tell<"Remark">());
     for (const ReverseBudget::Reduction& reduction : budget->reductions) {
         const BudgetComponent& c = result.budget.components[reduction.component];
-        table.row({in.say(tell<"%1 (%2)">(c.name, c.id)), unit_text(c.unit),
-                   interval_in(c.unit, reduction.now),
-                   reduction.needed ? TableCell(interval_in(c.unit, *reduction.needed)) : TableCell{},
-                   in.say(remark_on(reduction))});
+        table.row(
+            {in.say(tell<"%1 (%2)">(c.name, c.id)), unit_text(c.unit), interval_in(c.unit, reduction.now),
+             reduction.needed ? TableCell(sufficient(interval_in(c.unit, *reduction.needed))) : TableCell{},
+             in.say(remark_on(reduction))});
     }
     table.note(reduction_words(*budget, in));
     blocks.push_back(table.take());

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "core/report/plot_words.h"
@@ -77,6 +78,30 @@ void mark_present(PlotSpecification& plot, const StudyAxisValues& axis, const Do
     plot.x.written_out = format_trimmed(axis.present, value_digits).find('e') == std::string::npos;
     plot.marks.push_back({language.say(plot_words::as_set_up, {value_text(axis.present, language.numbers())}),
                           axis.present, false, SeriesRole::reference});
+}
+
+/// Where the present value stands between the categories of a map's axis; empty: outside.
+std::optional<double> present_place(const StudyAxisValues& axis) {
+    const std::vector<double>& values = axis.values;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (axis.present == values[i]) return static_cast<double>(i);
+        if (i + 1 == values.size() || (values[i] < axis.present) != (axis.present < values[i + 1])) continue;
+        return static_cast<double>(i) + (axis.present - values[i]) / (values[i + 1] - values[i]);
+    }
+    return std::nullopt;
+}
+
+/// A cross through the place as it is set up; the categories of y run downwards.
+void mark_present(PlotSpecification& plot, const StudyAxisValues& x, const StudyAxisValues& y,
+                  const DocumentLanguage& language) {
+    const auto i = present_place(x), j = present_place(y);
+    if (!i || !j) return;
+    const auto said = [&](const StudyAxisValues& axis) {
+        return language.say(plot_words::as_set_up, {value_text(axis.present, language.numbers())});
+    };
+    plot.marks.push_back({said(x), *i, false, SeriesRole::reference});
+    plot.marks.push_back(
+        {said(y), static_cast<double>(y.values.size() - 1) - *j, true, SeriesRole::reference});
 }
 
 /// Outputs whose lines can share a chart with the quantity.
@@ -181,6 +206,7 @@ PlotSpecification map(const StudyResult& study, const Plane& plane, const StudyQ
             cells.z.push_back(shown(study, quantity, point_of(study, plane, i, j)));
     plot.series = {std::move(cells)};
     set_colour_range(plot, study, quantity);
+    mark_present(plot, study.axes[plane.x], study.axes[plane.y], language);
     return plot;
 }
 

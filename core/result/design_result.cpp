@@ -4,6 +4,11 @@
 
 namespace covaria {
 
+bool DesignValue::is_at_end() const {
+    const double near = 1e-6 * (to - from);
+    return chosen - from <= near || (!cost && to - chosen <= near);
+}
+
 bool DesignGoal::met() const {
     if (!target) return true;
     if (!(after <= *target)) return false;

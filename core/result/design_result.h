@@ -22,6 +22,9 @@ struct DesignValue {
     double before = 0.0, chosen = 0.0;
     double tolerance = 0.0;
     std::optional<double> cost{};  ///< of a reduction
+    /// Chosen at an end of what was allowed: a wider range can give a better design. The upper end of a
+    /// reduction is no limit: it is left as it was.
+    bool is_at_end() const;
 };
 
 /// A candidate row that was kept.

@@ -64,6 +64,8 @@ struct FieldSpec {
     /// Of a table: its rows state components of input quantities, in columns symbol, name, value, unit,
     /// statement, a, b and nu; it is what a budget is typed into.
     bool states_quantities = false;
+    /// Of a table: its rows are observations, in columns quantity, number, series and value.
+    bool observes_quantities = false;
     bool several_lines = false;  ///< of a text: a list of lines in files; problems name the line ("/text/2")
     /// Of a text that names a file beside the project: how such names end ("stl"); empty: it names none.
     std::string file_ending = {};

@@ -40,6 +40,12 @@ double round_number_above(double value) {
     return 10.0 * decade;
 }
 
+double rounded_down(double value, int digits) {
+    if (!(value > 0.0)) return value;
+    const double step = std::pow(10.0, std::floor(std::log10(value)) - digits + 1);
+    return step * std::floor(value / step * (1.0 + 1e-12));  // a multiple stays what it is
+}
+
 int decimals_of_step(double step) {
     return std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
 }

@@ -9,6 +9,9 @@ double nearest_round_number(double value);  ///< in ratio; value > 0
 double round_number_below(double value);    ///< the largest that is not larger; value > 0
 double round_number_above(double value);    ///< the smallest that is not smaller; value > 0
 
+/// To so many significant digits, never up: of what must not be exceeded. value >= 0
+double rounded_down(double value, int digits);
+
 /// Decimals that show a multiple of `step`.
 int decimals_of_step(double step);
 /// A round number without superfluous decimals: "2000", "0.5".

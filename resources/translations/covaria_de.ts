@@ -4416,14 +4416,16 @@
 U = 0.3 um, k = 2 (or p = 95 %): certificate
 rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
 limits 19.5 to 20.5: they give the value
-resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm: Standardunsicherheit
 2 ppm: Standardunsicherheit, ein Teil des Wertes
 U = 0,3 um, k = 2 (oder p = 95 %): Kalibrierschein
 rechteckig 0,5 (oder recht, ±): Grenzen um den Wert; ebenso dreieckig, Arkussinus
 Grenzen 19,5 bis 20,5: sie liefern den Wert
-Auflösung 0,01, MPE 3 + 0,1 %, Beobachtungen, Zählereignisse 12, Konstante
+10,1; 10,3; 10,2: Beobachtungen
+Auflösung 0,01, MPE 3 + 0,1 %, Zählereignisse 12, Konstante
 nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
@@ -13158,6 +13160,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>u along any axis</source>
         <translation>u längs jeder Achse</translation>
     </message>
+    <message>
+        <source>results: in the base frame of the robot, not along these axes</source>
+        <translation>Ergebnisse: im Basiskoordinatensystem des Roboters, nicht längs dieser Achsen</translation>
+    </message>
+    <message>
+        <source>%1: chosen at an end of its range; a wider one can give a better design.</source>
+        <translation>%1: am Ende seines Bereichs gewählt; ein weiterer kann einen besseren Entwurf ergeben.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13749,6 +13759,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>“%1” is not a number of degrees of freedom.</source>
         <translation>„%1“ ist keine Anzahl von Freiheitsgraden.</translation>
+    </message>
+    <message>
+        <source>Name the quantity before its observations.</source>
+        <translation>Der Größe zuerst ein Symbol geben, dann ihre Beobachtungen.</translation>
+    </message>
+    <message>
+        <source>The observations are read from %1.</source>
+        <translation>Die Beobachtungen werden aus %1 gelesen.</translation>
     </message>
 </context>
 <context>
@@ -14405,6 +14423,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>A design finds where to stand and what to measure: add one with “%1”.</source>
         <translation>Ein Entwurf sucht die besten Zahlen und Zeilen des Aufbaus: einen hinzufügen mit „%1“.</translation>
+    </message>
+    <message>
+        <source> (law of propagation)</source>
+        <translation> (Fortpflanzungsgesetz)</translation>
     </message>
 </context>
 <context>

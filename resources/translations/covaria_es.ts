@@ -4416,14 +4416,16 @@
 U = 0.3 um, k = 2 (or p = 95 %): certificate
 rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
 limits 19.5 to 20.5: they give the value
-resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm: incertidumbre típica
 2 ppm: incertidumbre típica, una fracción del valor
 U = 0,3 um, k = 2 (o p = 95 %): certificado
 rectangular 0,5 (o rect, ±): límites en torno al valor; lo mismo triangular, arcoseno
 límites 19,5 hasta 20,5: dan el valor
-resolución 0,01, MPE 3 + 0,1 %, observaciones, recuentos 12, constante
+10,1; 10,3; 10,2: observaciones
+resolución 0,01, MPE 3 + 0,1 %, recuentos 12, constante
 nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
@@ -13158,6 +13160,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>u along any axis</source>
         <translation>u a lo largo de cada eje</translation>
     </message>
+    <message>
+        <source>results: in the base frame of the robot, not along these axes</source>
+        <translation>resultados: en el sistema de la base del robot, no según estos ejes</translation>
+    </message>
+    <message>
+        <source>%1: chosen at an end of its range; a wider one can give a better design.</source>
+        <translation>%1: elegido en un extremo de su intervalo; uno más amplio puede dar un diseño mejor.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13749,6 +13759,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>“%1” is not a number of degrees of freedom.</source>
         <translation>«%1» no es un número de grados de libertad.</translation>
+    </message>
+    <message>
+        <source>Name the quantity before its observations.</source>
+        <translation>Dé un símbolo a la magnitud antes de sus observaciones.</translation>
+    </message>
+    <message>
+        <source>The observations are read from %1.</source>
+        <translation>Las observaciones se leen de %1.</translation>
     </message>
 </context>
 <context>
@@ -14405,6 +14423,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>A design finds where to stand and what to measure: add one with “%1”.</source>
         <translation>Un diseño halla dónde colocarse y qué medir: añada uno con «%1».</translation>
+    </message>
+    <message>
+        <source> (law of propagation)</source>
+        <translation> (ley de propagación)</translation>
     </message>
 </context>
 <context>

@@ -4415,14 +4415,16 @@
 U = 0.3 um, k = 2 (or p = 95 %): certificate
 rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
 limits 19.5 to 20.5: they give the value
-resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm: 표준불확도
 2 ppm: 표준불확도, 값에 대한 비
 U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
 직사각형 0.5 (또는 rect, ±): 값을 중심으로 한 한계. 삼각형, 아크사인도 같음
 한계 19.5 까지 20.5: 한계가 값을 줌
-분해능 0.01, MPE 3 + 0.1 %, 관측값, 계수 횟수 12, 상수
+10.1; 10.3; 10.2: 관측값
+분해능 0.01, MPE 3 + 0.1 %, 계수 횟수 12, 상수
 이들 뒤의 nu 18: 자유도</translation>
     </message>
     <message>
@@ -13157,6 +13159,14 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>u along any axis</source>
         <translation>각 축 방향의 u</translation>
     </message>
+    <message>
+        <source>results: in the base frame of the robot, not along these axes</source>
+        <translation>결과: 이 축들이 아니라 로봇 기준 좌표계의 값</translation>
+    </message>
+    <message>
+        <source>%1: chosen at an end of its range; a wider one can give a better design.</source>
+        <translation>%1: 범위의 끝에서 선택되었습니다. 더 넓은 범위가 더 좋은 설계를 줄 수 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13748,6 +13758,14 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>“%1” is not a number of degrees of freedom.</source>
         <translation>“%1”은(는) 자유도가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Name the quantity before its observations.</source>
+        <translation>관측값보다 먼저 양의 기호를 입력하십시오.</translation>
+    </message>
+    <message>
+        <source>The observations are read from %1.</source>
+        <translation>관측값은 %1에서 읽습니다.</translation>
     </message>
 </context>
 <context>
@@ -14402,6 +14420,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>A design finds where to stand and what to measure: add one with “%1”.</source>
         <translation>설계는 어디에 설치하고 무엇을 측정할지 찾습니다. ‘%1’(으)로 하나 추가하세요.</translation>
+    </message>
+    <message>
+        <source> (law of propagation)</source>
+        <translation> (전파 법칙)</translation>
     </message>
 </context>
 <context>

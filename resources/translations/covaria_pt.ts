@@ -4416,14 +4416,16 @@
 U = 0.3 um, k = 2 (or p = 95 %): certificate
 rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
 limits 19.5 to 20.5: they give the value
-resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm: incerteza-padrão
 2 ppm: incerteza-padrão, uma parte do valor
 U = 0,3 um, k = 2 (ou p = 95 %): certificado
 retangular 0,5 (ou ret, ±): limites em torno do valor; do mesmo modo triangular, arco-seno
 limites 19,5 até 20,5: dão o valor
-resolução 0,01, MPE 3 + 0,1 %, observações, contagens 12, constante
+10,1; 10,3; 10,2: observações
+resolução 0,01, MPE 3 + 0,1 %, contagens 12, constante
 nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
@@ -13158,6 +13160,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>u along any axis</source>
         <translation>u ao longo de cada eixo</translation>
     </message>
+    <message>
+        <source>results: in the base frame of the robot, not along these axes</source>
+        <translation>resultados: no sistema da base do robô, não segundo estes eixos</translation>
+    </message>
+    <message>
+        <source>%1: chosen at an end of its range; a wider one can give a better design.</source>
+        <translation>%1: escolhido em um extremo de seu intervalo; um mais amplo pode dar um projeto melhor.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13749,6 +13759,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>“%1” is not a number of degrees of freedom.</source>
         <translation>“%1” não é um número de graus de liberdade.</translation>
+    </message>
+    <message>
+        <source>Name the quantity before its observations.</source>
+        <translation>Dê um símbolo à grandeza antes de suas observações.</translation>
+    </message>
+    <message>
+        <source>The observations are read from %1.</source>
+        <translation>As observações são lidas de %1.</translation>
     </message>
 </context>
 <context>
@@ -14405,6 +14423,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>A design finds where to stand and what to measure: add one with “%1”.</source>
         <translation>Um planejamento encontra onde ficar e o que medir: adicione um com “%1”.</translation>
+    </message>
+    <message>
+        <source> (law of propagation)</source>
+        <translation> (lei de propagação)</translation>
     </message>
 </context>
 <context>

@@ -4415,14 +4415,16 @@
 U = 0.3 um, k = 2 (or p = 95 %): certificate
 rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
 limits 19.5 to 20.5: they give the value
-resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
         <translation>75 nm：标准不确定度
 2 ppm：标准不确定度，为值的一部分
 U = 0.3 um, k = 2（或 p = 95 %）：证书
 矩形 0.5（或 rect、±）：值两侧的界限；三角、反正弦与此相同
 界限 19.5 至 20.5：由界限给出值
-分辨力 0.01、MPE 3 + 0.1 %、观测值、计数 12、常量
+10.1; 10.3; 10.2：观测值
+分辨力 0.01、MPE 3 + 0.1 %、计数 12、常量
 以上任一项之后加 nu 18：自由度</translation>
     </message>
     <message>
@@ -13157,6 +13159,14 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>u along any axis</source>
         <translation>沿任一轴的 u</translation>
     </message>
+    <message>
+        <source>results: in the base frame of the robot, not along these axes</source>
+        <translation>结果：在机器人基坐标系中，不沿这些轴</translation>
+    </message>
+    <message>
+        <source>%1: chosen at an end of its range; a wider one can give a better design.</source>
+        <translation>%1：取在其范围的端点；更宽的范围可能给出更好的设计。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13748,6 +13758,14 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>“%1” is not a number of degrees of freedom.</source>
         <translation>“%1”不是自由度。</translation>
+    </message>
+    <message>
+        <source>Name the quantity before its observations.</source>
+        <translation>请先给该量一个符号，再键入其观测值。</translation>
+    </message>
+    <message>
+        <source>The observations are read from %1.</source>
+        <translation>观测值从 %1 读取。</translation>
     </message>
 </context>
 <context>
@@ -14402,6 +14420,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>A design finds where to stand and what to measure: add one with “%1”.</source>
         <translation>设计用于找出设站位置和测量内容：请用“%1”添加一个。</translation>
+    </message>
+    <message>
+        <source> (law of propagation)</source>
+        <translation> （传播律）</translation>
     </message>
 </context>
 <context>

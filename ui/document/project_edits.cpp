@@ -116,6 +116,9 @@ std::string add_from_template(Document& document, const AnalysisTemplate& wanted
         why = to_qt(id.error().message);
         return {};
     }
+    AnalysisEntry& added = *find_analysis_entry(with, *id);
+    if (added.name.starts_with(wanted.title))
+        added.name = unique_name(document.project(), to_std(core_text(wanted.title)));
     document.apply(add_words(core_text(wanted.title)), [&](Project& project) { project = with; });
     return *id;
 }

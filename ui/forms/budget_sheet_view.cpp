@@ -11,6 +11,17 @@
 #include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
+namespace {
+
+/// Who types there means the statement, which is where it is edited.
+bool follows_from_statement(const QModelIndex& cell) {
+    using Sheet = BudgetSheetModel;
+    const bool follows =
+        cell.column() == Sheet::u || cell.column() == Sheet::distribution || cell.column() == Sheet::type;
+    return follows && (cell.siblingAtColumn(Sheet::stated).flags() & Qt::ItemIsEditable);
+}
+
+}  // namespace
 
 BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     : SpreadsheetView(model, parent), sheet_(model), frozen_(new QTableView(this)) {
@@ -50,7 +61,8 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     addAction(quantity_);
     connect(quantity_, &QAction::triggered, this, [this] { emit quantity_asked(currentIndex().row()); });
     connect(this, &QTableView::doubleClicked, this, [this](const QModelIndex& cell) {
-        if (!(cell.flags() & Qt::ItemIsEditable)) emit quantity_asked(cell.row());
+        if (!(cell.flags() & Qt::ItemIsEditable) && !follows_from_statement(cell))
+            emit quantity_asked(cell.row());
     });
     place_frozen();
 }
@@ -82,6 +94,12 @@ void BudgetSheetView::scrollTo(const QModelIndex& index, ScrollHint hint) {
 }
 
 bool BudgetSheetView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+    constexpr EditTriggers wanted = DoubleClicked | EditKeyPressed | AnyKeyPressed;
+    if ((wanted & trigger) && follows_from_statement(index)) {
+        const QModelIndex statement = index.siblingAtColumn(BudgetSheetModel::stated);
+        setCurrentIndex(statement);
+        return edit(statement, trigger, event);
+    }
     const bool begins = SpreadsheetView::edit(index, trigger, event);
     if (begins && index.column() == 0) horizontalScrollBar()->setValue(0);  // where its editor is
     if (begins) rows_before_ = model()->rowCount();

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <utility>
 
 #include "core/project/stated_requirements.h"
 #include "core/report/component_labels.h"
 #include "core/text/numbers.h"
+#include "core/text/round_numbers.h"
 #include "core/text/symbol.h"
+#include "ui/document/component_source.h"
 #include "ui/document/setup_address.h"
 #include "ui/forms/form_labels.h"
 #include "ui/models/number_words.h"
@@ -46,8 +49,7 @@ std::pair<QString, QString> told_apart(const Unit& unit, double now, double need
     constexpr int fewest = 3, most = 8;
     const double value = unit.interval_from_si(needed);
     for (int digits = fewest;; ++digits) {
-        const double step = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - digits + 1) : 1.0;
-        const double down = step * std::floor(value / step * (1.0 + 1e-12));
+        const double down = rounded_down(value, digits);
         const std::pair texts(number(unit, now, digits), number(unit, unit.interval_to_si(down), digits));
         if (texts.first != texts.second || digits == most) return texts;
     }
@@ -64,7 +66,14 @@ QString target_words(const UncertaintyResult& result, const RequirementResult& r
              r.meets_target ? RequirementsForm::tr("met") : RequirementsForm::tr("not met"));
 }
 
-QString reduction_words(const UncertaintyResult& result, const ReverseBudget& budget) {
+/// Leads to where the component is stated.
+QString linked(const QString& label, const QString& place) {
+    return place.isEmpty() ? label
+                           : QStringLiteral("<a href=\"%1\">%2</a>").arg(place.toHtmlEscaped(), label);
+}
+
+QString reduction_words(const UncertaintyResult& result, const ReverseBudget& budget,
+                        const std::function<QString(const BudgetComponent&)>& place_of) {
     if (budget.reductions.empty()) return {};
     std::vector<const BudgetComponent*> components;
     std::vector<const ReverseBudget::Reduction*> reductions;
@@ -80,14 +89,14 @@ QString reduction_words(const UncertaintyResult& result, const ReverseBudget& bu
         const BudgetComponent& c = *components[i];
         const auto texts = told_apart(c.unit.interval(), reduction.now, *reduction.needed);
         list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3</li>")
-                    .arg(to_qt(to_html(labels[i])), texts.first, texts.second);
+                    .arg(linked(to_qt(to_html(labels[i])), place_of(c)), texts.first, texts.second);
     }
     if (!list.isEmpty())
         return RequirementsForm::tr("<br>It would be met with one of these alone:<ul>%1</ul>").arg(list);
     QString text = RequirementsForm::tr("<br>No component suffices alone.");
     if (budget.common_factor)
         text += RequirementsForm::tr(" It would be met with all standard uncertainties multiplied by %1.")
-                    .arg(localized(format_significant(*budget.common_factor, 3)));
+                    .arg(localized(format_significant(rounded_down(*budget.common_factor, 3), 3)));
     return text;
 }
 
@@ -144,7 +153,9 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
     layout_->addRow(tr("Result"), outputs_);
     for (const RequirementField& field : requirement_fields()) add_row(field);
     verdict_->setWordWrap(true);
-    verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse |
+                                      Qt::LinksAccessibleByKeyboard);
+    connect(verdict_, &QLabel::linkActivated, this, &RequirementsForm::place_wanted);
     verdict_->setContentsMargins(0, 10, 0, 0);
     layout_->addRow(verdict_);
     connect(outputs_, &QComboBox::currentIndexChanged, this, [this] {
@@ -293,7 +304,10 @@ void RequirementsForm::refresh_verdict() {
 QString RequirementsForm::reductions(const AnalysisStatus& status, const RequirementResult& r) {
     if (r.meets_target) return {};
     const Sought sought{status.result, r.output, *r.target_uncertainty};
-    if (sought == sought_) return found_ ? reduction_words(*status.result, *found_) : QString();
+    const auto place_of = [&](const BudgetComponent& component) {
+        return place_of_component(document_.project(), *status.prepared, component);
+    };
+    if (sought == sought_) return found_ ? reduction_words(*status.result, *found_, place_of) : QString();
     sought_ = sought;
     found_.reset();
     search_.request_stop();

@@ -31,6 +31,10 @@ public:
     TypesetComboBox* outputs() const { return outputs_; }
     QLabel* verdict() const { return verdict_; }
 
+signals:
+    /// JSON pointer: where a component that could be reduced is stated.
+    void place_wanted(const QString& path);
+
 private:
     struct Row {
         const RequirementField& field;

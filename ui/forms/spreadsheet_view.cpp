@@ -14,6 +14,7 @@
 
 #include "ui/forms/cell_delegate.h"
 #include "ui/models/cell_blocks.h"
+#include "ui/models/roles.h"
 #include "ui/theme/follow_font.h"
 #include "ui/theme/typeset_views.h"
 
@@ -162,7 +163,10 @@ void SpreadsheetView::keyPressEvent(QKeyEvent* event) {
         QTableView::keyPressEvent(event);
         return;
     }
-    move_down();
+    if (currentIndex().row() == model_.rowCount() - 1)
+        begin_row_below();
+    else
+        move_down();
 }
 
 /// Not setCurrentIndex: while Ctrl is down, as it is during most shortcuts, that keeps what was selected.
@@ -176,6 +180,22 @@ void SpreadsheetView::move_down() {
     const QModelIndex now = currentIndex();
     const QModelIndex below = now.sibling(now.row() + 1, began_ >= 0 ? began_ : now.column());
     if (below.isValid()) go_to(below);
+}
+
+/// Below the last row that has something in it stands a new one.
+void SpreadsheetView::begin_row_below() {
+    const QModelIndex now = currentIndex();
+    const auto is_filled = [&](int column) {
+        const QModelIndex cell = now.siblingAtColumn(column);
+        return cell.data(choices_role).toStringList().isEmpty() &&
+               !cell.data(Qt::EditRole).toString().isEmpty();
+    };
+    bool any = false;
+    for (int column = 0; column < model_.columnCount() && !any; ++column) any = is_filled(column);
+    const bool last = now.isValid() && now.row() == model_.rowCount() - 1;
+    const int column = began_ >= 0 ? began_ : now.column();
+    if (last && any && append_row_->isEnabled() && model_.insertRow(model_.rowCount()))
+        go_to(model_.index(model_.rowCount() - 1, column));
 }
 
 QModelIndex SpreadsheetView::moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) {

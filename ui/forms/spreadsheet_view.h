@@ -50,6 +50,7 @@ private:
     void fit_columns(int first, int last);
     void give_way();
     void move_down();
+    void begin_row_below();
     void go_to(const QModelIndex& cell);
 
     SpreadsheetModel& model_;

@@ -313,6 +313,7 @@ void MainWindow::connect_panes() {
     connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
     connect(problems_, &ProblemsPane::place_wanted, this, &MainWindow::go_to);
     connect(results_, &ResultsPane::place_wanted, this, &MainWindow::go_to);
+    connect(properties_, &PropertiesPane::place_wanted, this, &MainWindow::go_to);
     connect(&selection_, &Selection::analysis_changed, this, [this](const QString& id) {
         runner_.set_focus(id);
         scene_->show_analysis(id);

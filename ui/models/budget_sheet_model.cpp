@@ -5,9 +5,9 @@
 #include <array>
 #include <charconv>
 
-#include "core/quantity/statement_text.h"
 #include "core/report/result_columns.h"
 #include "core/text/symbol.h"
+#include "ui/document/observation_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/models/cell_blocks.h"
 #include "ui/models/number_words.h"
@@ -67,8 +67,14 @@ std::optional<std::size_t> row_of(const std::string& source, const std::string& 
 
 BudgetSheetModel::BudgetSheetModel(Document& document, const SetupAddress& address, const FieldSpec& field,
                                    QObject* parent)
-    : SpreadsheetModel(parent), field_(field), sheet_(document, address, field.key) {
+    : SpreadsheetModel(parent),
+      document_(document),
+      address_(address),
+      field_(field),
+      sheet_(document, address, field.key) {
     follow_sheet();
+    follow_observations();
+    connect(&document_, &Document::project_changed, this, &BudgetSheetModel::follow_observations);
 }
 
 bool BudgetSheetModel::is_computed(int section) {
@@ -131,6 +137,14 @@ void BudgetSheetModel::refresh_computed() {
             if (rows[line].component == *components_[row]) lines_[row] = line;
 }
 
+void BudgetSheetModel::follow_observations() {
+    const FieldSpec* table = observing_table(document_.project(), address_);
+    const Setup* setup = find_setup(document_.project(), address_);
+    if (!table || !setup || value_of(*table, *setup) == observations_) return;
+    observations_ = value_of(*table, *setup);
+    if (sheet_.rowCount() > 0) emit dataChanged(index(0, stated), index(sheet_.rowCount() - 1, stated));
+}
+
 std::string BudgetSheetModel::symbol_of(int row) const {
     if (row < 0 || is_new_row(row)) return {};
     return plain_symbol(to_std(sheet_.index(row, column_of(symbol)).data(Qt::EditRole).toString()));
@@ -183,8 +197,10 @@ QString BudgetSheetModel::stated_words(int row, bool typeset) const {
     if (is_new_row(row)) return {};
     const std::string kind = text_at(row, "statement");
     if (kind.empty()) return {};
-    const TypedStatement statement{kind, number_at(row, "a"), number_at(row, "b"), std::nullopt,
-                                   text_at(row, "stated_unit")};
+    TypedStatement statement{kind, number_at(row, "a"), number_at(row, "b"), std::nullopt,
+                             text_at(row, "stated_unit")};
+    if (kind == "observations")
+        statement.observations = observations_of(document_.project(), address_, symbol_of(row));
     const auto number = [typeset](double value) {
         return typeset ? grouped_digits(format_typed(value), user_numbers())
                        : to_std(number_text(value, QLocale()));
@@ -310,13 +326,40 @@ Qt::ItemFlags BudgetSheetModel::flags(const QModelIndex& index) const {
     return editable ? flags | Qt::ItemIsEditable : flags;
 }
 
+Result<TypedStatement> BudgetSheetModel::read_typed(int row, const QString& text) const {
+    return read_statement(to_std(text), unit_of(row), QLocale().decimalPoint() == QLatin1String(","),
+                          core_words);
+}
+
+void BudgetSheetModel::take_observations(int row, const QString& text, const QString& step) {
+    const auto read = read_typed(row, text);
+    const FieldSpec* table = observing_table(document_.project(), address_);
+    if (!read || read->observations.empty() || !table || symbol_of(row).empty()) return;
+    if (!file_of_observations(document_.project(), address_).empty()) return;
+    document_.apply(
+        SetupTableModel::tr("Change %1").arg(core_text(table->title)),
+        [&](Project& project) { set_observations(project, address_, symbol_of(row), read->observations); },
+        step);
+}
+
+int BudgetSheetModel::write(int row, int section, const QString& text, const QString& step) {
+    if (section == stated) take_observations(row, text, step);
+    return sheet_.write_row(row, cells_for(row, section, text), step);
+}
+
 BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QString& text) const {
-    const auto read = read_statement(to_std(text), unit_of(row),
-                                     QLocale().decimalPoint() == QLatin1String(","), core_words);
+    const auto read = read_typed(row, text);
     Cells cells;
-    if (!read) {
-        cells[column("statement")] = {text, to_qt(read.error().message)};
+    const auto refuse = [&](const QString& why) {
+        cells[column("statement")] = {text, why};
         return cells;
+    };
+    if (!read) return refuse(to_qt(read.error().message));
+    if (!read->observations.empty()) {
+        if (symbol_of(row).empty()) return refuse(tr("Name the quantity before its observations."));
+        const std::string file = file_of_observations(document_.project(), address_);
+        if (!file.empty()) return refuse(tr("The observations are read from %1.").arg(to_qt(file)));
+        cells[column("value")] = {};  // their mean
     }
     const auto number = [](const std::optional<double>& value) {
         return SetupTableModel::TypedCell{value ? number_text(*value, QLocale()) : QString()};
@@ -380,8 +423,7 @@ bool BudgetSheetModel::setData(const QModelIndex& index, const QVariant& value, 
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
     const QString text = value.toString();
     if (is_new_row(index.row()) && text.trimmed().isEmpty()) return false;
-    const Cells cells = cells_for(index.row(), index.column(), text);
-    sheet_.write_row(index.row(), cells);
+    write(index.row(), index.column(), text, next_step());
     if (index.column() == unit) read_again(index.row());
     return true;
 }
@@ -419,7 +461,7 @@ int BudgetSheetModel::paste(const QModelIndex& at, const QString& text) {
         const auto take = [&](int section) {
             const int given = section - left;
             if (given >= 0 && given < block[r].size() && !is_computed(section))
-                refused += sheet_.write_row(row, cells_for(row, section, block[r][given]), step);
+                refused += write(row, section, block[r][given], step);
         };
         take(unit);  // first: figures are read in it
         for (int section = left; section < sections; ++section)
@@ -437,19 +479,16 @@ void BudgetSheetModel::fill_down(const QModelIndexList& cells) {
     for (const auto& [section, rows] : rows_of)
         for (const int row : rows)
             if (row != *rows.begin())
-                sheet_.write_row(
-                    row, cells_for(row, section, index(*rows.begin(), section).data(Qt::EditRole).toString()),
-                    step);
+                write(row, section, index(*rows.begin(), section).data(Qt::EditRole).toString(), step);
 }
 
 void BudgetSheetModel::clear(const QModelIndexList& cells) {
     const QString step = next_step();
     for (const QModelIndex& cell : cells)
         if ((flags(cell) & Qt::ItemIsEditable) && !is_new_row(cell.row()))
-            sheet_.write_row(cell.row(), cells_for(cell.row(), cell.column(), QString()), step);
+            write(cell.row(), cell.column(), QString(), step);
 }
 
-/// What is written with one of these keys is undone at once.
 QString BudgetSheetModel::next_step() {
     return QStringLiteral("budget:%1").arg(++steps_);
 }

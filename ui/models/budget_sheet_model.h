@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/quantity/statement_text.h"
 #include "core/report/table.h"
 #include "core/result/uncertainty_result.h"
 #include "ui/models/setup_table_model.h"
@@ -90,8 +91,19 @@ private:
     Cells cells_for(int row, int section, const QString& text) const;
     Cells cells_of_statement(int row, const QString& text) const;
     Cells cells_of_estimate(int row, const QString& text) const;
+    /// What is written with one of these keys is undone at once.
     QString next_step();
+    /// What `cells_for` says, and the observations that a statement lists. Returns how many could not be
+    /// understood.
+    int write(int row, int section, const QString& text, const QString& step);
+    void take_observations(int row, const QString& text, const QString& step);
+    Result<TypedStatement> read_typed(int row, const QString& text) const;
+    /// They have a table of their own, which others can edit too.
+    void follow_observations();
 
+    Document& document_;
+    SetupAddress address_;
+    SetupValue observations_;  ///< as they are shown
     const FieldSpec& field_;
     SetupTableModel sheet_;
     std::shared_ptr<const UncertaintyResult> result_;

@@ -76,12 +76,16 @@ std::vector<std::string> ResultTableModel::keys() const {
     constexpr std::size_t most = 6;  // a network of many instruments would fill the table
     if (result_->contributors.size() <= most)
         for (std::string& key : contributor_keys(*result_)) keys.push_back(std::move(key));
-    keys.insert(keys.end(), {"estimate first order", "u first order", "U first order"});
+    const bool has_trials = result_->trials > 0;  // else the first order is the result
+    if (has_trials) keys.insert(keys.end(), {"estimate first order", "u first order", "U first order"});
     if (std::any_of(shown_.begin(), shown_.end(), [this](std::size_t j) {
             return result_->outputs[j].first_order.second_order_standard_uncertainty.has_value();
         }))
         keys.insert(keys.end(), {"u second order", "shift second order"});
-    keys.emplace_back("clause 8");
+    const bool is_validated = std::any_of(shown_.begin(), shown_.end(), [this](std::size_t j) {
+        return result_->outputs[j].first_order.validation.has_value();
+    });
+    if (is_validated) keys.emplace_back("clause 8");
     return keys;
 }
 

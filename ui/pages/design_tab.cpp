@@ -176,7 +176,8 @@ QString DesignTab::state_words() const {
         words = core_text(result.objective_words) + QStringLiteral(" ") +
                 localized(format_significant(result.objective, 4)) +
                 (result.before ? tr(", before %1").arg(localized(format_significant(*result.before, 4)))
-                               : QString());
+                               : QString()) +
+                tr(" (law of propagation)");
     for (const DesignGoal& goal : result.goals)
         if (result.found && !goal.met())
             words += tr("; <b>the target of U(%1) is not met</b>")

@@ -131,6 +131,7 @@ void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
     designs_ = new DesignsForm(document_, runner_, selection_, entry.id);
     tabs_->addTab(scrolled(designs_), tr("Designs"));
     requirements_ = new RequirementsForm(document_, runner_, entry.id);
+    connect(requirements_, &RequirementsForm::place_wanted, this, &PropertiesPane::place_wanted);
     set_help_place(*inputs_, QStringLiteral("analysis-inputs"));
     set_help_place(*options_, QStringLiteral("options"));
     set_help_place(*studies_, QStringLiteral("analysis-studies"));

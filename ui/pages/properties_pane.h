@@ -31,17 +31,20 @@ public:
     PropertiesPane(Document& document, AnalysisRunner& runner, Selection& selection,
                    QWidget* parent = nullptr);
 
-    /// Brings the field that a JSON pointer into the project names into view and gives it the focus.
-    /// The studies of the analysis.
-    void show_studies();
+    void show_studies();  ///< of the analysis
+    void show_designs();
     /// Forms made anew: numbers are written in another form.
     void start_over();
-    void show_designs();
+    /// Brings the field that a JSON pointer into the project names into view and gives it the focus.
     void focus_field(const QString& path);
     SetupForm* setup_form() const { return setup_; }
     QTabWidget* tabs() const { return tabs_; }
     /// Of the set-up, where one begins to fill it in.
     void go_to_first_field();
+
+signals:
+    /// JSON pointer: somewhere else in the project.
+    void place_wanted(const QString& path);
 
 private:
     void start_help();

@@ -11,8 +11,7 @@
 namespace covaria::detail {
 namespace {
 
-constexpr double letter_size = 13.0;
-constexpr double margin = 14.0;
+constexpr double margin = picture_margin;
 
 }  // namespace
 
@@ -22,7 +21,8 @@ Overlay::Overlay(const Scene& scene, const OverlayView& view, Image& image, Text
 void Overlay::paint() {
     // What has its place in a corner comes first, as far as room is concerned: the words along the axes and
     // the labels go round it. It is painted after the lines that it covers.
-    const std::vector<HeadLine> head = head_lines();
+    const std::vector<HeadLine> head =
+        head_lines(scene_, view_.layers, view_.ratio, canvas_.size().width, masks_);
     for (const HeadLine& line : head) claim(line.word, line.x, line.y);
     const double bar_top = view_.layers[Layer::map] ? claim_colour_bar() : 0.0;
     paint_caption();
@@ -60,48 +60,14 @@ bool Overlay::is_free(const ScreenRect& rect) const {
     return std::none_of(taken_.begin(), taken_.end(), [&](const ScreenRect& t) { return t.overlaps(rect); });
 }
 
-std::vector<Overlay::HeadLine> Overlay::head_lines() {
-    std::vector<HeadLine> lines;
-    double y = px(margin - 4);
-    const double x = px(margin), indent = px(24), gap = px(3);
-    for (const Word& word : {Word{running_text(scene_.title), Role::text, true, 1.15},
-                             Word{running_text(scene_.group_title), Role::text, false, 1.0}}) {
-        if (word.text.empty()) continue;
-        lines.push_back({word, x, y});
-        y += mask_of(word).letters.height + px(2);
-    }
-    if (!view_.layers[Layer::legend]) return lines;
-    const std::size_t titles = lines.size();
-    y += px(6);
-    double widest = 0.0;
-    for (const LegendLine& line : scene_.legend) {
-        const Word word{line.text, Role::quiet_text, false, 0.92};
-        widest = std::max(widest, indent + mask_of(word).letters.width);
-        lines.push_back({word, x + (line.mark == LegendMark::none ? 0.0 : indent), y, &line});
-        y += mask_of(word).letters.height + gap;
-    }
-    // A small picture has no room beside the scene; the caption says what matters most.
-    if (widest > 0.3 * canvas_.size().width) lines.resize(titles);
-    return lines;
-}
-
 void Overlay::paint_head(const std::vector<HeadLine>& lines) {
     // Where the scene reaches under the legend, it steps back.
-    const double x = px(margin), gap = px(3);
-    double widest = 0.0, top = 0.0, bottom = 0.0;
-    for (const HeadLine& line : lines) {
-        if (!line.legend) continue;
-        const Mask& letters = mask_of(line.word).letters;
-        if (widest == 0.0) top = line.y;
-        widest = std::max(widest, line.x - x + letters.width);
-        bottom = line.y + letters.height;
-    }
-    if (widest > 0.0)
-        canvas_.rectangle({x - gap, top - gap, widest + 3 * gap, bottom - top + 2 * gap},
-                          ground_top(view_.palette), 0.8);
+    const ScreenRect ground = legend_ground(lines, view_.ratio, masks_);
+    if (ground.width > 0.0) canvas_.rectangle(ground, ground_top(view_.palette), 0.8);
     for (const HeadLine& line : lines) {
         write(line.word, line.x, line.y);
-        if (line.legend) paint_legend_mark(*line.legend, x, line.y + mask_of(line.word).letters.height / 2.0);
+        if (line.legend)
+            paint_legend_mark(*line.legend, px(margin), line.y + mask_of(line.word).letters.height / 2.0);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "viz/scene/measurement.h"
 #include "viz/vtk/canvas.h"
+#include "viz/vtk/picture_head.h"
 
 namespace covaria::detail {
 
@@ -31,19 +32,7 @@ public:
     const std::vector<PlacedWord>& words() const { return placed_; }
 
 private:
-    struct Word {
-        Text text;
-        Role role = Role::text;
-        bool bold = false;
-        double scale = 1.0;  ///< of the size of letters
-    };
     const TextMask& mask_of(const Word& word);
-    /// A line of the title, or of the legend.
-    struct HeadLine {
-        Word word;
-        double x = 0.0, y = 0.0;
-        const LegendLine* legend = nullptr;
-    };
     void claim(const Word& word, double x, double y);
     void write(const Word& word, double x, double y);
     void put(const Word& word, double x, double y);  ///< claims its place, and writes it
@@ -52,7 +41,6 @@ private:
     Pixel pixel_of(const Eigen::Vector3d& p_W) const { return project(view_.camera, canvas_.size(), p_W); }
     double px(double points) const { return points * view_.ratio; }
 
-    std::vector<HeadLine> head_lines();
     void paint_head(const std::vector<HeadLine>& lines);
     void paint_legend_mark(const LegendLine& line, double x, double middle);
     void paint_caption();

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <numbers>
 
+#include "viz/scene/clear_corner.h"
 #include "viz/scene/pick.h"
 #include "viz/vtk/layer_actors.h"
 #include "viz/vtk/offscreen_window.h"
@@ -41,6 +42,7 @@ struct SceneRenderer::Implementation {
     double pixel_ratio() const;
     /// Of an axis' figures and title, and of the caption: pixels.
     double room_for_words() const { return 50.0 * pixel_ratio(); }
+    Camera beside_legend(const Camera& fitted);
     void realise();
     void aim(double scale, RenderQuality quality);
     Result<Image> draw(RenderQuality quality);
@@ -79,6 +81,12 @@ SceneRenderer::Implementation::Implementation() {
 double SceneRenderer::Implementation::pixel_ratio() const {
     if (ratio > 0) return ratio;
     return std::clamp(std::min(size.width / 1280.0, size.height / 800.0), 0.85, 16.0);
+}
+
+Camera SceneRenderer::Implementation::beside_legend(const Camera& fitted) {
+    const auto lines = detail::head_lines(scene, layers, pixel_ratio(), size.width, masks);
+    return clear_of_corner(fitted, bounds_of(scene), size, detail::legend_ground(lines, pixel_ratio(), masks),
+                           room_for_words());
 }
 
 void SceneRenderer::Implementation::realise() {
@@ -175,13 +183,14 @@ const MeasureMark& SceneRenderer::measure() const {
 }
 
 void SceneRenderer::set_view(StandardView view) {
-    const Implementation& self = *implementation_;
-    set_camera(
-        view_of(bounds_of(self.scene), view, self.size, self.room_for_words(), self.camera.perspective));
+    Implementation& self = *implementation_;
+    set_camera(self.beside_legend(
+        view_of(bounds_of(self.scene), view, self.size, self.room_for_words(), self.camera.perspective)));
 }
 void SceneRenderer::fit() {
-    const Implementation& self = *implementation_;
-    set_camera(fitted(self.camera, bounds_of(self.scene), self.size, self.room_for_words()));
+    Implementation& self = *implementation_;
+    set_camera(
+        self.beside_legend(fitted(self.camera, bounds_of(self.scene), self.size, self.room_for_words())));
 }
 void SceneRenderer::set_perspective(bool perspective) {
     implementation_->camera.perspective = perspective;

@@ -117,11 +117,15 @@ void add_quantities(Fields<Stated>& fields) {
                 .optional = true,
                 .states_quantities = true},
                component_columns())
-        .table(&Stated::observations, "observations", "Observations",
-               "Repeated observations for Type A evaluations, typed, pasted or from a CSV file. "
-               "Observations of several quantities with the same numbers were made together: their means "
-               "are then correlated (JCGM 100 5.2.3).",
-               observation_columns(), maybe)
+        .table(&Stated::observations,
+               {.key = "observations",
+                .title = "Observations",
+                .help = "Repeated observations for Type A evaluations, typed, pasted or from a CSV file. "
+                        "Observations of several quantities with the same numbers were made together: their "
+                        "means are then correlated (JCGM 100 5.2.3).",
+                .optional = true,
+                .observes_quantities = true},
+               observation_columns())
         .choice(&Stated::normal_means, "type_a", "Means of observations",
                 "Distribution of a mean in Monte Carlo trials: Student t with the degrees of freedom of "
                 "the observations (JCGM 101 6.4.9), or normal.",

@@ -51,6 +51,8 @@ public:
             if (!setup_.in_world) tool.R_WQ = X_WB.linear();
             layout.points.push_back(std::move(tool));
         }
+        if (!setup_.in_world && !X_WB.isApprox(Eigen::Isometry3d::Identity()))
+            layout.notes.push_back(tell<"results: in the base frame of the robot, not along these axes">());
         return layout;
     }
 

@@ -97,6 +97,23 @@ TEST(StatementText, WordsOfAnotherLanguageAreReadBesideTheEnglishOnes) {
               "Grenzen -1 bis 2 nm");
 }
 
+TEST(StatementText, AListIsObservations) {
+    const auto list = [](std::vector<double> values) {
+        return TypedStatement{"observations", {}, {}, {}, {}, std::move(values)};
+    };
+    const Unit mm = Unit::of("mm");
+    EXPECT_EQ(typed("10.1; 10.3; 10.2", mm), list({10.1, 10.3, 10.2}));
+    EXPECT_EQ(typed("10.1, 10.3, -10.2 mm", mm), list({10.1, 10.3, -10.2}));
+    EXPECT_EQ(typed("obs 10.1 10.3", mm), list({10.1, 10.3}));
+    EXPECT_EQ(typed("10100 10300 10200 um", mm), list({10.1, 10.3, 10.2})) << "a unit at the end is of all";
+    EXPECT_EQ(typed("20.1 degC; 20.2 degC; 295.15 K", Unit::of("degC")), list({20.1, 20.2, 22.0}));
+    EXPECT_EQ(read_statement("10,1; 10,3; 10,2", mm, true).value(), list({10.1, 10.3, 10.2}));
+    EXPECT_NE(objection("10.1; 10.3; 10.2 s", mm).find("no unit for"), std::string::npos);
+    EXPECT_EQ(typed("75 k = 3"), (TypedStatement{"certificate-k", 75.0, 3.0})) << "two figures are none";
+    EXPECT_EQ(statement_text(list({10.1, -10.3}), mm, plain), "observations 10.1; -10.3");
+    EXPECT_EQ(typed(statement_text(list({10.1, -10.3, 5.0}), mm, plain), mm), list({10.1, -10.3, 5.0}));
+}
+
 TEST(StatementText, PartsOfTheValueStayParts) {
     EXPECT_EQ(typed("2 ppm", Unit::of("mm")), (TypedStatement{"standard", 2.0, {}, {}, "ppm"}));
     EXPECT_EQ(typed("rect 1 %", Unit::of("V")), (TypedStatement{"rectangular", 1.0, {}, {}, "%"}));

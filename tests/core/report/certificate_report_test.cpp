@@ -83,7 +83,7 @@ TEST(ResultStatement, AnIntervalThatIsNotSymmetricIsStatedToo) {
     EXPECT_EQ(skewed_interval(output, result), "");
     output.monte_carlo->symmetric = {9.4e-3, 11.4e-3};
     EXPECT_EQ(skewed_interval(output, result), "[9.4, 11.4]" + hard + "mm");
-    EXPECT_EQ(result_statement(output, result), "10.00" + hard + "mm, u = 0.50" + hard + "mm, p = 95" + hard +
+    EXPECT_EQ(result_statement(output, result), "10.0" + hard + "mm, u = 0.50" + hard + "mm, p = 95" + hard +
                                                     "%, coverage interval [9.4, 11.4]" + hard + "mm")
         << "y ± U would cover another part of the distribution";
     const DocumentLanguage comma("de", {.decimal = ","}, {});

@@ -47,6 +47,29 @@ const PlotSpecification* find(const std::vector<PlotSpecification>& plots, const
     return nullptr;
 }
 
+TEST(DesignTables, SayWhatIsChosenAtAnEndOfItsRange) {
+    DesignResult design = of_rows();
+    design.values = {{"place: x", mm, -100.0, 100.0, 0.0, 100.0},
+                     {"place: y", mm, -100.0, 100.0, 0.0, 40.0},
+                     {"place: z", mm, -100.0, 100.0, 0.0, -100.0}};
+    const auto notes_of = [](const DesignResult& of) {
+        std::vector<std::string> notes;
+        for (const DataTable& table : readable_design_tables(of))
+            for (const Message& note : table.notes) notes.push_back(note.english());
+        return notes;
+    };
+    const std::vector<std::string> notes = notes_of(design);
+    ASSERT_EQ(notes.size(), 2u);
+    EXPECT_NE(notes[0].find("place: x"), std::string::npos) << notes[0];
+    EXPECT_NE(notes[1].find("place: z"), std::string::npos) << notes[1];
+    EXPECT_NE(design_text(design).find(notes[1]), std::string::npos);
+    DesignResult reductions = of_reductions();
+    reductions.values[0].chosen = 1.0;
+    EXPECT_TRUE(notes_of(reductions).empty()) << "what is not reduced reaches no limit";
+    reductions.values[0].chosen = 0.1;
+    EXPECT_EQ(notes_of(reductions).size(), 1u);
+}
+
 TEST(DesignPlots, ShowWhatMoreRowsGiveAndWhatEachIsWorth) {
     const auto plots = design_plots(of_rows());
     const PlotSpecification* curve = find(plots, "design-three-curve");

@@ -38,6 +38,8 @@ inline void add_output(UncertaintyResult& result, const char* symbol, const char
     output.quantity = {symbol, std::string(symbol) + " of the platform", Unit::of(unit), "pose 7"};
     output.estimate = output.first_order.estimate = estimate;
     output.standard_uncertainty = u;
+    output.coverage_factor = 1.959964;
+    output.expanded_uncertainty = output.coverage_factor * u;
     output.first_order.standard_uncertainty = 1.06 * u;
     output.monte_carlo = normal_trials(estimate, u);
     result.outputs.push_back(std::move(output));

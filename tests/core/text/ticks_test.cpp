@@ -11,6 +11,14 @@
 namespace covaria::ticks_test {
 namespace {
 
+TEST(RoundedDown, NeverUpAndNeverAMultipleDown) {
+    EXPECT_DOUBLE_EQ(rounded_down(1.0199, 3), 1.01);
+    EXPECT_DOUBLE_EQ(rounded_down(1.02, 3), 1.02);
+    EXPECT_DOUBLE_EQ(rounded_down(0.0029999, 3), 0.00299);
+    EXPECT_DOUBLE_EQ(rounded_down(1234.0, 2), 1200.0);
+    EXPECT_DOUBLE_EQ(rounded_down(0.0, 3), 0.0);
+}
+
 using Texts = std::vector<std::string>;
 
 Texts texts(const Ticks& ticks) {

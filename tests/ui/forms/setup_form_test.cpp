@@ -161,6 +161,13 @@ TEST_F(SetupFormTest, TheSpreadsheetIsUsedWithTheKeyboard) {
     EXPECT_EQ(view->model()->rowCount(), 2);
     QTest::keyClick(view, Qt::Key_I, Qt::ControlModifier);
     EXPECT_EQ(view->model()->rowCount(), 3);
+    // Return below the last row begins another, which stays one while it is empty.
+    view->selectionModel()->setCurrentIndex(view->model()->index(2, 1), QItemSelectionModel::ClearAndSelect);
+    QTest::keyClick(view, Qt::Key_Return);
+    EXPECT_EQ(view->model()->rowCount(), 4);
+    EXPECT_EQ(view->currentIndex(), view->model()->index(3, 1));
+    QTest::keyClick(view, Qt::Key_Return);
+    EXPECT_EQ(view->model()->rowCount(), 4);
     while (document.undo_stack().canUndo()) document.undo_stack().undo();
     EXPECT_EQ(document.project(), sample_project());
 }

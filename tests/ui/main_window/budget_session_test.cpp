@@ -200,6 +200,25 @@ TEST_F(BudgetSession, TabPassesOverAUnitThatCameWithTheEstimate) {
     EXPECT_EQ(cell(0, Section::unit), QStringLiteral("mm"));
 }
 
+/// u follows from the statement: typing there edits that, in its own place.
+TEST_F(BudgetSession, TypingOnUStatesTheUncertainty) {
+    new_equation(QStringLiteral("y = a"));
+    sheet()->setFocus();
+    const auto go = [&](Section section) {
+        sheet()->selectionModel()->setCurrentIndex(window_->budget().model()->index(0, section),
+                                                   QItemSelectionModel::ClearAndSelect);
+    };
+    go(Section::estimate);
+    type_keys(QStringLiteral("50 mm"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    go(Section::u);
+    type_keys(QStringLiteral("75 nm"));
+    EXPECT_EQ(sheet()->currentIndex().column(), Section::stated);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_TRUE(wait_for([&] { return cell(0, Section::stated) == QStringLiteral("u = 75 nm"); }, 2000))
+        << to_std(cell(0, Section::stated));
+}
+
 // The centre belongs to the analysis: equations have a budget, scenes have none over them.
 TEST_F(BudgetSession, IsThereForEquationsOnly) {
     open(project_copy());
@@ -222,7 +241,7 @@ TEST_F(BudgetSession, AQuantityHasAPageOfItsOwn) {
     ASSERT_TRUE(QFile::copy(QStringLiteral(COVARIA_SOURCE_DIR "/projects/gum/h2-impedance.covaria"), file));
     open(file);
     ASSERT_TRUE(wait_for([&] { return sheet() && sheet()->isVisible() && !cell(0, Section::u).isEmpty(); }));
-    const QModelIndex computed = window_->budget().model()->index(row_of(QStringLiteral("V")), Section::u);
+    const QModelIndex computed = window_->budget().model()->index(row_of(QStringLiteral("V")), Section::c);
     sheet()->setCurrentIndex(computed);
     const QPoint at = sheet()->visualRect(computed).center();
     QTest::mouseClick(sheet()->viewport(), Qt::LeftButton, {}, at);

@@ -7,8 +7,8 @@
 #include "core/propagation/engine.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
+#include "ui/document/component_source.h"
 #include "ui/models/roles.h"
-#include "ui/pages/component_source.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/scene_view/scene_view.h"
 

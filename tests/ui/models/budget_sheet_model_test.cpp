@@ -8,6 +8,7 @@
 #include "core/made/made_project.h"
 #include "core/propagation/engine.h"
 #include "tests/ui/qt_application.h"
+#include "ui/document/observation_edits.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"
 
@@ -85,6 +86,37 @@ TEST_F(BudgetSheetModelTest, IsTypedFromNothing) {
     EXPECT_EQ(text(1, Section::stated), QString::fromUtf8("U = 0.0194 µm, k = 2"));
     const double share = model->index(0, Section::share).data(exact_role).toDouble();
     EXPECT_NEAR(share, 25.0 * 25.0 / (25.0 * 25.0 + 9.7 * 9.7), 1e-12);
+}
+
+TEST_F(BudgetSheetModelTest, AListIsTheObservationsOfItsRow) {
+    type(0, Section::symbol, "l_S");
+    type(0, Section::estimate, "50 mm");
+    type(1, Section::symbol, "d");
+    type(1, Section::estimate, "215 nm");
+    const int steps = document.undo_stack().count();
+    ASSERT_TRUE(type(1, Section::stated, "0.21; 0.22; 0.215 um"));
+    EXPECT_EQ(document.undo_stack().count(), steps + 1);
+    EXPECT_EQ(problem(1, Section::stated), QString());
+    EXPECT_EQ(text(1, Section::stated), QStringLiteral("observations 210; 220; 215"));
+    EXPECT_EQ(stored(1, "value"), SetupCell()) << "it is their mean";
+    const SetupAddress address{SetupOwner::analysis, "budget"};
+    EXPECT_EQ(observations_of(document.project(), address, "d"), (std::vector<double>{210, 220, 215}));
+    EXPECT_TRUE(observations_of(document.project(), address, "l_S").empty());
+    evaluate();
+    EXPECT_EQ(text(1, Section::estimate), QStringLiteral("215"));
+    EXPECT_EQ(text(1, Section::u), QStringLiteral("2.9")) << "5/sqrt(3)";
+    EXPECT_EQ(text(1, Section::type), QStringLiteral("A"));
+    EXPECT_EQ(text(1, Section::nu), QStringLiteral("2.0"));
+    // Those of another quantity stay as they are; others in its place.
+    type(0, Section::stated, "1; 2; 3");
+    type(1, Section::stated, "210; 220; 230; 240");
+    EXPECT_EQ(observations_of(document.project(), address, "l_S"), (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(observations_of(document.project(), address, "d"), (std::vector<double>{210, 220, 230, 240}));
+    document.undo();
+    EXPECT_EQ(text(1, Section::stated), QStringLiteral("observations 210; 220; 215"))
+        << "the cell follows a table that is not its own";
+    type(2, Section::stated, "1; 2; 3");
+    EXPECT_NE(problem(2, Section::stated), QString()) << "of what?";
 }
 
 TEST_F(BudgetSheetModelTest, AFurtherComponentIsShownInTheUnitOfItsRow) {

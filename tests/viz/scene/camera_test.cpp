@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "tests/viz/stewart_scene.h"
+#include "viz/scene/clear_corner.h"
 #include "viz/scene/label_placement.h"
 #include "viz/scene/pick.h"
 
@@ -47,6 +49,45 @@ TEST(Camera, StandardViewsShowTheirAxes) {
     }
     EXPECT_EQ(standard_view_from("top"), StandardView::top);
     EXPECT_EQ(standard_view_from("behind"), std::nullopt);
+}
+
+/// Random boxes, pictures and corners: nothing of the box is under the corner, and all of it in the picture.
+TEST(Camera, KeepsTheSceneClearOfACorner) {
+    constexpr double room = 50.0;
+    std::mt19937 random(7);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    int moved = 0, left = 0;
+    for (int i = 0; i < 200; ++i) {
+        const PictureSize picture{static_cast<int>(between(500, 1600)), static_cast<int>(between(300, 900))};
+        const SceneBounds box{Eigen::Vector3d::Zero(), {between(0.1, 3), between(0.1, 3), between(0.1, 3)}};
+        const ScreenRect corner{10, 10, between(100, 0.3 * picture.width), between(20, 150)};
+        for (const bool perspective : {false, true}) {
+            const Camera fit = view_of(box, StandardView::iso, picture, room, perspective);
+            const Camera clear = clear_of_corner(fit, box, picture, corner, room);
+            if (clear == fit) {
+                ++left;
+                continue;
+            }
+            ++moved;
+            for (int k = 0; k < 12; ++k) {
+                // Along the edges.
+                for (double t = 0.0; t <= 1.0; t += 0.02) {
+                    Eigen::Vector3d p = box.low;
+                    const int axis = k % 3;
+                    p[axis] += t * (box.high - box.low)[axis];
+                    if (k / 3 & 1) p[(axis + 1) % 3] = box.high[(axis + 1) % 3];
+                    if (k / 3 & 2) p[(axis + 2) % 3] = box.high[(axis + 2) % 3];
+                    const Pixel at = project(clear, picture, p);
+                    EXPECT_FALSE(at.x < corner.x + corner.width && at.y < corner.y + corner.height);
+                    EXPECT_TRUE(at.x > 0 && at.x < picture.width && at.y < picture.height);
+                }
+            }
+        }
+    }
+    EXPECT_GT(moved, 20);
+    EXPECT_GT(left, 20) << "where nothing was covered";
 }
 
 TEST(Camera, PerspectiveShowsNearThingsLarger) {

@@ -1,4 +1,4 @@
-#include "ui/pages/component_source.h"
+#include "ui/document/component_source.h"
 
 #include <algorithm>
 

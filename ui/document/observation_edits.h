@@ -1,0 +1,23 @@
+// Observations of one quantity of a set-up, as its budget states them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/document/setup_address.h"
+
+namespace covaria::ui {
+
+/// The table in which the set-up has them (FieldSpec::observes_quantities); null: it has none.
+const FieldSpec* observing_table(const Project& project, const SetupAddress& address);
+
+/// Of the series that is measured now, in the unit of the quantity.
+std::vector<double> observations_of(const Project& project, const SetupAddress& address,
+                                    const std::string& symbol);
+/// Takes the place of that series. As many as before keep their numbers, else they have none.
+void set_observations(Project& project, const SetupAddress& address, const std::string& symbol,
+                      const std::vector<double>& values);
+/// The file that the rows are read from, and which cannot be edited here; empty: none.
+std::string file_of_observations(const Project& project, const SetupAddress& address);
+
+}  // namespace covaria::ui

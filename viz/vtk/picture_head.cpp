@@ -1,0 +1,57 @@
+#include "viz/vtk/picture_head.h"
+
+#include <algorithm>
+
+#include "core/text/symbol.h"
+
+namespace covaria::detail {
+namespace {
+
+const Mask& letters_of(const Word& word, double ratio, TextMasks& masks) {
+    return masks.of(word.text, letter_size * word.scale * ratio, word.bold).letters;
+}
+
+}  // namespace
+
+std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& layers, double ratio, int width,
+                                 TextMasks& masks) {
+    std::vector<HeadLine> lines;
+    double y = (picture_margin - 4) * ratio;
+    const double x = picture_margin * ratio, indent = 24 * ratio, gap = 3 * ratio;
+    for (const Word& word : {Word{running_text(scene.title), Role::text, true, 1.15},
+                             Word{running_text(scene.group_title), Role::text, false, 1.0}}) {
+        if (word.text.empty()) continue;
+        lines.push_back({word, x, y});
+        y += letters_of(word, ratio, masks).height + 2 * ratio;
+    }
+    if (!layers[Layer::legend]) return lines;
+    const std::size_t titles = lines.size();
+    y += 6 * ratio;
+    double widest = 0.0;
+    for (const LegendLine& line : scene.legend) {
+        const Word word{line.text, Role::quiet_text, false, 0.92};
+        const Mask& letters = letters_of(word, ratio, masks);
+        widest = std::max(widest, indent + letters.width);
+        lines.push_back({word, x + (line.mark == LegendMark::none ? 0.0 : indent), y, &line});
+        y += letters.height + gap;
+    }
+    // A small picture has no room beside the scene; the caption says what matters most.
+    if (widest > 0.3 * width) lines.resize(titles);
+    return lines;
+}
+
+ScreenRect legend_ground(const std::vector<HeadLine>& lines, double ratio, TextMasks& masks) {
+    const double x = picture_margin * ratio, gap = 3 * ratio;
+    double widest = 0.0, top = 0.0, bottom = 0.0;
+    for (const HeadLine& line : lines) {
+        if (!line.legend) continue;
+        const Mask& letters = letters_of(line.word, ratio, masks);
+        if (widest == 0.0) top = line.y;
+        widest = std::max(widest, line.x - x + letters.width);
+        bottom = line.y + letters.height;
+    }
+    if (widest == 0.0) return {};
+    return {x - gap, top - gap, widest + 3 * gap, bottom - top + 2 * gap};
+}
+
+}  // namespace covaria::detail

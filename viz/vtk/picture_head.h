@@ -1,0 +1,34 @@
+// Title, group and legend of a picture: what stands in its upper left corner.
+#pragma once
+
+#include <vector>
+
+#include "viz/scene/label_placement.h"
+#include "viz/vtk/canvas.h"
+
+namespace covaria::detail {
+
+struct Word {
+    Text text;
+    Role role = Role::text;
+    bool bold = false;
+    double scale = 1.0;  ///< of the size of letters
+};
+
+inline constexpr double letter_size = 13.0;
+inline constexpr double picture_margin = 14.0;
+
+/// A line of the title, or of the legend.
+struct HeadLine {
+    Word word;
+    double x = 0.0, y = 0.0;
+    const LegendLine* legend = nullptr;
+};
+
+/// Lives as long as `scene`. A picture of this width in pixels that is too narrow for a legend has none.
+std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& layers, double ratio, int width,
+                                 TextMasks& masks);
+/// Of the legend's lines with their ground; of no width without any.
+ScreenRect legend_ground(const std::vector<HeadLine>& lines, double ratio, TextMasks& masks);
+
+}  // namespace covaria::detail
