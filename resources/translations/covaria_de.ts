@@ -13161,12 +13161,28 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>u längs jeder Achse</translation>
     </message>
     <message>
-        <source>results: in the base frame of the robot, not along these axes</source>
-        <translation>Ergebnisse: im Basiskoordinatensystem des Roboters, nicht längs dieser Achsen</translation>
+        <source>results: in the base frame of the robot</source>
+        <translation>Ergebnisse: im Basiskoordinatensystem des Roboters</translation>
     </message>
     <message>
         <source>%1: chosen at an end of its range; a wider one can give a better design.</source>
         <translation>%1: am Ende seines Bereichs gewählt; ein weiterer kann einen besseren Entwurf ergeben.</translation>
+    </message>
+    <message>
+        <source>artefact</source>
+        <translation>Prüfkörper</translation>
+    </message>
+    <message>
+        <source>length standard</source>
+        <translation>Längennormal</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>Standpunkt</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>Sichtfeld</translation>
     </message>
 </context>
 <context>

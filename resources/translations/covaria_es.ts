@@ -13161,12 +13161,28 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>u a lo largo de cada eje</translation>
     </message>
     <message>
-        <source>results: in the base frame of the robot, not along these axes</source>
-        <translation>resultados: en el sistema de la base del robot, no según estos ejes</translation>
+        <source>results: in the base frame of the robot</source>
+        <translation>resultados: en el sistema de la base del robot</translation>
     </message>
     <message>
         <source>%1: chosen at an end of its range; a wider one can give a better design.</source>
         <translation>%1: elegido en un extremo de su intervalo; uno más amplio puede dar un diseño mejor.</translation>
+    </message>
+    <message>
+        <source>artefact</source>
+        <translation>artefacto</translation>
+    </message>
+    <message>
+        <source>length standard</source>
+        <translation>patrón de longitud</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>estación</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>campo de visión</translation>
     </message>
 </context>
 <context>

@@ -13160,12 +13160,28 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>각 축 방향의 u</translation>
     </message>
     <message>
-        <source>results: in the base frame of the robot, not along these axes</source>
-        <translation>결과: 이 축들이 아니라 로봇 기준 좌표계의 값</translation>
+        <source>results: in the base frame of the robot</source>
+        <translation>결과: 로봇 기준 좌표계의 값</translation>
     </message>
     <message>
         <source>%1: chosen at an end of its range; a wider one can give a better design.</source>
         <translation>%1: 범위의 끝에서 선택되었습니다. 더 넓은 범위가 더 좋은 설계를 줄 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>artefact</source>
+        <translation>기준물</translation>
+    </message>
+    <message>
+        <source>length standard</source>
+        <translation>길이 표준기</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>스테이션</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>시야</translation>
     </message>
 </context>
 <context>

@@ -13161,12 +13161,28 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>u ao longo de cada eixo</translation>
     </message>
     <message>
-        <source>results: in the base frame of the robot, not along these axes</source>
-        <translation>resultados: no sistema da base do robô, não segundo estes eixos</translation>
+        <source>results: in the base frame of the robot</source>
+        <translation>resultados: no sistema da base do robô</translation>
     </message>
     <message>
         <source>%1: chosen at an end of its range; a wider one can give a better design.</source>
         <translation>%1: escolhido em um extremo de seu intervalo; um mais amplo pode dar um projeto melhor.</translation>
+    </message>
+    <message>
+        <source>artefact</source>
+        <translation>artefato</translation>
+    </message>
+    <message>
+        <source>length standard</source>
+        <translation>padrão de comprimento</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>estação</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>campo de visão</translation>
     </message>
 </context>
 <context>

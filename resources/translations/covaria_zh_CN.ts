@@ -13160,12 +13160,28 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>沿任一轴的 u</translation>
     </message>
     <message>
-        <source>results: in the base frame of the robot, not along these axes</source>
-        <translation>结果：在机器人基坐标系中，不沿这些轴</translation>
+        <source>results: in the base frame of the robot</source>
+        <translation>结果：在机器人基坐标系中</translation>
     </message>
     <message>
         <source>%1: chosen at an end of its range; a wider one can give a better design.</source>
         <translation>%1：取在其范围的端点；更宽的范围可能给出更好的设计。</translation>
+    </message>
+    <message>
+        <source>artefact</source>
+        <translation>实物标准器</translation>
+    </message>
+    <message>
+        <source>length standard</source>
+        <translation>长度标准器</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>测站</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>视场</translation>
     </message>
 </context>
 <context>

@@ -11,17 +11,21 @@
 namespace covaria::ui {
 namespace {
 
-/// "x = −120.3 mm" from the title "x (mm)", to a thousandth of the range that is shown.
-Text value_text(const PlotAxis& axis, double value, double low, double high) {
-    const std::string letters = axis.title.letters();
+/// "x = −120.3 mm" from the title "x (mm)".
+Text named(const Text& title, const Text& number) {
+    const std::string letters = title.letters();
     const std::size_t open = letters.rfind(" (");
     const bool has_unit = open != std::string::npos && letters.ends_with(')');
     const std::string unit = has_unit ? letters.substr(open + 2, letters.size() - open - 3) : "";
+    const std::string behind = unit.empty() ? "" : (unit == "°" ? "" : "\u00a0") + unit;
+    return (has_unit ? title.part(0, open) : title) + " = " + number + behind;
+}
+
+/// To a thousandth of the range that is shown.
+Text value_text(const PlotAxis& axis, double value, double low, double high) {
     const double range = axis.logarithmic ? value : high - low;
-    std::string number =
-        grouped_number(value, std::max(0, decimals_for(1e-3 * range, 1)), number_locale(QLocale()));
-    if (!unit.empty()) number += (unit == "°" ? "" : "\u00a0") + unit;
-    return (has_unit ? axis.title.part(0, open) : axis.title) + " = " + number;
+    return named(axis.title,
+                 grouped_number(value, std::max(0, decimals_for(1e-3 * range, 1)), number_locale(QLocale())));
 }
 
 struct Reader {
@@ -40,9 +44,11 @@ struct Reader {
         if (!std::isfinite(z)) return {};
         const double largest = std::max(std::abs(plot.z_low), std::abs(plot.z_high));
         const int decimals = std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 3));
-        return ReadOut{plot.y.categories[row] + "; " + plot.x.categories[column] + ": " +
-                           grouped_number(z, decimals, number_locale(QLocale())),
-                       {}};
+        const std::string number = grouped_number(z, decimals, number_locale(QLocale()));
+        const Text &x = plot.x.categories[column], &y = plot.y.categories[row];
+        if (plot.x.title.empty() || plot.y.title.empty()) return ReadOut{y + "; " + x + ": " + number, {}};
+        return ReadOut{
+            named(plot.x.title, x) + "; " + named(plot.y.title, y) + ": " + named(map.name, number), {}};
     }
 
     std::optional<ReadOut> bar(const PlotSeries& bars, QPointF at) const {

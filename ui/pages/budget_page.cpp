@@ -16,6 +16,8 @@
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "ui/forms/budget_sheet_view.h"
+#include "ui/forms/complaint.h"
+#include "ui/models/roles.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/follow_font.h"
@@ -204,16 +206,21 @@ void BudgetPage::show_correlation() {
                              .arg(symbol(*selected_rows().begin()), symbol(*selected_rows().rbegin()))
                        : tr("<i>r</i> of two rows ="));
     correlation_->setText(cell.isValid() ? cell.data(Qt::EditRole).toString() : QString());
+    mark_correlation(cell);
+}
+
+void BudgetPage::mark_correlation(const QModelIndex& cell) {
     const bool lack = !cell.isValid() && view_ && selected_rows().size() == 2;
-    correlation_->setToolTip(
-        lack ? tr("Both quantities need an uncertainty before they can be correlated")
-             : tr("Select two rows, and type the correlation coefficient of their components"));
+    mark(*correlation_, cell.data(problem_role).toString(),
+         lack ? tr("Both quantities need an uncertainty before they can be correlated")
+              : tr("Select two rows, and type the correlation coefficient of their components"));
 }
 
 void BudgetPage::take_correlation() {
     const QModelIndex cell = selected_pair();
     if (cell.isValid() && correlation_->text() != cell.data(Qt::EditRole).toString())
         correlations_.setData(cell, correlation_->text());
+    mark_correlation(cell);
 }
 
 /// Without two rows it says what to do.

@@ -56,6 +56,7 @@ private:
     QModelIndex selected_pair();
     std::set<int> selected_rows() const;
     void show_correlation();
+    void mark_correlation(const QModelIndex& cell);
     void take_correlation();
     void ask_for_correlation();
 

@@ -82,6 +82,12 @@ void SceneView::set_visibility(const Visibility& visibility) {
     send_scene();
 }
 
+void SceneView::show_all() {
+    const bool was_alone = !visibility_.only.empty();
+    set_visibility({});
+    if (was_alone) fit();  // it was framed
+}
+
 std::optional<bool> SceneView::shows_asset(const QString& asset) const {
     const std::set<std::string> items =
         whole_ ? items_of_asset(*whole_, to_std(asset)) : std::set<std::string>();
@@ -507,7 +513,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
 /// Keys for what is selected.
 bool SceneView::take_key(const QKeyEvent& event) {
     if (event.key() == Qt::Key_H && event.modifiers() == Qt::ShiftModifier)
-        set_visibility({});
+        show_all();
     else if (event.key() == Qt::Key_H && event.modifiers() == Qt::NoModifier)
         hide_item(selected_);
     else if (event.key() == Qt::Key_I && event.modifiers() == Qt::NoModifier)
@@ -566,7 +572,7 @@ void SceneView::contextMenuEvent(QContextMenuEvent* event) {
         menu.addAction(tr("Hide"), this, [this, item] { hide_item(item); });
         menu.addAction(tr("Show Only This"), this, [this, item] { show_alone(item); });
     }
-    if (!visibility_.shows_all()) menu.addAction(tr("Show All"), this, [this] { set_visibility({}); });
+    if (!visibility_.shows_all()) menu.addAction(tr("Show All"), this, &SceneView::show_all);
     if (!menu.isEmpty()) menu.addSeparator();
     menu.addAction(tr("Fit"), this, &SceneView::fit);
     menu.addAction(tr("Copy Picture"), this, &SceneView::copy_picture);

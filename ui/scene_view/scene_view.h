@@ -31,6 +31,7 @@ public:
     /// What is shown of it.
     const Scene* scene() const { return scene_.get(); }
     void set_visibility(const Visibility& visibility);
+    void show_all();  ///< in the picture, where one thing was framed
     const Visibility& visibility() const { return visibility_; }
     /// Whether anything that stands in the set-up of an asset is shown; empty: it has nothing in the scene.
     std::optional<bool> shows_asset(const QString& asset) const;

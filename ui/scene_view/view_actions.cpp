@@ -27,7 +27,7 @@ ViewActions::ViewActions(Document& document, SceneView& view, QObject* parent)
     connect(orthographic_, &QAction::triggered, this, [this](bool on) { view_.set_perspective(!on); });
     connect(&view_, &SceneView::perspective_changed, this,
             [this](bool perspective) { orthographic_->setChecked(!perspective); });
-    menu_->addAction(tr("Show &All"), &view_, [this] { view_.set_visibility({}); });
+    menu_->addAction(tr("Show &All"), &view_, [this] { view_.show_all(); });
     before_saved_ = menu_->addSeparator();
     save_ = menu_->addAction(tr("&Save View …"), this, &ViewActions::save_view);
     removal_ = menu_->addMenu(tr("Remo&ve View"));

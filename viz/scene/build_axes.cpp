@@ -150,7 +150,6 @@ void add_legend(SceneBuild& build) {
         if (std::ranges::any_of(scene.vectors,
                                 [kind = kind](const SceneVector& vector) { return vector.kind == kind; }))
             add(LegendMark::arrow, role, words);
-    for (const Message& note : build.source.layout->notes) add(LegendMark::none, Role::text, note);
 }
 
 }  // namespace covaria::detail

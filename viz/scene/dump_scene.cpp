@@ -76,6 +76,7 @@ void put_head(std::ostream& out, const Scene& scene) {
         << scene.probability << "\n"
         << "size " << mm(scene.size) << " unit " << scene.unit.text << (scene.scale_bar ? " scale bar" : "")
         << "\n";
+    for (const std::string& note : scene.notes) out << "note \"" << note << "\"\n";
 }
 
 void put_solids(std::ostream& out, const Scene& scene) {

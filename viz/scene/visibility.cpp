@@ -1,6 +1,7 @@
 #include "viz/scene/visibility.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "viz/scene/build_parts.h"
 
@@ -52,6 +53,23 @@ bool is_its_body(const SceneItem& item, const SceneItem* body) {
     return body && !body->source.path.empty() && stand_by_one_field(item, *body);
 }
 
+std::vector<Eigen::Vector3d> places_of_hidden(const Scene& scene, const Visibility& visibility) {
+    std::vector<Eigen::Vector3d> places;
+    for (const ScenePoint& point : scene.points)
+        if (visibility.hidden.contains(point.item.id)) places.push_back(point.item.position);
+    return places;
+}
+
+/// Lines that would end at nothing.
+void erase_sight_of_hidden(Scene& scene, const std::vector<Eigen::Vector3d>& places) {
+    constexpr double same = 1e-9;  // m
+    std::erase_if(scene.links, [&](const SceneLink& link) {
+        return link.kind == LinkKind::sight_line && std::ranges::any_of(places, [&](const auto& place) {
+                   return (link.from - place).norm() < same || (link.to - place).norm() < same;
+               });
+    });
+}
+
 }  // namespace
 
 std::string thing_of(const Scene& scene, const std::string& item) {
@@ -62,6 +80,7 @@ std::string thing_of(const Scene& scene, const std::string& item) {
 Scene visible_part(Scene scene, const Visibility& visibility) {
     if (visibility.shows_all()) return scene;
     const Filter filter(scene, visibility);
+    const std::vector<Eigen::Vector3d> hidden = places_of_hidden(scene, visibility);
     std::set<std::string> shown, places;  // of bodies
     for (const ScenePoint& point : scene.points)
         if (is_its_body(point.item, find_item(scene, point.item.body))) places.insert(point.item.id);
@@ -77,6 +96,7 @@ Scene visible_part(Scene scene, const Visibility& visibility) {
     keep(scene.links, true);
     keep(scene.vectors, true);
     keep(scene.meshes, false);
+    erase_sight_of_hidden(scene, hidden);
     const auto is_gone = [&](const auto& each) { return !shown.contains(each.item.id); };
     std::erase_if(scene.ellipsoids, is_gone);
     std::erase_if(scene.ellipsoids_before, is_gone);

@@ -19,8 +19,9 @@ struct Visibility {
 std::string thing_of(const Scene& scene, const std::string& item);
 
 /// The scene without what is hidden, its label, ellipsoid and cloud. With a body go its axes, its place and
-/// the lines that start from it; other points stay. Alone is an item with what stands on it, in axes of its
-/// own. An id that the scene does not have hides nothing, and is not shown alone.
+/// the lines that start from it, with a point the lines of sight to it; other points stay. Alone is an item
+/// with what stands on it, in axes of its own. An id that the scene does not have hides nothing, and is not
+/// shown alone.
 Scene visible_part(Scene scene, const Visibility& visibility);
 
 /// Ids of what stands in the set-up of an asset.

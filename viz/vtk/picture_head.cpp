@@ -18,14 +18,17 @@ std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& laye
     std::vector<HeadLine> lines;
     double y = (picture_margin - 4) * ratio;
     const double x = picture_margin * ratio, indent = 24 * ratio, gap = 3 * ratio;
-    for (const Word& word : {Word{running_text(scene.title), Role::text, true, 1.15},
-                             Word{running_text(scene.group_title), Role::text, false, 1.0}}) {
+    std::vector<Word> titles{{running_text(scene.title), Role::text, true, 1.15},
+                             {running_text(scene.group_title), Role::text, false, 1.0}};
+    for (const std::string& note : scene.notes)
+        titles.push_back({running_text(note), Role::quiet_text, false, 0.92});
+    for (const Word& word : titles) {
         if (word.text.empty()) continue;
         lines.push_back({word, x, y});
         y += letters_of(word, ratio, masks).height + 2 * ratio;
     }
     if (!layers[Layer::legend]) return lines;
-    const std::size_t titles = lines.size();
+    const std::size_t before = lines.size();
     y += 6 * ratio;
     double widest = 0.0;
     for (const LegendLine& line : scene.legend) {
@@ -36,7 +39,7 @@ std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& laye
         y += letters.height + gap;
     }
     // A small picture has no room beside the scene; the caption says what matters most.
-    if (widest > 0.3 * width) lines.resize(titles);
+    if (widest > 0.3 * width) lines.resize(before);
     return lines;
 }
 

@@ -186,7 +186,7 @@ public:
     Layout layout() const override {
         Layout layout;
         const std::vector<Eigen::Vector3d> positions = support_positions(*this);
-        LayoutBody plate{.name = "supports", .kind = BodyKind::plate};
+        LayoutBody plate{.name = own_name<"supports">(), .kind = BodyKind::plate};
         for (std::size_t k = 0; k < positions.size(); ++k) {
             const Eigen::Vector3d p = placement_ * positions[k];
             layout.points.push_back(
@@ -195,7 +195,7 @@ public:
         }
         layout.bodies.push_back(std::move(plate));
         layout.frames.push_back(
-            {.name = "instrument",
+            {.name = own_name<"instrument">(),
              .X_WF = placement_,
              .source = {.path = ballbar_fields().place(&StatedBallbars::placement), .draggable = true}});
         return layout;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/own_names.h"
 #include "core/kinds/force/assets.h"
 #include "core/kinds/force/force_sensor.h"
 #include "core/setup/message_text.h"
@@ -41,7 +42,7 @@ public:
     /// The housing below the plane of the axes, and the axes.
     Layout layout() const override {
         Layout layout;
-        LayoutBody body{.name = "sensor", .kind = BodyKind::plate};
+        LayoutBody body{.name = own_name<"sensor">(), .kind = BodyKind::plate};
         constexpr int corners = 48;
         for (int i = 0; i < corners; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / corners, r = 0.5 * calibration_.diameter;
@@ -51,7 +52,7 @@ public:
         body.thickness = calibration_.height;
         layout.bodies.push_back(std::move(body));
         layout.frames.push_back(
-            {.name = "sensor",
+            {.name = own_name<"sensor">(),
              .X_WF = calibration_.placement,
              .source = {.path = force::sensor_fields().place(&StatedSensor::placement), .draggable = true}});
         return layout;

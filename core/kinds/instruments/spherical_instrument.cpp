@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/own_names.h"
 #include "core/kinds/instruments/assets.h"
 #include "core/kinds/instruments/fields.h"
 #include "core/kinds/instruments/linear_reading.h"
@@ -211,13 +212,15 @@ public:
         Layout layout;
         const LayoutSource source{sensor_fields().place(&StatedInstrument::placement), true};
         const Eigen::Isometry3d X_WS = sensor_.station().X_WS();
-        layout.bodies.push_back({.name = "instrument",
+        layout.bodies.push_back({.name = own_name<"instrument">(),
                                  .kind = BodyKind::instrument,
                                  .X_WB = X_WS,
                                  .glyph = sensor_.glyph(),
                                  .source = source});
-        layout.points.push_back(
-            {.name = "station", .kind = PointKind::station, .p_W = X_WS.translation(), .source = source});
+        layout.points.push_back({.name = own_name<"station">(),
+                                 .kind = PointKind::station,
+                                 .p_W = X_WS.translation(),
+                                 .source = source});
         add_view(layout);
         return layout;
     }
@@ -239,9 +242,9 @@ private:
         }
         for (std::size_t i = 0; i < 4; ++i) {
             layout.links.push_back(
-                {"field of view", LinkKind::field_of_view, X_WS.translation(), corners[i], {}});
+                {own_name<"field of view">(), LinkKind::field_of_view, X_WS.translation(), corners[i], {}});
             layout.links.push_back(
-                {"field of view", LinkKind::field_of_view, corners[i], corners[(i + 1) % 4], {}});
+                {own_name<"field of view">(), LinkKind::field_of_view, corners[i], corners[(i + 1) % 4], {}});
         }
     }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/own_names.h"
 #include "core/kinds/points/artefact_fields.h"
 #include "core/kinds/points/assets.h"
 #include "core/kinds/points/own_frame_source.h"
@@ -254,8 +255,8 @@ public:
 
     Layout layout() const override {
         Layout layout;
-        layout.frames.push_back({.name = "artefact"});
-        LayoutBody plate{.name = "artefact", .kind = BodyKind::artefact};
+        layout.frames.push_back({.name = own_name<"artefact">()});
+        LayoutBody plate{.name = own_name<"artefact">(), .kind = BodyKind::artefact};
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const LayoutSource source{artefact_fields().place(&StatedArtefact::points, i), true};
             layout.points.push_back({.name = points_[i].name,

@@ -2,6 +2,7 @@
 #include <array>
 #include <numbers>
 
+#include "core/base/own_names.h"
 #include "core/kinds/points/artefact_fields.h"
 #include "core/kinds/points/assets.h"
 #include "core/kinds/points/own_frame_source.h"
@@ -101,7 +102,7 @@ public:
         const Eigen::Vector3d end(stated_.length, 0.0, 0.0);
         layout.points = {{.name = "1", .kind = PointKind::nest},
                          {.name = "2", .kind = PointKind::nest, .p_W = end}};
-        layout.links = {{.name = "length standard", .kind = LinkKind::bar, .to_W = end}};
+        layout.links = {{.name = own_name<"length standard">(), .kind = LinkKind::bar, .to_W = end}};
         return layout;
     }
 

@@ -1,5 +1,6 @@
 #include "core/kinds/robot/arm.h"
 
+#include "core/base/own_names.h"
 #include "core/kinds/robot/layout.h"
 #include "core/quantity/input_quantity.h"
 
@@ -49,7 +50,7 @@ Layout RobotAsset::layout() const {
     std::vector<double> q;
     for (const RobotJoint& joint : source_.joints()) q.push_back(joint.zero);
     add_arm(source_, q, "", layout);
-    layout.points.push_back({.name = "tool",
+    layout.points.push_back({.name = own_name<"tool">(),
                              .kind = PointKind::tool,
                              .p_W = source_.X_WB() * link_frames(source_, q).back().translation()});
     return layout;

@@ -52,7 +52,7 @@ public:
             layout.points.push_back(std::move(tool));
         }
         if (!setup_.in_world && !X_WB.isApprox(Eigen::Isometry3d::Identity()))
-            layout.notes.push_back(tell<"results: in the base frame of the robot, not along these axes">());
+            layout.notes.push_back(tell<"results: in the base frame of the robot">());
         return layout;
     }
 

@@ -106,7 +106,7 @@ TEST_F(BudgetSheetModelTest, AListIsTheObservationsOfItsRow) {
     EXPECT_EQ(text(1, Section::estimate), QStringLiteral("215"));
     EXPECT_EQ(text(1, Section::u), QStringLiteral("2.9")) << "5/sqrt(3)";
     EXPECT_EQ(text(1, Section::type), QStringLiteral("A"));
-    EXPECT_EQ(text(1, Section::nu), QStringLiteral("2.0"));
+    EXPECT_EQ(text(1, Section::nu), QStringLiteral("2"));
     // Those of another quantity stay as they are; others in its place.
     type(0, Section::stated, "1; 2; 3");
     type(1, Section::stated, "210; 220; 230; 240");

@@ -51,6 +51,15 @@ TEST(Visibility, ABodyGoesWithItsAxesAndLines) {
     EXPECT_EQ(scene.legend.size() + 1, stewart().legend.size()) << "no line of sight is left";
 }
 
+TEST(Visibility, ALineOfSightGoesWithThePointThatIsSeen) {
+    const Scene whole = stewart();
+    const std::string seen = "point:" + test::stewart_setup(200).layout.points[0].name;
+    ASSERT_TRUE(has(whole, seen.c_str()));
+    EXPECT_FALSE(has(visible_part(whole, {{seen}, {}}), "link:sight"));
+    EXPECT_TRUE(has(visible_part(whole, {{"point:p2"}, {}}), "link:sight"));
+    EXPECT_TRUE(has(visible_part(whole, {{}, "body:tracker"}), "link:sight"));
+}
+
 /// One field says where an instrument stands: its place, its axes and its body are one thing.
 TEST(Visibility, AnInstrumentIsHiddenByItsPlaceOrItsAxes) {
     Scene scene = stewart();
