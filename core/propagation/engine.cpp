@@ -241,7 +241,7 @@ void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutpu
         OutputResult& output = result_.outputs[j];
         output.first_order.validation =
             validation_of(output.first_order, outputs[j].symmetric, options_.coverage_probability,
-                          output.quantity.unit, options_.significant_digits);
+                          output.quantity.unit, options_.significant_digits, run.trials - run.failed());
         take_trials(output, std::move(outputs[j]), least[j], result_);
     }
 }

@@ -10,6 +10,7 @@
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
+#include "core/report/result_statement.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
@@ -18,8 +19,6 @@ namespace {
 
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
-
-constexpr double unnoticed_difference = 0.05;  // of u by the two methods
 
 struct Bars {
     std::vector<Text> labels;
@@ -73,10 +72,10 @@ Text title_of_contributions(const PlottedOutput& y, const DocumentLanguage& lang
     const std::string& group = y.output().quantity.group;
     const Text title = language.say_text(plot_words::contributions, {y.symbol()}) +
                        (group.empty() ? "" : ", " + language.say(said_name(group)));
-    const double part = y.output().first_order.standard_uncertainty / y.output().standard_uncertainty;
-    if (!std::isfinite(part) || std::abs(part - 1.0) <= unnoticed_difference) return title;
-    return language.say_text(plot_words::first_order_differs,
-                             {title, percent_text(0.01 * std::round(100.0 * part), language.numbers())});
+    const auto part = part_of_first_order(y.output());
+    return part ? language.say_text(plot_words::first_order_differs,
+                                    {title, percent_text(*part, language.numbers())})
+                : title;
 }
 
 std::vector<double> counted(std::size_t n) {

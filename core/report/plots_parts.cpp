@@ -5,6 +5,7 @@
 
 #include "core/report/plot_words.h"
 #include "core/report/report_parts.h"
+#include "core/report/result_statement.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
@@ -19,7 +20,10 @@ bool is_one(const Unit& unit) {
 
 PlottedOutput::PlottedOutput(const UncertaintyResult& result, std::size_t output, const DisplayUnits& units,
                              const DocumentLanguage& language)
-    : output_(result.outputs.at(output)), unit_(units.of(output_.quantity.unit)), language_(language) {}
+    : output_(result.outputs.at(output)),
+      spread_(stated_spread(output_, result)),
+      unit_(units.of(output_.quantity.unit)),
+      language_(language) {}
 
 Text PlottedOutput::symbol() const {
     return symbol_text(output_.quantity.symbol);
@@ -51,7 +55,7 @@ void PlottedOutput::set_density_axis(PlotAxis& axis) const {
 }
 
 std::string PlottedOutput::plain_result(double si) const {
-    return format_to_match(value(si), interval(output_.expanded_uncertainty));
+    return format_to_match(value(si), interval(spread_));
 }
 
 std::string PlottedOutput::plain_uncertainty(double si, int digits) const {

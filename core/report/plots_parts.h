@@ -29,7 +29,7 @@ public:
     std::string id(const std::string& chart) const;             ///< "histogram-alpha-pose-7"
     Text with_unit(const Text& words) const;                    ///< "x (mm)"; without unit for numbers
     void set_density_axis(PlotAxis& axis) const;                ///< "probability density (1/mm)"
-    std::string result_text(double si) const;                   ///< "1174.91 mm", rounded to match u
+    std::string result_text(double si) const;                   ///< "1174.91 mm", rounded as the result line
     std::string uncertainty_text(double si, int digits) const;  ///< "0.37 mm"
     bool writes_out_result(double si) const;                    ///< without a power of ten
     bool writes_out_uncertainty(double si, int digits) const;   ///< likewise
@@ -39,6 +39,7 @@ private:
     std::string plain_uncertainty(double si, int digits) const;
 
     const OutputResult& output_;
+    double spread_;
     Unit unit_;
     DocumentLanguage language_;
 };

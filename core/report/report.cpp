@@ -56,8 +56,8 @@ struct UncertaintyDigits {
         auto& columns = block.table.columns;
         for (std::size_t c = 0; c < block.styles.size() && digits != 2; ++c) {
             const int match = block.styles[c].match;
-            if (match >= 0 && columns[static_cast<std::size_t>(match)].digits == 2)
-                columns[c].digits = digits;
+            const bool matched = match >= 0 && columns[static_cast<std::size_t>(match)].digits == 2;
+            if (matched || block.styles[c].by_spread) columns[c].digits = digits;
         }
         for (TableColumn& column : columns)
             if (column.digits == 2) column.digits = digits;

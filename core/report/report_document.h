@@ -71,11 +71,12 @@ struct EquationBlock {
 
 /// How the cells of a column are set.
 struct ColumnStyle {
-    bool symbol = false;  ///< texts of the column are symbols ("alpha_7", "b_1x, b_2x")
-    bool bare = false;    ///< quantities without their units, which another column gives
-    int match = -1;       ///< column whose number (an uncertainty) decides the decimals of this one
-    int decimals = -1;    ///< fixed number of decimals; -1: from `match` or the column's digits
-    bool input = false;   ///< matched only where it was computed: a typed estimate keeps its digits
+    bool symbol = false;     ///< texts of the column are symbols ("alpha_7", "b_1x, b_2x")
+    bool bare = false;       ///< quantities without their units, which another column gives
+    int match = -1;          ///< column whose number (an uncertainty) decides the decimals of this one
+    int decimals = -1;       ///< fixed number of decimals; -1: from `match` or the column's digits
+    bool input = false;      ///< matched only where it was computed: a typed estimate keeps its digits
+    bool by_spread = false;  ///< TableBlock::spreads decides its decimals
 };
 /// Cells are SI numbers or quantities; writers set them with `cell_text` (table_text.h). A row of one cell is
 /// a sub-head that spans the table.
@@ -83,6 +84,7 @@ struct TableBlock {
     DataTable table;
     std::vector<ColumnStyle> styles = {};  ///< empty, or one per column
     NumberLocale locale = {};
+    std::vector<double> spreads = {};  ///< of each row: an uncertainty, SI, that no column shows
 };
 struct PlotBlock {
     PlotSpecification plot;

@@ -43,6 +43,10 @@ int TableBuilder::fixed(const Message& header, int decimals) {
     return add({head, {}, looks_like_symbol(head), 0}, {false, true, -1, decimals, false});
 }
 
+namespace {
+const std::string rounding = "rounding";  // of the table of results
+}
+
 void TableBuilder::columns(const Table& table, const std::vector<std::string>& keys) {
     for (const std::string& key : keys) {
         const Column& c = table[key];
@@ -52,7 +56,7 @@ void TableBuilder::columns(const Table& table, const std::vector<std::string>& k
             c.is_symbol ? c.head : fill_placeholders<std::string>(in_.say_declared(c.head), unit);
         add({head, {}, c.is_symbol, c.rule.digits},
             {c.symbols, is_numeric(c), match == keys.end() ? -1 : static_cast<int>(match - keys.begin()),
-             c.rule.decimals, c.rule.input});
+             c.rule.decimals, c.rule.input, c.rule.match == rounding});
     }
 }
 
@@ -86,6 +90,8 @@ void TableBuilder::results(const UncertaintyResult& result, const std::vector<st
         const std::string& of = result.outputs[outputs[i]].quantity.group;
         if (of != group) subhead(said_name(of));
         group = of;
+        block_.spreads.resize(block_.table.rows.size());
+        block_.spreads.push_back(std::get<Measured>(all.cell(i, rounding)).si);
         row(print_row(all, keys, i, in_));
     }
 }

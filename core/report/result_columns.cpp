@@ -9,6 +9,7 @@
 #include "core/base/own_names.h"
 #include "core/propagation/requirements.h"
 #include "core/report/report_parts.h"
+#include "core/report/result_statement.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
@@ -153,10 +154,15 @@ private:
 
     void add_result_line() {
         const std::string by = expanded_words(result_).english();
+        table_
+            .add("rounding", interval([&r = result_](const OutputResult& o) {
+                     return std::optional(stated_spread(o, r));
+                 }))
+            .not_in_files();
         table_.add("estimate", value(line(&OutputResult::estimate)))
             .print_symbol("y")
             .window("Estimate", "Best value of the output quantity")
-            .match("U");
+            .match("rounding");
         table_.add("u", interval(line(&OutputResult::standard_uncertainty)))
             .print_symbol("u(y)")
             .window("u", "Standard uncertainty")
@@ -176,7 +182,7 @@ private:
     Column& add_limit(const char* key, double CoverageInterval::*side,
                       CoverageInterval MonteCarloOutput::*which) {
         const auto limit = trials([=](const MonteCarloOutput& t) { return (t.*which).*side; });
-        return table_.add(key, value(limit)).print(key).match("U");
+        return table_.add(key, value(limit)).print(key).match("rounding");
     }
 
     void add_trials() {
@@ -244,7 +250,7 @@ private:
             "Limit of the coverage interval: of Monte Carlo, else of the law of propagation";
         for (const auto& [key, title, side] :
              {std::tuple("stated low", heads.low, &C::low), std::tuple("stated high", heads.high, &C::high)})
-            table_.add(key, value(stated(side))).window(title, interval).match("U").not_in_files();
+            table_.add(key, value(stated(side))).window(title, interval).match("rounding").not_in_files();
     }
 
     void add_first_order() {
@@ -272,10 +278,11 @@ private:
         table_.add("d_low", interval(validation(&V::d_low))).print_symbol("d_low").match("delta");
         table_.add("d_high", interval(validation(&V::d_high))).print_symbol("d_high").match("delta");
         table_
-            .add("clause 8", of_output([](const OutputResult& o) -> Cell {
-                     const auto& v = o.first_order.validation;
-                     return v ? Cell(Answer{v->validated, "validated", "not validated"}) : Cell();
-                 }))
+            .add(
+                "clause 8", of_output([](const OutputResult& o) -> Cell {
+                    const auto& v = o.first_order.validation;
+                    return v ? Cell(Answer{v->validated, "validated", "not validated", v->is_close}) : Cell();
+                }))
             .print("Clause 8")
             .window("First order validated",
                     "JCGM 101 clause 8: agrees with Monte Carlo within the tolerance")

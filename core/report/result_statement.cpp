@@ -13,9 +13,10 @@ namespace covaria {
 namespace {
 
 constexpr double smallest_plain = 1e-3, largest_plain = 1e10;
-constexpr int most_rounded_places = 3;    // before the point: 50 000 840 ± 180
-constexpr double skewed_from = 0.05;      // of U
-constexpr double largest_stated = 0.999;  // a coverage probability is not rounded to 100 %
+constexpr int most_rounded_places = 3;         // before the point: 50 000 840 ± 180
+constexpr double skewed_from = 0.05;           // of U
+constexpr double unnoticed_difference = 0.05;  // of u by the two methods
+constexpr double largest_stated = 0.999;       // a coverage probability is not rounded to 100 %
 
 /// How the numbers of one result are written: all of them multiplied by a power of ten, to one place.
 struct Place {
@@ -82,21 +83,30 @@ std::string result_statement(const OutputResult& output, const UncertaintyResult
                    : value + ", " + coverage_statement(output, result, in, units);
     }
     const Unit& unit = units.of(output.quantity.unit);
-    const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
+    const double y = unit.from_si(output.estimate);
     const double u = unit.interval_from_si(output.standard_uncertainty);
-    const Place place = place_for(y, U, 2, in.numbers());  // as the tables of results round it
+    const Place place = place_for(y, unit.interval_from_si(stated_spread(output, result)), 2, in.numbers());
     const std::string behind = power_words(place.exponent) + unit_after_number(unit);
     std::string words = place(y) + behind;
-    if (std::isfinite(u))
-        words += ", u = " +
-                 grouped_digits(format_significant(u * std::pow(10.0, -place.exponent), 2), in.numbers()) +
-                 behind;
+    if (std::isfinite(u)) words += ", u = " + place(u) + behind;
     return words + ", p = " + probability_text(stated_probability(output, result), in) + ", " +
            in.say(certificate_words::coverage_interval, {skewed_interval(output, result, in, units)});
 }
 
 bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& result) {
     return expanded_by(result) != ExpandedBy::fixed_factor && is_skewed(output, result);
+}
+
+std::optional<double> part_of_first_order(const OutputResult& output) {
+    const double part = output.first_order.standard_uncertainty / output.standard_uncertainty;
+    if (!std::isfinite(part) || std::abs(part - 1.0) <= unnoticed_difference) return std::nullopt;
+    return 0.01 * std::round(100.0 * part);
+}
+
+double stated_spread(const OutputResult& output, const UncertaintyResult& result) {
+    const double u = output.standard_uncertainty;
+    const bool by_u = is_stated_by_interval(output, result) && std::isfinite(u) && u > 0.0;
+    return by_u ? u : output.expanded_uncertainty;
 }
 
 double stated_probability(const OutputResult& output, const UncertaintyResult& result) {
@@ -143,10 +153,10 @@ std::string skewed_interval(const OutputResult& output, const UncertaintyResult&
                             const DocumentLanguage& in, const DisplayUnits& units) {
     if (!is_skewed(output, result)) return {};
     const Unit& unit = units.of(output.quantity.unit);
-    const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
+    const double y = unit.from_si(output.estimate);
     const CoverageInterval interval = coverage_interval_of(output, result);
     const double low = unit.from_si(interval.low), high = unit.from_si(interval.high);
-    const Place place = place_for(y, U, 2, in.numbers());
+    const Place place = place_for(y, unit.interval_from_si(stated_spread(output, result)), 2, in.numbers());
     const char* between = in.numbers().decimal == "," ? "; " : ", ";
     return "[" + place(low) + between + place(high) + "]" + power_words(place.exponent) +
            unit_after_number(unit);

@@ -35,6 +35,12 @@ std::string result_statement(const OutputResult& output, const UncertaintyResult
                              const DocumentLanguage& in = {}, const DisplayUnits& units = {});
 /// That result_statement gives the interval in place of U and k.
 bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& result);
+/// u of the law of propagation as a part of u by Monte Carlo, to a hundredth; empty where they differ by less
+/// than anybody would notice.
+std::optional<double> part_of_first_order(const OutputResult& output);
+/// The uncertainty whose digits decide those of the estimate and of its interval, wherever they stand: U, or
+/// u where U is not stated.
+double stated_spread(const OutputResult& output, const UncertaintyResult& result);
 /// The coverage interval, "[1.234, 1.240] mm", if the estimate is not in its middle by more than a twentieth
 /// of U; else empty: JCGM 101 states what y ± U does not say.
 std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result,

@@ -11,17 +11,21 @@ bool has_advice(const OutputResult& output) {
 }
 
 void add_verdict_words(Blocks& blocks, const UncertaintyResult& result, const DocumentLanguage& in) {
-    std::size_t compared = 0, validated = 0;
+    std::size_t compared = 0, validated = 0, close = 0;
     for (const OutputResult& output : result.outputs) {
         if (!output.first_order.validation) continue;
         ++compared;
         if (output.first_order.validation->validated) ++validated;
+        if (output.first_order.validation->is_close) ++close;
     }
     if (compared == 0) return;
     blocks.push_back(ParagraphBlock{
         in.say(tell<"The law of propagation is validated by JCGM 101 clause 8 where both ends of its "
                     "coverage interval, y ± U, lie within the numerical tolerance δ of those of the "
-                    "propagation of distributions. Validated: %1 of %2.">(validated, compared))});
+                    "propagation of distributions. Validated: %1 of %2.">(validated, compared)) +
+        (close > 0
+             ? " " + in.say(tell<"Of these verdicts, %1 could be the other one with other trials.">(close))
+             : std::string())});
 }
 
 }  // namespace

@@ -108,7 +108,8 @@ Text cell_shown(const Table& table, const Column& column, std::size_t row, const
     if (const auto* unit = std::get_if<Unit>(&cell)) return view.units.of(*unit).display();
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return symbols_text(joined(*symbols));
     if (const auto* answer = std::get_if<Answer>(&cell))
-        return view.language.say_declared(answer->is ? "yes" : "no");
+        return answer->is_open ? view.language.say(tell<"undecided">())
+                               : view.language.say_declared(answer->is ? "yes" : "no");
     if (const auto* message = std::get_if<Message>(&cell)) return running_text(view.language.say(*message));
     if (const auto* text = std::get_if<Text>(&cell)) return *text;
     const auto* words = std::get_if<std::string>(&cell);

@@ -33,6 +33,7 @@ using Symbols = std::vector<std::string>;
 struct Answer {
     bool is = false;
     std::string yes = "yes", no = "no";  ///< in files
+    bool is_open = false;                ///< people read "undecided"
 };
 /// What a cell says. A unit is shown as the view's choice for it.
 using Cell = std::variant<std::monostate, std::string, Message, Symbols, Text, Unit, Answer, Measured>;

@@ -36,6 +36,7 @@ struct FirstOrderOutput {
         double d_low = 0.0;
         double d_high = 0.0;
         bool validated = false;
+        bool is_close = false;  ///< other trials could give the other verdict
     };
     std::optional<Validation> validation = {};
 };

@@ -356,7 +356,7 @@
     </message>
     <message>
         <source>Their distribution</source>
-        <translation>Ihre Verteilung</translation>
+        <translation>Verteilung</translation>
     </message>
     <message>
         <source>The distribution of typed deviations of the points; what is stated is its standard uncertainty, whatever the shape.</source>
@@ -3532,7 +3532,7 @@
     </message>
     <message>
         <source>Where do I put the station?</source>
-        <translation>Wohin stelle ich den Standpunkt?</translation>
+        <translation>Wo wähle ich den Standpunkt?</translation>
     </message>
     <message>
         <source>The place of an instrument that makes the uncertainties smallest.</source>
@@ -4902,7 +4902,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Distributions of %1</source>
-        <translation>Verteilungen von %1</translation>
+        <translation>Verteilungen: %1</translation>
     </message>
     <message>
         <source>The output quantity has no distribution to show</source>
@@ -5274,7 +5274,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Rated output and non-zero error of each sensor (Kim, Table 1)</source>
-        <translation>Nennkennwert und Nullabweichung jedes Sensors (Kim, Tabelle 1)</translation>
+        <translation>Nennkennwert und Nullpunktabweichung jedes Sensors (Kim, Tabelle 1)</translation>
     </message>
     <message>
         <source>rated load</source>
@@ -5514,7 +5514,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>non-zero</source>
-        <translation>Nullabweichung</translation>
+        <translation>Nullpunktabweichung</translation>
     </message>
     <message>
         <source>all</source>
@@ -5602,11 +5602,11 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>compensated</source>
-        <translation>ausgeglichen</translation>
+        <translation>entkoppelt</translation>
     </message>
     <message>
         <source>uncompensated</source>
-        <translation>nicht ausgeglichen</translation>
+        <translation>nicht entkoppelt</translation>
     </message>
     <message>
         <source>by rated load</source>
@@ -6482,7 +6482,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>distributions of %1</source>
-        <translation>Verteilungen von %1</translation>
+        <translation>Verteilungen: %1</translation>
     </message>
     <message>
         <source>and %1 more like these</source>
@@ -12046,11 +12046,11 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>scale of distances</source>
-        <translation>Maßstab der Strecken</translation>
+        <translation>Maßstab der Distanzen</translation>
     </message>
     <message>
         <source>zero offset of distances</source>
-        <translation>Nullpunktabweichung der Strecken</translation>
+        <translation>Nullpunktabweichung der Distanzen</translation>
     </message>
     <message>
         <source>index of the elevation</source>
@@ -12294,7 +12294,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Components of a parameter combine in quadrature (Wen et al., Eq. 10). U has the factor 2 of the paper; with few effective degrees of freedom 95 % need more.</source>
-        <translation>Komponenten eines Parameters werden quadratisch addiert (Wen et al., Eq. 10). U hat den Faktor 2 der Veröffentlichung; bei wenigen effektiven Freiheitsgraden brauchen 95 % mehr.</translation>
+        <translation>Komponenten eines Parameters werden quadratisch addiert (Wen et al., Gl. 10). U hat den Faktor 2 der Veröffentlichung; bei wenigen effektiven Freiheitsgraden ist für 95 % ein größerer Faktor nötig.</translation>
     </message>
     <message>
         <source>Places of the tool in the base frame of the robot.</source>
@@ -12358,7 +12358,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>load %1, compensated</source>
-        <translation>Last %1, ausgeglichen</translation>
+        <translation>Last %1, entkoppelt</translation>
     </message>
     <message>
         <source>load %1 by its own channel alone</source>
@@ -12466,7 +12466,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>load by the rated load of channel %1</source>
-        <translation>Last durch die Nennlast des Kanals %1</translation>
+        <translation>Last des Kanals %1, bezogen auf die Nennlast</translation>
     </message>
     <message>
         <source>Eqs 3, 4</source>
@@ -13184,6 +13184,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>field of view</source>
         <translation>Sichtfeld</translation>
     </message>
+    <message>
+        <source>undecided</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>Of these verdicts, %1 could be the other one with other trials.</source>
+        <translation>Von diesen Urteilen könnten %1 mit anderen Versuchen anders ausfallen.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13743,7 +13751,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
-        <translation>&lt;i&gt;r&lt;/i&gt; zweier Zeilen =</translation>
+        <translation>Korrelation &lt;i&gt;r&lt;/i&gt; zweier Zeilen =</translation>
     </message>
     <message>
         <source>Correlation of Two Rows</source>
@@ -13756,6 +13764,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Both quantities need an uncertainty before they can be correlated</source>
         <translation>Beide Größen brauchen eine Unsicherheit, bevor sie korreliert werden können</translation>
+    </message>
+    <message>
+        <source>; c and index by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation>; c und Index nach dem Fortpflanzungsgesetz, dessen u %1 des u aus Monte Carlo ist</translation>
     </message>
 </context>
 <context>
@@ -13783,6 +13795,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>The observations are read from %1.</source>
         <translation>Die Beobachtungen werden aus %1 gelesen.</translation>
+    </message>
+    <message>
+        <source>In %1 per %2</source>
+        <translation>In %1 je %2</translation>
     </message>
 </context>
 <context>
@@ -14267,7 +14283,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <name>covaria::ui::DesignReductionList</name>
     <message>
         <source>Add Reduction</source>
-        <translation>Reduktion hinzufügen</translation>
+        <translation>Verringerung hinzufügen</translation>
     </message>
     <message>
         <source>One more uncertainty that can be made smaller for money</source>
@@ -14303,7 +14319,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Remove Reduction</source>
-        <translation>Reduktion entfernen</translation>
+        <translation>Verringerung entfernen</translation>
     </message>
     <message>
         <source>Reduced</source>
@@ -14410,7 +14426,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>The cheapest reductions cost %1</source>
-        <translation>Die billigsten Reduktionen kosten %1</translation>
+        <translation>Die billigsten Verringerungen kosten %1</translation>
     </message>
     <message>
         <source>The cheapest rows cost %1</source>
@@ -15985,7 +16001,7 @@ Gewählt: %2</translation>
     </message>
     <message>
         <source>Of the window, when Covaria starts again</source>
-        <translation>Des Fensters, wenn Covaria neu startet</translation>
+        <translation>Gilt nach einem Neustart von Covaria</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -16017,7 +16033,7 @@ Gewählt: %2</translation>
     </message>
     <message>
         <source>as the system</source>
-        <translation>wie das System</translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source> pt</source>
@@ -16609,6 +16625,17 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
 </context>
 <context>
+    <name>covaria::ui::ResultTableModel</name>
+    <message>
+        <source>Ends of the interval differ by %1 and %2 from those of Monte Carlo; tolerance %3</source>
+        <translation>Enden des Intervalls weichen um %1 und %2 von denen aus Monte Carlo ab; Toleranz %3</translation>
+    </message>
+    <message>
+        <source>. Other trials could give the other verdict: more of them decide.</source>
+        <translation>. Andere Versuche könnten das andere Urteil ergeben: mehr davon entscheiden.</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ResultsPane</name>
     <message>
         <source>Results</source>
@@ -17121,6 +17148,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
             <numerusform>und %n weitere</numerusform>
             <numerusform>und %n weitere</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>From “%1”: %2. What is stated of them here is not used.</source>
+        <translation>Aus „%1“: %2. Was hier von ihnen angegeben ist, wird nicht verwendet.</translation>
     </message>
 </context>
 <context>

@@ -13184,6 +13184,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>field of view</source>
         <translation>campo de visión</translation>
     </message>
+    <message>
+        <source>undecided</source>
+        <translation>sin decidir</translation>
+    </message>
+    <message>
+        <source>Of these verdicts, %1 could be the other one with other trials.</source>
+        <translation>De estos juicios, %1 podrían ser el contrario con otras pruebas.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13757,6 +13765,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Both quantities need an uncertainty before they can be correlated</source>
         <translation>Ambas magnitudes necesitan una incertidumbre antes de poder correlacionarse</translation>
     </message>
+    <message>
+        <source>; c and index by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation>; c e índice por la ley de propagación, cuya u es el %1 de la de Monte Carlo</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::BudgetSheetModel</name>
@@ -13783,6 +13795,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>The observations are read from %1.</source>
         <translation>Las observaciones se leen de %1.</translation>
+    </message>
+    <message>
+        <source>In %1 per %2</source>
+        <translation>En %1 por %2</translation>
     </message>
 </context>
 <context>
@@ -16609,6 +16625,17 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::ResultTableModel</name>
+    <message>
+        <source>Ends of the interval differ by %1 and %2 from those of Monte Carlo; tolerance %3</source>
+        <translation>Los extremos del intervalo difieren en %1 y %2 de los de Monte Carlo; tolerancia %3</translation>
+    </message>
+    <message>
+        <source>. Other trials could give the other verdict: more of them decide.</source>
+        <translation>. Otras pruebas podrían dar el juicio contrario: más pruebas deciden.</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ResultsPane</name>
     <message>
         <source>Results</source>
@@ -17121,6 +17148,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
             <numerusform>y %n más</numerusform>
             <numerusform>y %n más</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>From “%1”: %2. What is stated of them here is not used.</source>
+        <translation>De «%1»: %2. Lo que aquí se indica de ellas no se usa.</translation>
     </message>
 </context>
 <context>

@@ -13183,6 +13183,14 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>field of view</source>
         <translation>시야</translation>
     </message>
+    <message>
+        <source>undecided</source>
+        <translation>미정</translation>
+    </message>
+    <message>
+        <source>Of these verdicts, %1 could be the other one with other trials.</source>
+        <translation>이 가운데 %1개의 판정은 다른 시행에서는 반대일 수 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13756,6 +13764,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>Both quantities need an uncertainty before they can be correlated</source>
         <translation>두 양 모두 불확도가 있어야 상관을 줄 수 있습니다</translation>
     </message>
+    <message>
+        <source>; c and index by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation>; c와 지수는 전파 법칙에 따른 것이며, 그 u는 몬테카를로 u의 %1임</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::BudgetSheetModel</name>
@@ -13782,6 +13794,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>The observations are read from %1.</source>
         <translation>관측값은 %1에서 읽습니다.</translation>
+    </message>
+    <message>
+        <source>In %1 per %2</source>
+        <translation>단위: %2당 %1</translation>
     </message>
 </context>
 <context>
@@ -16605,6 +16621,17 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::ResultTableModel</name>
+    <message>
+        <source>Ends of the interval differ by %1 and %2 from those of Monte Carlo; tolerance %3</source>
+        <translation>구간의 양 끝이 몬테카를로의 끝과 %1, %2만큼 다름. 허용 오차 %3</translation>
+    </message>
+    <message>
+        <source>. Other trials could give the other verdict: more of them decide.</source>
+        <translation>. 다른 시행에서는 판정이 반대일 수 있습니다. 시행 수를 늘리면 정해집니다.</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ResultsPane</name>
     <message>
         <source>Results</source>
@@ -17116,6 +17143,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>
             <numerusform>외 %n개</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>From “%1”: %2. What is stated of them here is not used.</source>
+        <translation>“%1”에서 가져옴: %2. 여기에 제시된 그 양들의 내용은 쓰이지 않습니다.</translation>
     </message>
 </context>
 <context>

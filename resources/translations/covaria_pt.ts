@@ -13184,6 +13184,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>field of view</source>
         <translation>campo de visão</translation>
     </message>
+    <message>
+        <source>undecided</source>
+        <translation>não decidido</translation>
+    </message>
+    <message>
+        <source>Of these verdicts, %1 could be the other one with other trials.</source>
+        <translation>Destes julgamentos, %1 poderiam ser o contrário com outras tentativas.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13757,6 +13765,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Both quantities need an uncertainty before they can be correlated</source>
         <translation>Ambas as grandezas precisam de uma incerteza antes de poderem ser correlacionadas</translation>
     </message>
+    <message>
+        <source>; c and index by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation>; c e índice pela lei de propagação, cuja u é %1 da de Monte Carlo</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::BudgetSheetModel</name>
@@ -13783,6 +13795,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>The observations are read from %1.</source>
         <translation>As observações são lidas de %1.</translation>
+    </message>
+    <message>
+        <source>In %1 per %2</source>
+        <translation>Em %1 por %2</translation>
     </message>
 </context>
 <context>
@@ -16609,6 +16625,17 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::ResultTableModel</name>
+    <message>
+        <source>Ends of the interval differ by %1 and %2 from those of Monte Carlo; tolerance %3</source>
+        <translation>Os extremos do intervalo diferem em %1 e %2 dos de Monte Carlo; tolerância %3</translation>
+    </message>
+    <message>
+        <source>. Other trials could give the other verdict: more of them decide.</source>
+        <translation>. Outras tentativas poderiam dar o julgamento contrário: mais tentativas decidem.</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ResultsPane</name>
     <message>
         <source>Results</source>
@@ -17121,6 +17148,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
             <numerusform>e mais %n</numerusform>
             <numerusform>e mais %n</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>From “%1”: %2. What is stated of them here is not used.</source>
+        <translation>De “%1”: %2. O que aqui se declara delas não é usado.</translation>
     </message>
 </context>
 <context>

@@ -13183,6 +13183,14 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>field of view</source>
         <translation>视场</translation>
     </message>
+    <message>
+        <source>undecided</source>
+        <translation>未定</translation>
+    </message>
+    <message>
+        <source>Of these verdicts, %1 could be the other one with other trials.</source>
+        <translation>其中 %1 个结论换用其他试验时可能相反。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13756,6 +13764,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>Both quantities need an uncertainty before they can be correlated</source>
         <translation>两个量都须有不确定度，才能给出相关系数</translation>
     </message>
+    <message>
+        <source>; c and index by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation>；c 与指数按传播律给出，其 u 为蒙特卡洛法所得 u 的 %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::BudgetSheetModel</name>
@@ -13782,6 +13794,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>The observations are read from %1.</source>
         <translation>观测值从 %1 读取。</translation>
+    </message>
+    <message>
+        <source>In %1 per %2</source>
+        <translation>单位：%1 每 %2</translation>
     </message>
 </context>
 <context>
@@ -16605,6 +16621,17 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::ResultTableModel</name>
+    <message>
+        <source>Ends of the interval differ by %1 and %2 from those of Monte Carlo; tolerance %3</source>
+        <translation>区间端点与蒙特卡洛法的端点相差 %1 和 %2；容差 %3</translation>
+    </message>
+    <message>
+        <source>. Other trials could give the other verdict: more of them decide.</source>
+        <translation>。其他试验可能给出相反的结论：增加试验次数可判定。</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ResultsPane</name>
     <message>
         <source>Results</source>
@@ -17116,6 +17143,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>
             <numerusform>及另外 %n 项</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>From “%1”: %2. What is stated of them here is not used.</source>
+        <translation>来自“%1”：%2。此处对它们的说明不被使用。</translation>
     </message>
 </context>
 <context>

@@ -58,6 +58,7 @@ LinesEditor::LinesEditor(const FieldSpec& field, const FieldContext& context, QW
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     edit_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     edit_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     edit_->setTabChangesFocus(true);

@@ -1,8 +1,11 @@
 // Rows of label and editor; sections and rows hide where their fields are not used.
 #include "ui/forms/setup_form.h"
 
+#include <algorithm>
+#include <map>
 #include <utility>
 
+#include "core/text/symbol.h"
 #include "ui/document/missing_fields.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
@@ -23,8 +26,12 @@ SetupForm::SetupForm(Document& document, SetupAddress address, const SetupSchema
       document_(document),
       address_(std::move(address)),
       schema_(schema),
-      layout_(new QFormLayout(this)) {
+      layout_(new QFormLayout(this)),
+      taken_(new QLabel(this)) {
     layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    taken_->setWordWrap(true);
+    taken_->setObjectName(QStringLiteral("taken"));
+    layout_->addRow(taken_);
     if (schema_) build();
     refresh();
     refresh_problems();
@@ -104,6 +111,7 @@ void SetupForm::write(const FieldSpec& field, const SetupValue& value) {
 void SetupForm::refresh() {
     const Setup* setup = find_setup(document_.project(), address_);
     setEnabled(setup != nullptr);
+    say_what_is_taken();
     if (!setup) return;
     std::vector<bool> used(sections_.size(), false);
     for (const Row& row : rows_) {
@@ -116,6 +124,28 @@ void SetupForm::refresh() {
     }
     for (std::size_t i = 0; i < sections_.size(); ++i)
         if (sections_[i]) layout_->setRowVisible(sections_[i], used[i]);
+}
+
+/// Links take the place of what the fields state of their quantities.
+void SetupForm::say_what_is_taken() {
+    constexpr std::size_t most_named = 3;
+    const AnalysisEntry* analysis =
+        address_.owner == SetupOwner::analysis ? document_.project().find_analysis(address_.id) : nullptr;
+    std::map<std::string, std::vector<std::string>> inputs;  // by analysis
+    if (analysis)
+        for (const InputLink& link : analysis->links) inputs[link.output.analysis].push_back(link.input);
+    QStringList words;
+    for (const auto& [from, symbols] : inputs) {
+        const AnalysisEntry* source = document_.project().find_analysis(from);
+        QStringList named;
+        for (std::size_t i = 0; i < std::min(symbols.size(), most_named); ++i)
+            named << to_qt(to_unicode(symbol_text(symbols[i])));
+        if (symbols.size() > most_named) named << QStringLiteral("… (%1)").arg(symbols.size());
+        words << tr("From “%1”: %2. What is stated of them here is not used.")
+                     .arg(source ? to_qt(source->name) : to_qt(from), named.join(QStringLiteral(", ")));
+    }
+    taken_->setText(words.join(QLatin1Char('\n')));
+    layout_->setRowVisible(taken_, !words.isEmpty());
 }
 
 /// A field that is not used holds no run.

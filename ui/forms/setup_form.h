@@ -47,6 +47,7 @@ private:
     void add_section(const QString& title);
     void refresh();
     void refresh_problems();
+    void say_what_is_taken();
     void forget_unread(const std::string& part);
     void write(const FieldSpec& field, const SetupValue& value);
 
@@ -54,6 +55,7 @@ private:
     SetupAddress address_;
     const SetupSchema* schema_;
     QFormLayout* layout_;
+    QLabel* taken_;  ///< what other analyses give in place of this set-up
     std::vector<Row> rows_;
     std::vector<QLabel*> sections_;
 };

@@ -21,7 +21,7 @@
 namespace covaria::ui {
 
 namespace {
-constexpr int most_rows_shown = 8;       // longer tables scroll
+constexpr int most_rows_shown = 12;      // longer tables scroll
 constexpr int most_rows_measured = 200;  // of what is pasted or imported
 constexpr int widest_column = 320;       // that a column gets by itself
 }  // namespace

@@ -62,7 +62,7 @@ Table AllResultsModel::joined(const std::vector<std::vector<std::size_t>>& outpu
     Table all{"all-results", "Results of all analyses", rows->size()};
     all.add("analysis", [=](std::size_t row) -> Cell { return (*parts)[(*rows)[row].analysis].name; })
         .window(to_std(tr("Analysis")));
-    for (const char* key : {"group", "symbol", "name", "estimate", "U", "unit", "k", "stated low",
+    for (const char* key : {"group", "symbol", "name", "estimate", "rounding", "U", "unit", "k", "stated low",
                             "stated high", "target", "U/target", "met"}) {
         Column column = parts->front().table[key];
         column.unit.reset();  // each row has its own
@@ -74,7 +74,7 @@ Table AllResultsModel::joined(const std::vector<std::vector<std::size_t>>& outpu
     const auto limit = [&](const char* key, const std::string& head) {
         const auto column = std::find_if(all.columns.begin(), all.columns.end(),
                                          [&](const Column& one) { return one.key == key; });
-        column->window(head, to_std(tr("Coverage interval of the result line"))).match("U");
+        column->window(head, to_std(tr("Coverage interval of the result line"))).match("rounding");
     };
     const IntervalHeads heads = interval_heads(coverage_probability(), language_of_window());
     limit("stated low", heads.low);

@@ -4,6 +4,7 @@
 #include <QPalette>
 #include <array>
 #include <charconv>
+#include <numeric>
 
 #include "core/report/result_columns.h"
 #include "core/text/symbol.h"
@@ -237,6 +238,15 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
     return kind.data(role);
 }
 
+/// "In nm per K".
+QVariant BudgetSheetModel::unit_of_sensitivity(int row) const {
+    const auto at = static_cast<std::size_t>(row);
+    if (!result_ || at >= components_.size() || !components_[at]) return {};
+    const Unit of_result = units_.of(result_->outputs[output_].quantity.unit).interval(),
+               of_row = result_->budget.components[*components_[at]].unit.interval();
+    return tr("In %1 per %2").arg(to_qt(of_result.display()), to_qt(of_row.display()));
+}
+
 QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     const auto at = static_cast<std::size_t>(row);
     if (role == Qt::ForegroundRole && !current_)
@@ -244,7 +254,8 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     if (role == Qt::TextAlignmentRole)
         return QVariant((section == distribution || section == type ? Qt::AlignLeft : Qt::AlignRight) |
                         Qt::AlignVCenter);
-    if (role == Qt::ToolTipRole) return current_ ? QVariant() : QVariant(tr("Out of date: being computed."));
+    if (role == Qt::ToolTipRole && !current_) return tr("Out of date: being computed.");
+    if (role == Qt::ToolTipRole && section == c) return unit_of_sensitivity(row);
     if (!result_ || at >= components_.size() || !components_[at]) return {};
     // What is stated stays in the row's unit, what comes of it is in that of the results below.
     const bool of_result = section == c || section == contribution;
@@ -313,6 +324,9 @@ QVariant BudgetSheetModel::headerData(int section, Qt::Orientation orientation, 
     if (section == contribution && result_)
         title = to_std(with_unit(QString::fromUtf8(head.title),
                                  units_.of(result_->outputs[output_].quantity.unit).interval()));
+    const bool of_output = section == c || section == contribution || section == share;
+    if (of_output && result_ && result_->outputs.size() > 1)
+        title = title + " (" + symbol_text(result_->outputs[output_].quantity.symbol) + ")";
     if (role == Qt::DisplayRole) return to_qt(to_unicode(title));
     if (role == typeset_role) return QVariant::fromValue(title);
     if (role == Qt::ToolTipRole)
@@ -360,6 +374,12 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
         const std::string file = file_of_observations(document_.project(), address_);
         if (!file.empty()) return refuse(tr("The observations are read from %1.").arg(to_qt(file)));
         cells[column("value")] = {};  // their mean
+    } else if (text_at(row, "statement") == "observations" && read->kind != "observations" &&
+               !number_at(row, "value")) {
+        const std::vector<double> observed = observations_of(document_.project(), address_, symbol_of(row));
+        const double sum = std::accumulate(observed.begin(), observed.end(), 0.0);
+        if (!observed.empty())  // what it was known by does not change what it is
+            cells[column("value")] = {number_text(sum / static_cast<double>(observed.size()), QLocale())};
     }
     const auto number = [](const std::optional<double>& value) {
         return SetupTableModel::TypedCell{value ? number_text(*value, QLocale()) : QString()};

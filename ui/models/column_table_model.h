@@ -40,6 +40,8 @@ protected:
     virtual QVariant extra(std::size_t row, std::size_t column, int role) const;
     virtual QVariant row_title(std::size_t row, int role) const;
     const std::string& key(std::size_t column) const { return keys_[column]; }
+    /// Of a column of the table that need not be shown.
+    Text text_of(const std::string& column, std::size_t row) const { return shown(table_[column], row); }
 
 private:
     const Column& column(int section) const { return table_[keys_[static_cast<std::size_t>(section)]]; }

@@ -89,6 +89,16 @@ std::vector<std::string> ResultTableModel::keys() const {
     return keys;
 }
 
+/// What decides whether the first order is validated.
+QString ResultTableModel::deviations(std::size_t row) const {
+    const auto said = [&](const char* of) { return to_qt(to_unicode(text_of(of, row))); };
+    QString words = tr("Ends of the interval differ by %1 and %2 from those of Monte Carlo; tolerance %3")
+                        .arg(said("d_low"), said("d_high"), said("delta"));
+    if (result_->outputs[shown_[row]].first_order.validation->is_close)
+        words += tr(". Other trials could give the other verdict: more of them decide.");
+    return words;
+}
+
 QVariant ResultTableModel::extra(std::size_t row, std::size_t column, int role) const {
     const OutputResult& output = result_->outputs[shown_[row]];
     const bool of_symmetric = key(column) == "U" || key(column) == "k";
@@ -97,6 +107,8 @@ QVariant ResultTableModel::extra(std::size_t row, std::size_t column, int role) 
     if (role == group_role) return to_qt(output.quantity.group);
     if (role == id_role) return to_qt(output.quantity.symbol);
     if (role == index_role) return static_cast<qulonglong>(shown_[row]);
+    if (role == Qt::ToolTipRole && key(column) == "clause 8" && output.first_order.validation)
+        return deviations(row);
     if (role == Qt::ToolTipRole && output.monte_carlo) return to_qt(output.monte_carlo->normality.words);
     return {};
 }

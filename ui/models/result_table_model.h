@@ -36,6 +36,7 @@ protected:
 private:
     void rebuild();
     std::vector<std::string> keys() const;
+    QString deviations(std::size_t row) const;
     bool is_wanted(std::size_t output) const;
 
     std::shared_ptr<const UncertaintyResult> result_;

@@ -53,7 +53,7 @@ SetupTableModel::SetupTableModel(Document& document, SetupAddress address, const
     refresh_problems();
     connect(&document_, &Document::project_changed, this, &SetupTableModel::refresh);
     connect(&document_, &Document::problems_changed, this, &SetupTableModel::refresh_problems);
-    connect(&document_.unread(), &UnreadTexts::changed, this, &SetupTableModel::forget_rejected);
+    connect(&document_.unread(), &UnreadTexts::changed, this, &SetupTableModel::recall_rejected);
 }
 
 const FieldSpec* SetupTableModel::field() const {

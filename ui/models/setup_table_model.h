@@ -65,6 +65,7 @@ private:
         QString text;
         QString reason;               ///< empty: the cell was understood
         std::string instead_of = {};  ///< what the project has there
+        bool operator==(const Rejected&) const = default;
     };
     using Marks = std::map<CellPosition, Rejected>;
     void refresh();
@@ -72,8 +73,8 @@ private:
     void shift_rejected(int row, int count);
     void remember_rejected();
     TextPlace place_of(const CellPosition& at) const;
+    UnreadTexts::Texts kept_texts() const;
     void recall_rejected();
-    void forget_rejected();
     std::string written(const CellPosition& at) const;
     void refresh_problems();
     SetupTable read() const;
@@ -93,6 +94,7 @@ private:
     const SetupSchema* schema_;
     SetupTable table_;
     Marks rejected_;
+    UnreadTexts::Texts seen_;  ///< of the document, when they were the same as `rejected_`
     std::map<CellPosition, QString> problems_;
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ui/document/quantity_text.h"
@@ -40,7 +41,10 @@ void SetupTableModel::refresh() {
     for (auto& [at, mark] : rejected_)
         if (heads) mark.instead_of = written(at);
     std::erase_if(rejected_, [this](const auto& one) { return written(one.first) != one.second.instead_of; });
-    remember_rejected();
+    if (kept_texts() == seen_)
+        remember_rejected();
+    else
+        recall_rejected();  // another view of the table came first
     if (heads) emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
     if (everything && rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }
@@ -100,6 +104,7 @@ void SetupTableModel::remember_rejected() {
     UnreadTexts::Texts texts;
     for (const auto& [at, mark] : rejected_) texts[place_of(at)] = {mark.text, mark.reason, mark.instead_of};
     document_.unread().replace_under(address_, "/setup/" + field_ + "/rows/", std::move(texts));
+    seen_ = kept_texts();
 }
 
 /// Of a cell, among the texts that cannot be read.
@@ -108,27 +113,30 @@ TextPlace SetupTableModel::place_of(const CellPosition& at) const {
             "/setup/" + field_ + "/rows/" + std::to_string(at.first) + "/" + std::to_string(at.second)};
 }
 
-void SetupTableModel::recall_rejected() {
-    if (!field()) return;
-    const std::string part = "/setup/" + field_;
-    for (const auto& [place, text] : document_.unread().under(address_, part + "/rows/")) {
-        const CellPosition at = position_of_path(place.part.substr(part.size()));
-        const bool there =
-            at.first >= 0 && at.first < rowCount() && at.second >= 0 && at.second < columnCount();
-        if (there && written(at) == text.instead_of)
-            rejected_[at] = {text.text, text.reason, text.instead_of};
-    }
+UnreadTexts::Texts SetupTableModel::kept_texts() const {
+    return document_.unread().under(address_, "/setup/" + field_ + "/rows/");
 }
 
-/// Texts that were taken back.
-void SetupTableModel::forget_rejected() {
-    std::vector<CellPosition> gone;
-    for (const auto& [at, mark] : rejected_)
-        if (!document_.unread().find(place_of(at))) gone.push_back(at);
-    for (const CellPosition& at : gone) {
-        rejected_.erase(at);
-        emit dataChanged(index(at.first, at.second), index(at.first, at.second));
+/// What another view of the same table has added, moved or taken back.
+void SetupTableModel::recall_rejected() {
+    if (!field() || read() != table_) return;  // it comes with the refresh
+    seen_ = kept_texts();
+    Marks kept;
+    const std::size_t head = std::string("/setup/" + field_).size();
+    for (const auto& [place, text] : seen_) {
+        const CellPosition at = position_of_path(place.part.substr(head));
+        const bool there =
+            at.first >= 0 && at.first < rowCount() && at.second >= 0 && at.second < columnCount();
+        if (there && written(at) == text.instead_of) kept[at] = {text.text, text.reason, text.instead_of};
     }
+    const Marks before = std::exchange(rejected_, std::move(kept));
+    const auto tell = [this](const Marks& marks, const Marks& others) {
+        for (const auto& [at, mark] : marks)
+            if (const auto same = others.find(at); same == others.end() || !(same->second == mark))
+                emit dataChanged(index(at.first, at.second), index(at.first, at.second));
+    };
+    tell(before, rejected_);
+    tell(rejected_, before);
 }
 
 void SetupTableModel::refresh_problems() {

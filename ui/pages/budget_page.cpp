@@ -153,10 +153,18 @@ void BudgetPage::take_result() {
     lines_->setEnabled(status.is_of_present());
     if (!status.result) return;
     const QString said = status.is_of_present() ? result_words(status) : reservation(status);
+    const auto shown = static_cast<std::size_t>(std::max(0, selection_.output()));
+    const auto part = shown < status.result->outputs.size()
+                          ? part_of_first_order(status.result->outputs[shown])
+                          : std::nullopt;
+    const QString indices =
+        part ? tr("; c and index by the law of propagation, whose u is %1 of that by Monte Carlo")
+                   .arg(to_qt(percent_text(*part, language_of_window().numbers())))
+             : QString();
     const QString correlated = status.prepared ? correlation_words(*status.prepared) : QString();
-    lines_->setText(lines_of(*status.result) +
-                    (correlated.isEmpty() ? QString() : QStringLiteral("<br>") + correlated) +
-                    QStringLiteral("<br><small>") + said.toHtmlEscaped() + QStringLiteral("</small>"));
+    lines_->setText(
+        lines_of(*status.result) + (correlated.isEmpty() ? QString() : QStringLiteral("<br>") + correlated) +
+        QStringLiteral("<br><small>") + (said + indices).toHtmlEscaped() + QStringLiteral("</small>"));
 }
 
 std::set<int> BudgetPage::selected_rows() const {

@@ -46,8 +46,10 @@ void PageList::set_pages(const std::vector<PrintedPage>& pages, const std::vecto
         for (const std::string& heading : pages[page].headings) lines << to_qt(heading);
         const QImage small = pictures[page].scaled(small_page * devicePixelRatioF(), Qt::KeepAspectRatio,
                                                    Qt::SmoothTransformation);
+        const bool more = lines.size() > 1 + most_headings;
         auto* item = new QStandardItem(QIcon(QPixmap::fromImage(small)),
-                                       lines.mid(0, 1 + most_headings).join(QLatin1Char('\n')));
+                                       lines.mid(0, 1 + most_headings).join(QLatin1Char('\n')) +
+                                           (more ? QStringLiteral(" …") : QString()));
         item->setToolTip(lines.mid(1).join(QLatin1Char('\n')));
         item->setData(lines.join(QStringLiteral(", ")), Qt::AccessibleTextRole);
         pages_.appendRow(item);

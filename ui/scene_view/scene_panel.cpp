@@ -426,10 +426,14 @@ void ScenePanel::describe_item(const QString& id) {
     picked_->setToolTip({});
     if (!item) return picked_->hide();
     const LengthUnit& unit = view_->scene()->unit;
-    QString text =
-        tr("<b>%1</b>  at %2").arg(to_qt(name_of(*item)).toHtmlEscaped(), coordinates(item->position, unit));
+    QString text = tr("<b>%1</b>  at %2")
+                       .arg(to_qt(name_of(*item)).toHtmlEscaped(),
+                            coordinates(item->stated.value_or(item->position), unit));
     if (item->u) text += tr(",  u = %1").arg(triple(*item->u, unit));
     if (item->U) text += tr(",  U = %1").arg(triple(*item->U, unit));
+    if (item->stated)
+        for (const std::string& note : view_->scene()->notes)
+            text += QStringLiteral("; ") + to_qt(note).toHtmlEscaped();
     say(text);
 }
 

@@ -76,6 +76,7 @@ void add_labels(SceneBuild& build) {
         if (has_label(link.kind)) labels.add(link.item, link.radius, 20, Role::quiet_text);
     for (const SceneVector& vector : scene.vectors) {
         SceneItem tip = vector.item;
+        tip.name = vector.label;
         tip.position += vector.arrow;
         labels.add(tip, vector.radius, 45);
     }

@@ -49,13 +49,11 @@ void add_frames(SceneBuild& build) {
     for (const LayoutFrame& frame : build.source.layout->frames) {
         if (!build.shows(frame.group)) continue;
         SceneFrame& added = build.scene.frames.emplace_back();
-        added.item = {build.unique_id("frame", frame.name),
-                      frame.name,
-                      frame.group,
-                      frame.X_WF.translation(),
-                      {},
-                      {},
-                      frame.source};
+        added.item = {.id = build.unique_id("frame", frame.name),
+                      .name = frame.name,
+                      .group = frame.group,
+                      .position = frame.X_WF.translation(),
+                      .source = frame.source};
         added.R_WF = frame.X_WF.linear();
         added.length = frame_length * build.scene.size;
     }
@@ -90,16 +88,28 @@ double crowd_factor(std::size_t points) {
     return std::min(1.0, 8.0 / std::sqrt(static_cast<double>(std::max<std::size_t>(points, 1))));
 }
 
+std::optional<Eigen::Vector3d> stated_coordinates(const SceneBuild& build, const LayoutPoint& point) {
+    if (!point.outputs) return std::nullopt;
+    Eigen::Vector3d stated;
+    for (std::size_t i = 0; i < 3; ++i)
+        stated[static_cast<Eigen::Index>(i)] = build.source.result->outputs[(*point.outputs)[i]].estimate;
+    return stated;
+}
+
 void add_points(SceneBuild& build) {
     const double scale = crowd_factor(build.source.layout->points.size()) * build.scene.size;
     for (const LayoutPoint& point : build.source.layout->points) {
         if (!build.shows(point.group)) continue;
         ScenePoint& added = build.scene.points.emplace_back();
-        added.item = {
-            build.unique_id("point", point.name), point.name, point.group, point.p_W, {}, {}, point.source};
+        added.item = {.id = build.unique_id("point", point.name),
+                      .name = point.name,
+                      .group = point.group,
+                      .position = point.p_W,
+                      .source = point.source};
         if (const auto uncertainty = build.uncertainties.of(point)) {
             added.item.u = uncertainty->u;
             added.item.U = uncertainty->U;
+            if (!build.source.layout->notes.empty()) added.item.stated = stated_coordinates(build, point);
         }
         added.kind = point.kind;
         added.radius = radius_of(point.kind) * scale;
@@ -123,13 +133,11 @@ void add_bodies(SceneBuild& build) {
     for (const LayoutBody& body : build.source.layout->bodies) {
         if (!build.shows(body.group)) continue;
         SceneBody added;
-        added.item = {build.unique_id("body", body.name),
-                      body.name,
-                      body.group,
-                      body.X_WB.translation(),
-                      {},
-                      {},
-                      body.source};
+        added.item = {.id = build.unique_id("body", body.name),
+                      .name = body.name,
+                      .group = body.group,
+                      .position = body.X_WB.translation(),
+                      .source = body.source};
         added.kind = body.kind;
         added.glyph = body.glyph;
         added.R_WB = body.X_WB.linear();
@@ -178,13 +186,10 @@ void add_links(SceneBuild& build) {
     for (const LayoutLink& link : build.source.layout->links) {
         if (!build.shows(link.group)) continue;
         SceneLink& added = build.scene.links.emplace_back();
-        added.item = {build.unique_id("link", link.name),
-                      link.name,
-                      link.group,
-                      (link.from_W + link.to_W) / 2,
-                      {},
-                      {},
-                      {}};
+        added.item = {.id = build.unique_id("link", link.name),
+                      .name = link.name,
+                      .group = link.group,
+                      .position = (link.from_W + link.to_W) / 2};
         added.kind = link.kind;
         added.from = link.from_W;
         added.to = link.to_W;
@@ -228,8 +233,11 @@ void add_vectors(SceneBuild& build) {
         const double scale = vector_scale(build, vector.kind);
         if (!build.shows(vector.group) || !(scale > 0.0)) continue;
         SceneVector& added = build.scene.vectors.emplace_back();
-        const std::string label = label_of(vector, build.scene.numbers);
-        added.item = {build.unique_id("vector", label), label, vector.group, vector.at_W, {}, {}, {}};
+        added.item = {.id = build.unique_id("vector", vector.name),
+                      .name = vector.name,
+                      .group = vector.group,
+                      .position = vector.at_W};
+        added.label = label_of(vector, build.scene.numbers);
         added.kind = vector.kind;
         added.arrow = vector.vector_W * scale;
         added.radius = 0.006 * build.scene.size;

@@ -103,7 +103,7 @@ void put_solids(std::ostream& out, const Scene& scene) {
     }
     for (const SceneVector& vector : scene.vectors) {
         put_item(out << (vector.kind == VectorKind::moment ? "moment " : "force "), vector.item);
-        out << " arrow " << mm(vector.arrow) << "\n";
+        out << " \"" << vector.label << "\" arrow " << mm(vector.arrow) << "\n";
     }
     for (const SceneMesh& mesh : scene.meshes) {
         put_item(out << "mesh ", mesh.item);

@@ -111,9 +111,9 @@ bool stand_by_one_field(const SceneItem& a, const SceneItem& b) {
 
 bool SceneItem::operator==(const SceneItem& other) const {
     return id == other.id && body == other.body && name == other.name && group == other.group &&
-           position == other.position && u == other.u && U == other.U && source.path == other.source.path &&
-           source.asset == other.source.asset && source.draggable == other.source.draggable &&
-           source.X_WS.matrix() == other.source.X_WS.matrix();
+           position == other.position && u == other.u && U == other.U && stated == other.stated &&
+           source.path == other.source.path && source.asset == other.source.asset &&
+           source.draggable == other.source.draggable && source.X_WS.matrix() == other.source.X_WS.matrix();
 }
 
 bool SceneMesh::operator==(const SceneMesh& other) const {

@@ -66,6 +66,8 @@ struct SceneItem {
     /// quantities are expressed; empty where nothing is known.
     std::optional<Eigen::Vector3d> u = {};
     std::optional<Eigen::Vector3d> U = {};
+    /// Coordinates that the results state, m, where that is in another frame (Scene::notes).
+    std::optional<Eigen::Vector3d> stated = {};
     LayoutSource source = {};  ///< the set-up field it comes from
     std::string body = {};     ///< id of the body that it stands on or starts from
     bool operator==(const SceneItem& other) const;
@@ -113,6 +115,7 @@ struct SceneLink {
 /// An arrow from item.position; a moment has two heads.
 struct SceneVector {
     SceneItem item;
+    std::string label = {};  ///< "F 79.93 N": its name is the same whatever its length
     VectorKind kind = VectorKind::force;
     Eigen::Vector3d arrow = Eigen::Vector3d::Zero();  ///< as drawn, m: scaled to the scene
     double radius = 0.0;

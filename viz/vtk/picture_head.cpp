@@ -39,7 +39,7 @@ std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& laye
         y += letters.height + gap;
     }
     // A small picture has no room beside the scene; the caption says what matters most.
-    if (widest > 0.3 * width) lines.resize(before);
+    if (widest > 0.42 * width) lines.resize(before);
     return lines;
 }
 

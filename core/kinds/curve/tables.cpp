@@ -32,7 +32,7 @@ void judge_stated(const CurveSetup& setup, const Fit& fit, DataTable& summary) {
 }
 
 DataTable fit_table_of(const CurveSetup& setup, const Fit& fit) {
-    DataTable summary{"fit", "Fit", {{"what"}, {"value", {}, false, 4}}, {}, {}};
+    DataTable summary{"fit", "Fit", {{"quantity"}, {"value", {}, false, 4}}, {}, {}};
     const Unit unit = setup.y_unit.interval();
     const double nu = setup.degrees_of_freedom();
     if (nu > 0.0)

@@ -127,7 +127,7 @@ Variances variances_of(const GroupSetup& setup) {
 
 std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances& v) {
     const Unit unit = deviation_unit(setup.unit);
-    DataTable table{"anova", "Components of variance", {{"what"}, {"value", {}, false, 3}}, {}, {}};
+    DataTable table{"anova", "Components of variance", {{"quantity"}, {"value", {}, false, 3}}, {}, {}};
     const auto deviation = [&](Message what, double s) {
         table.rows.push_back({std::move(what), Quantity{unit.interval_from_si(s), unit}});
     };

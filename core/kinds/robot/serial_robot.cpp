@@ -115,7 +115,7 @@ DataTable parameter_table(const SerialRobotSource& robot) {
     table.columns.push_back({.header = "u", .digits = 2});
     table.columns.push_back({.header = "U = 2 u", .digits = 2});
     for (const char* header : {"value − U", "value + U"})
-        table.columns.push_back({.header = header, .match = u});
+        table.columns.push_back({.header = header, .match = u + 1});
     table.columns.push_back({.header = "nu_eff", .is_symbol = true, .digits = 3});
     for (std::size_t i = 0; i < robot.joints().size(); ++i)
         for (JointParameter p : joint_parameters)

@@ -82,12 +82,12 @@ TEST(ResultStatement, AnIntervalThatIsNotSymmetricIsStatedToo) {
     output.monte_carlo->symmetric = {9.02e-3, 11.02e-3};
     EXPECT_EQ(skewed_interval(output, result), "");
     output.monte_carlo->symmetric = {9.4e-3, 11.4e-3};
-    EXPECT_EQ(skewed_interval(output, result), "[9.4, 11.4]" + hard + "mm");
-    EXPECT_EQ(result_statement(output, result), "10.0" + hard + "mm, u = 0.50" + hard + "mm, p = 95" + hard +
-                                                    "%, coverage interval [9.4, 11.4]" + hard + "mm")
+    EXPECT_EQ(skewed_interval(output, result), "[9.40, 11.40]" + hard + "mm");
+    EXPECT_EQ(result_statement(output, result), "10.00" + hard + "mm, u = 0.50" + hard + "mm, p = 95" + hard +
+                                                    "%, coverage interval [9.40, 11.40]" + hard + "mm")
         << "y ± U would cover another part of the distribution";
     const DocumentLanguage comma("de", {.decimal = ","}, {});
-    EXPECT_EQ(skewed_interval(output, result, comma), "[9,4; 11,4]" + hard + "mm");
+    EXPECT_EQ(skewed_interval(output, result, comma), "[9,40; 11,40]" + hard + "mm");
     EXPECT_EQ(value_statement(output, true, comma), "(10,0 ± 1,0)" + hard + "mm");
     EXPECT_FALSE(contains(result_statement(output, result, comma), "."));
     result.fixed_coverage_factor = 2.0;

@@ -144,6 +144,59 @@ TEST_F(BudgetSheetModelTest, WhatWasRefusedIsReadAgainInTheNewUnit) {
     EXPECT_EQ(stored(0, "value"), SetupCell(-0.1));
 }
 
+/// Typed before the units: each is read in its own row's unit, and none takes another along.
+TEST_F(BudgetSheetModelTest, WhatWasRefusedInOneRowStaysWhenAnotherIsMended) {
+    type(0, Section::symbol, "d");
+    type(0, Section::stated, "215; 208; 221 nm");
+    type(1, Section::symbol, "alpha");
+    type(1, Section::stated, "2e-6 1/K");
+    ASSERT_FALSE(problem(0, Section::stated).isEmpty());
+    ASSERT_FALSE(problem(1, Section::stated).isEmpty());
+    type(0, Section::unit, "nm");
+    EXPECT_EQ(problem(0, Section::stated), QString());
+    EXPECT_EQ(text(0, Section::stated), QStringLiteral("observations 215; 208; 221"));
+    EXPECT_FALSE(problem(1, Section::stated).isEmpty());
+    EXPECT_EQ(text(1, Section::stated), QStringLiteral("2e-6 1/K"));
+    type(1, Section::unit, "1/K");
+    EXPECT_EQ(text(1, Section::stated), QStringLiteral("u = 2×10⁻⁶ 1/K"));
+}
+
+/// The set-up shows the same table: neither view takes texts from the other, whichever is told first.
+TEST_F(BudgetSheetModelTest, AnotherViewOfTheTableHasTheSameRefusedTexts) {
+    const SetupAddress address{SetupOwner::analysis, "budget"};
+    SetupTableModel other(document, address, "quantities");
+    const int statement = int(SetupSchema::column(*other.field(), "statement"));
+    type(0, Section::symbol, "d");
+    type(0, Section::stated, "5 nm");
+    type(1, Section::symbol, "alpha");
+    type(1, Section::stated, "2e-6 1/K");
+    EXPECT_TRUE(other.is_refused(0, statement) && other.is_refused(1, statement));
+    type(0, Section::unit, "nm");
+    EXPECT_FALSE(other.is_refused(0, statement));
+    EXPECT_TRUE(other.is_refused(1, statement));
+    EXPECT_EQ(text(1, Section::stated), QStringLiteral("2e-6 1/K"));
+    ASSERT_TRUE(other.insertRow(0));
+    EXPECT_EQ(text(2, Section::stated), QStringLiteral("2e-6 1/K"));
+    EXPECT_TRUE(other.is_refused(2, statement));
+    EXPECT_FALSE(other.is_refused(1, statement));
+    ASSERT_TRUE(model->removeRow(0));
+    EXPECT_TRUE(other.is_refused(1, statement));
+    EXPECT_EQ(document.unread().all().size(), 1u);
+    type(1, Section::unit, "1/K");
+    EXPECT_TRUE(document.unread().all().empty());
+    EXPECT_FALSE(other.is_refused(1, statement));
+}
+
+/// What a quantity is does not change with how its uncertainty is known.
+TEST_F(BudgetSheetModelTest, ObservationsThatAreStatedOtherwiseLeaveTheirMean) {
+    type(0, Section::symbol, "d");
+    type(0, Section::unit, "nm");
+    type(0, Section::stated, "210; 220; 215");
+    type(0, Section::stated, "2 nm");
+    EXPECT_EQ(stored(0, "value"), SetupCell(215.0));
+    EXPECT_EQ(text(0, Section::stated), QStringLiteral("u = 2 nm"));
+}
+
 TEST_F(BudgetSheetModelTest, SmallFiguresAreShownAsPowersAndEditedAsTyped) {
     type(0, Section::symbol, "alpha");
     type(0, Section::estimate, "1.15e-5 1/K");
