@@ -57,9 +57,9 @@ std::string power_words(int exponent) {
 }  // namespace
 
 std::string value_statement(const OutputResult& output, bool with_unit, const DocumentLanguage& in,
-                            const DisplayUnits& units) {
-    return value_statement(output.estimate, output.expanded_uncertainty, units.of(output.quantity.unit), 2,
-                           with_unit, in);
+                            const DisplayUnits& units, int digits) {
+    return value_statement(output.estimate, output.expanded_uncertainty, units.of(output.quantity.unit),
+                           digits, with_unit, in);
 }
 
 std::string value_statement(double estimate, double uncertainty, const Unit& unit, int digits, bool with_unit,
@@ -75,22 +75,23 @@ std::string value_statement(double estimate, double uncertainty, const Unit& uni
 }
 
 std::string result_statement(const OutputResult& output, const UncertaintyResult& result,
-                             const DocumentLanguage& in, const DisplayUnits& units) {
+                             const DocumentLanguage& in, const DisplayUnits& units, int digits) {
     if (!is_stated_by_interval(output, result)) {
-        const std::string value = value_statement(output, true, in, units);
+        const std::string value = value_statement(output, true, in, units, digits);
         return output.expanded_uncertainty == 0.0
                    ? value
-                   : value + ", " + coverage_statement(output, result, in, units);
+                   : value + ", " + coverage_statement(output, result, in, units, digits);
     }
     const Unit& unit = units.of(output.quantity.unit);
     const double y = unit.from_si(output.estimate);
     const double u = unit.interval_from_si(output.standard_uncertainty);
-    const Place place = place_for(y, unit.interval_from_si(stated_spread(output, result)), 2, in.numbers());
+    const Place place =
+        place_for(y, unit.interval_from_si(stated_spread(output, result)), digits, in.numbers());
     const std::string behind = power_words(place.exponent) + unit_after_number(unit);
     std::string words = place(y) + behind;
     if (std::isfinite(u)) words += ", u = " + place(u) + behind;
     return words + ", p = " + probability_text(stated_probability(output, result), in) + ", " +
-           in.say(certificate_words::coverage_interval, {skewed_interval(output, result, in, units)});
+           in.say(certificate_words::coverage_interval, {skewed_interval(output, result, in, units, digits)});
 }
 
 bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& result) {
@@ -136,7 +137,7 @@ double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyRe
 }
 
 std::string coverage_statement(const OutputResult& output, const UncertaintyResult& result,
-                               const DocumentLanguage& in, const DisplayUnits& units) {
+                               const DocumentLanguage& in, const DisplayUnits& units, int digits) {
     const double nu = stated_degrees_of_freedom(output, result);
     std::string words =
         std::isfinite(output.coverage_factor)
@@ -145,18 +146,19 @@ std::string coverage_statement(const OutputResult& output, const UncertaintyResu
     if (std::isfinite(nu))
         words += ", nu_eff = " + grouped_digits(format_degrees_of_freedom(nu), in.numbers());
     words += ", p = " + probability_text(stated_probability(output, result), in);
-    const std::string interval = skewed_interval(output, result, in, units);
+    const std::string interval = skewed_interval(output, result, in, units, digits);
     return interval.empty() ? words : words + ", " + in.say(certificate_words::coverage_interval, {interval});
 }
 
 std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result,
-                            const DocumentLanguage& in, const DisplayUnits& units) {
+                            const DocumentLanguage& in, const DisplayUnits& units, int digits) {
     if (!is_skewed(output, result)) return {};
     const Unit& unit = units.of(output.quantity.unit);
     const double y = unit.from_si(output.estimate);
     const CoverageInterval interval = coverage_interval_of(output, result);
     const double low = unit.from_si(interval.low), high = unit.from_si(interval.high);
-    const Place place = place_for(y, unit.interval_from_si(stated_spread(output, result)), 2, in.numbers());
+    const Place place =
+        place_for(y, unit.interval_from_si(stated_spread(output, result)), digits, in.numbers());
     const char* between = in.numbers().decimal == "," ? "; " : ", ";
     return "[" + place(low) + between + place(high) + "]" + power_words(place.exponent) +
            unit_after_number(unit);

@@ -12,7 +12,7 @@ namespace covaria {
 /// "(50.000 78 ± 0.000 41) mm": U with two significant digits and the estimate to match, common powers of ten
 /// outside. `with_unit` false: as a cell under a head that gives the unit.
 std::string value_statement(const OutputResult& output, bool with_unit = true,
-                            const DocumentLanguage& in = {}, const DisplayUnits& units = {});
+                            const DocumentLanguage& in = {}, const DisplayUnits& units = {}, int digits = 2);
 /// The same of any estimate and expanded uncertainty, SI, with these significant digits of U.
 std::string value_statement(double estimate, double uncertainty, const Unit& unit, int digits = 2,
                             bool with_unit = true, const DocumentLanguage& in = {});
@@ -26,13 +26,14 @@ std::string probability_text(double probability, const DocumentLanguage& in = {}
 double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyResult& result);
 /// "k = 2.09, ν_eff = 19, p = 95 %", and the interval where it is not symmetric about the estimate.
 std::string coverage_statement(const OutputResult& output, const UncertaintyResult& result,
-                               const DocumentLanguage& in = {}, const DisplayUnits& units = {});
+                               const DocumentLanguage& in = {}, const DisplayUnits& units = {},
+                               int digits = 2);
 /// What stands behind "L = ": "(50.000 78 ± 0.000 41) mm, k = 2.00, p = 95 %"; by Monte Carlo, where the
 /// interval is not symmetric about the estimate, "5.0 mm, u = 4.7 mm, p = 95 %, coverage interval [0.1, 18.4]
-/// mm" (JCGM 101 5.5), u with two significant digits and y to match: y ± U would cover another part of the
-/// distribution. The value alone if it is exact.
+/// mm" (JCGM 101 5.5), u with as many significant digits and y to match: y ± U would cover another part of
+/// the distribution. The value alone if it is exact.
 std::string result_statement(const OutputResult& output, const UncertaintyResult& result,
-                             const DocumentLanguage& in = {}, const DisplayUnits& units = {});
+                             const DocumentLanguage& in = {}, const DisplayUnits& units = {}, int digits = 2);
 /// That result_statement gives the interval in place of U and k.
 bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& result);
 /// u of the law of propagation as a part of u by Monte Carlo, to a hundredth; empty where they differ by less
@@ -44,6 +45,6 @@ double stated_spread(const OutputResult& output, const UncertaintyResult& result
 /// The coverage interval, "[1.234, 1.240] mm", if the estimate is not in its middle by more than a twentieth
 /// of U; else empty: JCGM 101 states what y ± U does not say.
 std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result,
-                            const DocumentLanguage& in = {}, const DisplayUnits& units = {});
+                            const DocumentLanguage& in = {}, const DisplayUnits& units = {}, int digits = 2);
 
 }  // namespace covaria

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <algorithm>
 
 #include "ui/models/roles.h"
 
@@ -28,6 +29,13 @@ private:
     bool in_key_press_ = false;
 };
 
+/// Over the cells to its right, as far as there are any: what is typed stays in view.
+void grow(QLineEdit& line) {
+    const int wanted = line.fontMetrics().horizontalAdvance(line.text()) + 2 * line.fontMetrics().height();
+    const int room = line.parentWidget()->width() - line.x();
+    if (wanted > line.width()) line.resize(std::max(line.width(), std::min(wanted, room)), line.height());
+}
+
 }  // namespace
 
 QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
@@ -37,6 +45,7 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
         auto* line = new QLineEdit(parent);
         line->setFrame(false);
         line->setAlignment(static_cast<Qt::Alignment>(index.data(Qt::TextAlignmentRole).toInt()));
+        connect(line, &QLineEdit::textChanged, line, [line] { grow(*line); });
         return line;
     }
     auto* box = new ChoiceBox(parent);
@@ -48,6 +57,12 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
         emit self->closeEditor(box);
     });
     return box;
+}
+
+void CellDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                        const QModelIndex& index) const {
+    TypesetDelegate::updateEditorGeometry(editor, option, index);
+    if (auto* line = qobject_cast<QLineEdit*>(editor)) grow(*line);
 }
 
 void CellDelegate::fill(QWidget* editor, const QModelIndex& index) const {

@@ -45,8 +45,8 @@ QString number(const Unit& unit, double si, int digits = 3) {
 
 /// Both with as many digits as tell them apart; the second one rounded down, so that it suffices as it
 /// stands.
-std::pair<QString, QString> told_apart(const Unit& unit, double now, double needed) {
-    constexpr int fewest = 3, most = 8;
+std::pair<QString, QString> told_apart(const Unit& unit, double now, double needed, int fewest = 3) {
+    constexpr int most = 8;
     const double value = unit.interval_from_si(needed);
     for (int digits = fewest;; ++digits) {
         const double down = rounded_down(value, digits);
@@ -62,7 +62,7 @@ QString percent(double p) {
 QString target_words(const UncertaintyResult& result, const RequirementResult& r, double target) {
     const OutputResult& output = result.outputs[r.output];
     return RequirementsForm::tr("U = %1: the target is %2.")
-        .arg(told_apart(output.quantity.unit, output.expanded_uncertainty, target).first,
+        .arg(told_apart(output.quantity.unit, output.expanded_uncertainty, target, 2).first,
              r.meets_target ? RequirementsForm::tr("met") : RequirementsForm::tr("not met"));
 }
 

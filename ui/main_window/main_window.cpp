@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QMap>
 #include <QMenuBar>
+#include <QSpinBox>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolBar>
@@ -400,6 +401,8 @@ void MainWindow::connect_scene() {
         scene_->set_units(results_->units().units());
         budget_->set_units(results_->units().units());
     };
+    connect(&results_->digits(), &QSpinBox::valueChanged, budget_, &BudgetPage::set_digits);
+    budget_->set_digits(results_->digits().value());
     connect(&document_, &Document::project_changed, this, take_units);
     connect(&preferences_, &PreferenceStore::changed, this, take_units);
     take_units();

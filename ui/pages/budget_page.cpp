@@ -142,6 +142,11 @@ void BudgetPage::set_units(const DisplayUnits& units) {
     take_result();
 }
 
+void BudgetPage::set_digits(int digits) {
+    digits_ = digits;
+    take_result();
+}
+
 void BudgetPage::take_result() {
     if (!model_) return;
     const AnalysisStatus& status = runner_.status(analysis_);
@@ -273,7 +278,8 @@ QString BudgetPage::lines_of(const UncertaintyResult& result) const {
             break;
         }
         const std::string symbol = to_html(symbol_text(output.quantity.symbol));
-        const std::string stated = to_html(running_text(result_statement(output, result, in, units_)));
+        const std::string stated =
+            to_html(running_text(result_statement(output, result, in, units_, digits_)));
         lines << to_qt("<b>" + symbol + "</b> = ") + kept_together(to_qt(stated));
     }
     return lines.join(QStringLiteral("<br>"));

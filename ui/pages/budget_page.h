@@ -37,6 +37,7 @@ public:
 
     /// Of the results below the table.
     void set_units(const DisplayUnits& units);
+    void set_digits(int digits);  ///< significant ones of U
 
 signals:
     /// The page of an input quantity is wanted: a JSON pointer into the project.
@@ -72,6 +73,7 @@ private:
     QLabel* pair_ = nullptr;
     QLineEdit* correlation_ = nullptr;
     DisplayUnits units_;
+    int digits_ = 2;
 };
 
 }  // namespace covaria::ui

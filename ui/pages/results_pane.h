@@ -56,6 +56,7 @@ public:
     QCheckBox& all_groups() { return *all_groups_; }
     SortableTable& budget_table() { return *budget_; }
     UnitButton& units() { return *units_; }
+    QSpinBox& digits() { return *digits_; }
     StudyTab& study_tab() { return *study_; }
     DesignTab& design_tab() { return *design_; }
     CompareTab& compare_tab() { return *compare_; }

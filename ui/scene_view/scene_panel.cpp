@@ -33,15 +33,20 @@ constexpr int usual_probability = 2;  // of the list: 95 %
 
 /// "0.021 0.034 0.012 mm"
 QString triple(const Eigen::Vector3d& v, const LengthUnit& unit) {
-    const auto number = [&](int i) { return localized(format_significant(v[i] * unit.per_metre, 3)); };
+    const auto number = [&](int i) { return localized(format_significant(v[i] * unit.per_metre, 2)); };
     return QStringLiteral("%1  %2  %3 %4")
         .arg(number(0), number(1), number(2), QString::fromStdString(unit.text));
 }
 
-QString coordinates(const Eigen::Vector3d& v, const LengthUnit& unit) {
+/// To match their uncertainties, else to 10 um.
+QString coordinates(const Eigen::Vector3d& v, const std::optional<Eigen::Vector3d>& U,
+                    const LengthUnit& unit) {
     const int decimals = std::max(0, static_cast<int>(std::lround(std::log10(1e5 / unit.per_metre))));
-    const auto number = [&](int i) {  // to 10 um
-        return to_qt(grouped_digits(format_decimals(v[i] * unit.per_metre, decimals), user_numbers()));
+    const auto number = [&](int i) {
+        const double value = v[i] * unit.per_metre;
+        return to_qt(grouped_digits(U && (*U)[i] > 0.0 ? format_to_match(value, (*U)[i] * unit.per_metre)
+                                                       : format_decimals(value, decimals),
+                                    user_numbers()));
     };
     return QStringLiteral("(%1; %2; %3) %4")
         .arg(number(0), number(1), number(2), QString::fromStdString(unit.text));
@@ -401,9 +406,11 @@ void ScenePanel::show_words() {
     say(words);
 }
 
-/// In the line below the picture, which keeps its size; what needs more grows over it.
-void ScenePanel::say(const QString& words) {
+/// In the line below the picture, which keeps its size: the shorter words where it has no room for all; what
+/// needs more grows over it.
+void ScenePanel::say(const QString& words, const QString& shorter) {
     picked_->setText(words);
+    if (!shorter.isEmpty() && picked_->heightForWidth(width()) > line_->height()) picked_->setText(shorter);
     picked_->show();
     place_words();
 }
@@ -426,15 +433,15 @@ void ScenePanel::describe_item(const QString& id) {
     picked_->setToolTip({});
     if (!item) return picked_->hide();
     const LengthUnit& unit = view_->scene()->unit;
-    QString text = tr("<b>%1</b>  at %2")
-                       .arg(to_qt(name_of(*item)).toHtmlEscaped(),
-                            coordinates(item->stated.value_or(item->position), unit));
-    if (item->u) text += tr(",  u = %1").arg(triple(*item->u, unit));
-    if (item->U) text += tr(",  U = %1").arg(triple(*item->U, unit));
+    const QString place = tr("<b>%1</b>  at %2")
+                              .arg(to_qt(name_of(*item)).toHtmlEscaped(),
+                                   coordinates(item->stated.value_or(item->position), item->U, unit));
+    const QString u = item->u ? tr(",  u = %1").arg(triple(*item->u, unit)) : QString();
+    QString U = item->U ? tr(",  U = %1").arg(triple(*item->U, unit)) : QString();
     if (item->stated)
         for (const std::string& note : view_->scene()->notes)
-            text += QStringLiteral("; ") + to_qt(note).toHtmlEscaped();
-    say(text);
+            U += QStringLiteral("; ") + to_qt(note).toHtmlEscaped();
+    say(place + u + U, place + U);
 }
 
 /// Its inputs: made again, as the run had them.

@@ -89,7 +89,7 @@ private:
     bool show_source();
     bool is_selected_source(const SceneItem& item) const;
     void show_trial(std::uint64_t trial);
-    void say(const QString& words);
+    void say(const QString& words, const QString& shorter = {});
     void place_words();
     void describe_item(const QString& id);
     void show_words();
