@@ -91,17 +91,18 @@ std::optional<double> present_place(const StudyAxisValues& axis) {
     return std::nullopt;
 }
 
-/// A cross through the place as it is set up; the categories of y run downwards.
+/// A cross through the place as it is set up, as far as that is on the map; the categories of y run
+/// downwards.
 void mark_present(PlotSpecification& plot, const StudyAxisValues& x, const StudyAxisValues& y,
                   const DocumentLanguage& language) {
     const auto i = present_place(x), j = present_place(y);
-    if (!i || !j) return;
     const auto said = [&](const StudyAxisValues& axis) {
         return language.say(plot_words::as_set_up, {value_text(axis.present, language.numbers())});
     };
-    plot.marks.push_back({said(x), *i, false, SeriesRole::reference});
-    plot.marks.push_back(
-        {said(y), static_cast<double>(y.values.size() - 1) - *j, true, SeriesRole::reference});
+    if (i) plot.marks.push_back({said(x), *i, false, SeriesRole::reference});
+    if (j)
+        plot.marks.push_back(
+            {said(y), static_cast<double>(y.values.size() - 1) - *j, true, SeriesRole::reference});
 }
 
 /// Outputs whose lines can share a chart with the quantity.

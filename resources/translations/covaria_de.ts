@@ -13781,10 +13781,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Hier einen Namen eingeben, um eine Größe hinzuzufügen</translation>
     </message>
     <message>
-        <source>%1 is no unit for a quantity in %2.</source>
-        <translation>%1 ist keine Einheit für eine Größe in %2.</translation>
-    </message>
-    <message>
         <source>“%1” is not a number of degrees of freedom.</source>
         <translation>„%1“ ist keine Anzahl von Freiheitsgraden.</translation>
     </message>
@@ -17191,6 +17187,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Take %1 into the project</source>
         <translation>%1 in das Projekt übernehmen</translation>
+    </message>
+    <message>
+        <source>%1 is no unit for a quantity in %2.</source>
+        <translation>%1 ist keine Einheit für eine Größe in %2.</translation>
     </message>
 </context>
 <context>

@@ -13781,10 +13781,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Teclee aquí un nombre para añadir una magnitud</translation>
     </message>
     <message>
-        <source>%1 is no unit for a quantity in %2.</source>
-        <translation>%1 no es unidad para una magnitud en %2.</translation>
-    </message>
-    <message>
         <source>“%1” is not a number of degrees of freedom.</source>
         <translation>«%1» no es un número de grados de libertad.</translation>
     </message>
@@ -17191,6 +17187,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Take %1 into the project</source>
         <translation>Incorporar %1 al proyecto</translation>
+    </message>
+    <message>
+        <source>%1 is no unit for a quantity in %2.</source>
+        <translation>%1 no es unidad para una magnitud en %2.</translation>
     </message>
 </context>
 <context>

@@ -13780,10 +13780,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>양을 추가하려면 여기에 이름을 입력하세요</translation>
     </message>
     <message>
-        <source>%1 is no unit for a quantity in %2.</source>
-        <translation>%1은(는) %2 단위의 양에 맞는 단위가 아닙니다.</translation>
-    </message>
-    <message>
         <source>“%1” is not a number of degrees of freedom.</source>
         <translation>“%1”은(는) 자유도가 아닙니다.</translation>
     </message>
@@ -17186,6 +17182,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Take %1 into the project</source>
         <translation>%1을(를) 프로젝트에 넣기</translation>
+    </message>
+    <message>
+        <source>%1 is no unit for a quantity in %2.</source>
+        <translation>%1은(는) %2 단위의 양에 맞는 단위가 아닙니다.</translation>
     </message>
 </context>
 <context>

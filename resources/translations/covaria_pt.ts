@@ -13781,10 +13781,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Digite um nome aqui para adicionar uma grandeza</translation>
     </message>
     <message>
-        <source>%1 is no unit for a quantity in %2.</source>
-        <translation>%1 não é unidade para uma grandeza em %2.</translation>
-    </message>
-    <message>
         <source>“%1” is not a number of degrees of freedom.</source>
         <translation>“%1” não é um número de graus de liberdade.</translation>
     </message>
@@ -17191,6 +17187,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Take %1 into the project</source>
         <translation>Levar %1 para o projeto</translation>
+    </message>
+    <message>
+        <source>%1 is no unit for a quantity in %2.</source>
+        <translation>%1 não é unidade para uma grandeza em %2.</translation>
     </message>
 </context>
 <context>

@@ -13780,10 +13780,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>在此输入名称以添加量</translation>
     </message>
     <message>
-        <source>%1 is no unit for a quantity in %2.</source>
-        <translation>%1 不是以 %2 表示的量的单位。</translation>
-    </message>
-    <message>
         <source>“%1” is not a number of degrees of freedom.</source>
         <translation>“%1”不是自由度。</translation>
     </message>
@@ -17186,6 +17182,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Take %1 into the project</source>
         <translation>将%1纳入项目</translation>
+    </message>
+    <message>
+        <source>%1 is no unit for a quantity in %2.</source>
+        <translation>%1 不是以 %2 表示的量的单位。</translation>
     </message>
 </context>
 <context>

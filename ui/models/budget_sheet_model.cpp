@@ -291,6 +291,9 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     if (section == type)
         return component.type == EvaluationType::type_a ? QStringLiteral("A") : QStringLiteral("B");
     if (section == nu) return localized(format_degrees_of_freedom(component.degrees_of_freedom));
+    const bool of_nothing =
+        section == share && !(result_->outputs[output_].first_order.standard_uncertainty > 0.0);
+    if (of_nothing) return QStringLiteral("–");
     if (section == c || section == contribution || section == share) return QStringLiteral("0");
     if (section == u)
         return localized(
@@ -392,45 +395,9 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
     return cells;
 }
 
-/// A unit typed behind the number is the row's where it has none yet; else the number is converted.
-BudgetSheetModel::Cells BudgetSheetModel::cells_of_estimate(int row, const QString& text) const {
-    const QString trimmed = text.trimmed();
-    qsizetype digits = trimmed.size();
-    while (digits > 0 && !parse_number(trimmed.left(digits), QLocale())) --digits;
-    const QString behind = trimmed.mid(digits).trimmed();
-    Cells cells;
-    // "1e400" is too large, no "1e40" in the unit "0"; "2e-6 1/K" is a number and its unit.
-    const bool is_cut =
-        digits > 0 && digits < trimmed.size() && trimmed[digits - 1].isDigit() && trimmed[digits].isDigit();
-    if (digits == 0 || behind.isEmpty() || is_cut) {
-        cells[column("value")] = {text};
-        return cells;
-    }
-    const auto typed = parse_unit(behind);
-    if (!typed) {
-        cells[column("value")] = {text, to_qt(typed.error().message)};
-        return cells;
-    }
-    const double value = *parse_number(trimmed.left(digits), QLocale());
-    const bool has_unit =
-        !is_new_row(row) && !sheet_.index(row, column("unit")).data(Qt::EditRole).toString().isEmpty();
-    if (!has_unit) {
-        cells[column("value")] = {number_text(value, QLocale())};
-        cells[column("unit")] = {to_qt(typed->text())};
-        return cells;
-    }
-    const Unit of_row = unit_of(row);
-    if (typed->dimension() == of_row.dimension())
-        cells[column("value")] = {number_text(converted(value, *typed, of_row), QLocale())};
-    else
-        cells[column("value")] = {
-            text, tr("%1 is no unit for a quantity in %2.").arg(behind, to_qt(of_row.display()))};
-    return cells;
-}
-
 BudgetSheetModel::Cells BudgetSheetModel::cells_for(int row, int section, const QString& text) const {
     if (section == stated) return cells_of_statement(row, text);
-    if (section == estimate) return cells_of_estimate(row, text);
+    if (section == estimate) return sheet_.cells_of_value(row, text);
     Cells cells;
     cells[column_of(section)] = {text};
     const QString figure = text.trimmed();  // "2 ppm" would be 0.000 002 degrees of freedom

@@ -91,7 +91,6 @@ private:
     /// What typing `text` into a section of a row writes there and beside it.
     Cells cells_for(int row, int section, const QString& text) const;
     Cells cells_of_statement(int row, const QString& text) const;
-    Cells cells_of_estimate(int row, const QString& text) const;
     /// What is written with one of these keys is undone at once.
     QString next_step();
     /// What `cells_for` says, and the observations that a statement lists. Returns how many could not be

@@ -205,9 +205,38 @@ int SetupTableModel::take(const Marks& marks) {
     return refused;
 }
 
+std::map<int, SetupTableModel::TypedCell> SetupTableModel::cells_of_value(int row,
+                                                                          const QString& text) const {
+    const auto at = [this](const char* key) { return static_cast<int>(SetupSchema::column(*field(), key)); };
+    const QString trimmed = text.trimmed();
+    qsizetype digits = trimmed.size();
+    while (digits > 0 && !parse_number(trimmed.left(digits), QLocale())) --digits;
+    const QString behind = trimmed.mid(digits).trimmed();
+    // "1e400" is too large, no "1e40" in the unit "0"; "2e-6 1/K" is a number and its unit.
+    const bool is_cut =
+        digits > 0 && digits < trimmed.size() && trimmed[digits - 1].isDigit() && trimmed[digits].isDigit();
+    if (digits == 0 || behind.isEmpty() || is_cut) return {{at("value"), {text}}};
+    const auto typed = parse_unit(behind);
+    if (!typed) return {{at("value"), {text, to_qt(typed.error().message)}}};
+    const double value = *parse_number(trimmed.left(digits), QLocale());
+    const QString written =
+        row < rowCount() ? index(row, at("unit")).data(Qt::EditRole).toString() : QString();
+    if (written.isEmpty())
+        return {{at("value"), {number_text(value, QLocale())}}, {at("unit"), {to_qt(typed->text())}}};
+    const Unit of_row = Unit::parse(to_std(written)).value_or(Unit());
+    if (typed->dimension() == of_row.dimension())
+        return {{at("value"), {number_text(converted(value, *typed, of_row), QLocale())}}};
+    return {{at("value"),
+             {text, tr("%1 is no unit for a quantity in %2.").arg(behind, to_qt(of_row.display()))}}};
+}
+
 bool SetupTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (role != Qt::EditRole || !checkIndex(index, CheckIndexOption::IndexIsValid) || is_linked())
         return false;
+    if (field()->states_quantities && column(index.column()).key == "value") {
+        write_row(index.row(), cells_of_value(index.row(), value.toString()));
+        return true;
+    }
     Marks marks;
     write(tr("Change %1").arg(core_text(field()->title)), [&](SetupTable& table) {
         set_cell(table, {index.row(), index.column()}, value.toString(), marks);

@@ -89,6 +89,8 @@ std::optional<CurveSetup> read_curve_setup(const SetupReader& reader, const Asse
 Unit coefficient_unit(const CurveSetup& setup, std::size_t k) {
     const std::string y = setup.y_unit.interval().text();
     if (k == 0) return setup.y_unit.interval();
+    const bool alike = setup.x_unit.interval() == setup.y_unit.interval();
+    if (alike && k == 1) return Unit{};  // not "K/K"
     const std::string power = k == 1 ? "" : "^" + std::to_string(k);
     return Unit::parse(y + "/(" + setup.x_unit.interval().text() + ")" + power).value_or(Unit{});
 }

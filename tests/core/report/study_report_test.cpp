@@ -128,7 +128,8 @@ TEST(StudyPlot, MapHasTheSecondAxisUpwards) {
     EXPECT_TRUE(plot.marks[1].horizontal);
     EXPECT_DOUBLE_EQ(plot.marks[1].at, 0.5);
     inside.axes[1].present = 20.5;
-    EXPECT_TRUE(study_plot(inside, view).marks.empty()) << "it is beside the map";
+    ASSERT_EQ(study_plot(inside, view).marks.size(), 1u) << "the angle is beside the map";
+    EXPECT_FALSE(study_plot(inside, view).marks[0].horizontal);
 }
 
 TEST(StudyPlot, SliceOfThreeAxes) {

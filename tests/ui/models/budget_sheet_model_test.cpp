@@ -187,6 +187,22 @@ TEST_F(BudgetSheetModelTest, AnotherViewOfTheTableHasTheSameRefusedTexts) {
     EXPECT_FALSE(other.is_refused(1, statement));
 }
 
+/// Wherever it is typed.
+TEST_F(BudgetSheetModelTest, TheSetUpReadsAValueWithItsUnitToo) {
+    SetupTableModel table(document, {SetupOwner::analysis, "budget"}, "quantities");
+    type(0, Section::symbol, "d");
+    const auto at = [&](const char* key) {
+        return table.index(0, int(SetupSchema::column(*table.field(), key)));
+    };
+    ASSERT_TRUE(table.setData(at("value"), QStringLiteral("50 mm")));
+    EXPECT_EQ(text(0, Section::estimate), QStringLiteral("50"));
+    EXPECT_EQ(text(0, Section::unit), QStringLiteral("mm"));
+    table.setData(at("value"), QStringLiteral("1 m"));
+    EXPECT_EQ(stored(0, "value"), SetupCell(1000.0));
+    table.setData(at("value"), QStringLiteral("1 s"));
+    EXPECT_FALSE(problem(0, Section::estimate).isEmpty());
+}
+
 /// What a quantity is does not change with how its uncertainty is known.
 TEST_F(BudgetSheetModelTest, ObservationsThatAreStatedOtherwiseLeaveTheirMean) {
     type(0, Section::symbol, "d");
