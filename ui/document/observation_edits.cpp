@@ -42,10 +42,6 @@ std::vector<std::size_t> rows_of(const SetupTable& table, const Columns& at, con
     return unnamed.empty() && one ? named : unnamed;
 }
 
-const Setup* setup_at(const Project& project, const SetupAddress& address) {
-    return find_setup(project, address);
-}
-
 }  // namespace
 
 const FieldSpec* observing_table(const Project& project, const SetupAddress& address) {
@@ -59,7 +55,7 @@ const FieldSpec* observing_table(const Project& project, const SetupAddress& add
 std::vector<double> observations_of(const Project& project, const SetupAddress& address,
                                     const std::string& symbol) {
     const FieldSpec* field = observing_table(project, address);
-    const Setup* setup = setup_at(project, address);
+    const Setup* setup = find_setup(project, address);
     std::vector<double> values;
     if (!field || !setup) return values;
     const SetupTable table = table_of(*field, *setup);
@@ -95,7 +91,7 @@ void set_observations(Project& project, const SetupAddress& address, const std::
 
 std::string file_of_observations(const Project& project, const SetupAddress& address) {
     const FieldSpec* field = observing_table(project, address);
-    const Setup* setup = setup_at(project, address);
+    const Setup* setup = find_setup(project, address);
     return field && setup ? table_of(*field, *setup).csv_file : std::string();
 }
 
