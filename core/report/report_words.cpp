@@ -44,7 +44,7 @@ int TableBuilder::fixed(const Message& header, int decimals) {
 }
 
 namespace {
-const std::string rounding = "rounding";  // of the table of results
+const char* const key_of_spread = "rounding";  // in the table of results
 }
 
 void TableBuilder::columns(const Table& table, const std::vector<std::string>& keys) {
@@ -56,7 +56,7 @@ void TableBuilder::columns(const Table& table, const std::vector<std::string>& k
             c.is_symbol ? c.head : fill_placeholders<std::string>(in_.say_declared(c.head), unit);
         add({head, {}, c.is_symbol, c.rule.digits},
             {c.symbols, is_numeric(c), match == keys.end() ? -1 : static_cast<int>(match - keys.begin()),
-             c.rule.decimals, c.rule.input, c.rule.match == rounding});
+             c.rule.decimals, c.rule.input, c.rule.match == key_of_spread});
     }
 }
 
@@ -91,7 +91,7 @@ void TableBuilder::results(const UncertaintyResult& result, const std::vector<st
         if (of != group) subhead(said_name(of));
         group = of;
         block_.spreads.resize(block_.table.rows.size());
-        block_.spreads.push_back(std::get<Measured>(all.cell(i, rounding)).si);
+        block_.spreads.push_back(std::get<Measured>(all.cell(i, key_of_spread)).si);
         row(print_row(all, keys, i, in_));
     }
 }
