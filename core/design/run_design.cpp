@@ -191,7 +191,10 @@ private:
             if (j == verified->outputs.size()) continue;
             const OutputResult& output = verified->outputs[j];
             goal.monte_carlo = output.expanded_uncertainty;
-            if (output.first_order.validation) goal.validated = output.first_order.validation->validated;
+            const auto& validation = output.first_order.validation;
+            if (!validation) continue;
+            goal.validated = validation->validated;
+            goal.is_close = validation->is_close;
         }
         state_sources(*verified, changed->inputs, references);
     }

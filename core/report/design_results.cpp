@@ -19,6 +19,8 @@ std::string name_of(const OutputQuantity& output) {
     return output.group.empty() ? output.symbol : output.group + ": " + output.symbol;
 }
 
+const char* const undecided = "undecided";
+
 const char* yes_or_no(bool yes) {
     return yes ? "yes" : "no";
 }
@@ -58,7 +60,9 @@ DataTable outputs_table(const DesignResult& result) {
                                    interval_cell(goal.before, unit)};
         row.push_back(result.found ? interval_cell(goal.after, unit) : TableCell());
         row.push_back(interval_cell(goal.monte_carlo, unit));
-        row.push_back(goal.validated ? TableCell(std::string(yes_or_no(*goal.validated))) : TableCell());
+        row.push_back(goal.validated
+                          ? TableCell(std::string(goal.is_close ? undecided : yes_or_no(*goal.validated)))
+                          : TableCell());
         row.push_back(goal.target && result.found ? TableCell(std::string(yes_or_no(goal.met())))
                                                   : TableCell());
         if (priced) row.push_back(number_cell(price_in(unit, goal)));
@@ -169,12 +173,15 @@ bool says_something(const DataTable& table, std::size_t column) {
 void say_yes_and_no(DataTable& table, std::size_t column) {
     const auto is_answer = [](const TableCell& cell) {
         const auto* text = std::get_if<std::string>(&cell);
-        return std::holds_alternative<std::monostate>(cell) || (text && (*text == "yes" || *text == "no"));
+        return std::holds_alternative<std::monostate>(cell) ||
+               (text && (*text == "yes" || *text == "no" || *text == undecided));
     };
     if (!std::ranges::all_of(table.rows, [&](const auto& row) { return is_answer(row[column]); })) return;
     for (std::vector<TableCell>& row : table.rows)
         if (const auto* text = std::get_if<std::string>(&row[column]))
-            row[column] = *text == "yes" ? tell<"yes">() : tell<"no">();
+            row[column] = *text == "yes"       ? tell<"yes">()
+                          : *text == undecided ? tell<"undecided">()
+                                               : tell<"no">();
 }
 
 OrderedJson cell_json(const TableCell& cell) {

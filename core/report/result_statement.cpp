@@ -107,7 +107,8 @@ std::optional<double> part_of_first_order(const OutputResult& output) {
 double stated_spread(const OutputResult& output, const UncertaintyResult& result) {
     const double u = output.standard_uncertainty;
     const bool by_u = is_stated_by_interval(output, result) && std::isfinite(u) && u > 0.0;
-    return by_u ? u : output.expanded_uncertainty;
+    // With tails that long u says little of the interval.
+    return by_u ? std::min(u, output.expanded_uncertainty) : output.expanded_uncertainty;
 }
 
 double stated_probability(const OutputResult& output, const UncertaintyResult& result) {

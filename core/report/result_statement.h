@@ -40,7 +40,7 @@ bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& 
 /// than anybody would notice.
 std::optional<double> part_of_first_order(const OutputResult& output);
 /// The uncertainty whose digits decide those of the estimate and of its interval, wherever they stand: U, or
-/// u where U is not stated.
+/// u where U is not stated and u is the smaller one.
 double stated_spread(const OutputResult& output, const UncertaintyResult& result);
 /// The coverage interval, "[1.234, 1.240] mm", if the estimate is not in its middle by more than a twentieth
 /// of U; else empty: JCGM 101 states what y ± U does not say.

@@ -64,6 +64,7 @@ struct DesignGoal {
     double after = 0.0;                   ///< U of the chosen design, first order
     std::optional<double> monte_carlo{};  ///< U of the chosen design
     std::optional<bool> validated{};      ///< JCGM 101 clause 8
+    bool is_close = false;                ///< other trials could give the other verdict on that
     std::optional<double>
         price_of_target{};  ///< of reductions: what the target costs, per SI unit less of it
     /// Where clause 8 does not validate first order, Monte Carlo must meet the target too.

@@ -13192,6 +13192,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Of these verdicts, %1 could be the other one with other trials.</source>
         <translation>Von diesen Urteilen könnten %1 mit anderen Versuchen anders ausfallen.</translation>
     </message>
+    <message>
+        <source>the value typed is used, not the mean of the observations, %1</source>
+        <translation>verwendet wird der eingetippte Wert, nicht der Mittelwert der Beobachtungen, %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

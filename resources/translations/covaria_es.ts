@@ -13192,6 +13192,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Of these verdicts, %1 could be the other one with other trials.</source>
         <translation>De estos juicios, %1 podrían ser el contrario con otras pruebas.</translation>
     </message>
+    <message>
+        <source>the value typed is used, not the mean of the observations, %1</source>
+        <translation>se usa el valor escrito, no la media de las observaciones, %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -13191,6 +13191,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>Of these verdicts, %1 could be the other one with other trials.</source>
         <translation>이 가운데 %1개의 판정은 다른 시행에서는 반대일 수 있습니다.</translation>
     </message>
+    <message>
+        <source>the value typed is used, not the mean of the observations, %1</source>
+        <translation>관측값의 평균 %1이(가) 아니라 입력한 값이 쓰입니다</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -13192,6 +13192,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Of these verdicts, %1 could be the other one with other trials.</source>
         <translation>Destes julgamentos, %1 poderiam ser o contrário com outras tentativas.</translation>
     </message>
+    <message>
+        <source>the value typed is used, not the mean of the observations, %1</source>
+        <translation>usa-se o valor digitado, não a média das observações, %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -13191,6 +13191,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>Of these verdicts, %1 could be the other one with other trials.</source>
         <translation>其中 %1 个结论换用其他试验时可能相反。</translation>
     </message>
+    <message>
+        <source>the value typed is used, not the mean of the observations, %1</source>
+        <translation>使用键入的值，而非观测值的平均值 %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

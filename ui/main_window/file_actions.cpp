@@ -187,7 +187,8 @@ void FileActions::tell_saved() {
 
 bool FileActions::may_leave() {
     finish_typing();
-    if (!document_.is_modified()) return true;
+    // Texts that cannot be read are in no file.
+    if (!document_.is_modified() && document_.unread().all().empty()) return true;
     switch (dialogs.save_changes(document_.display_name())) {
         case SaveAnswer::save:
             return save();

@@ -1,10 +1,41 @@
 #include "ui/main_window/undo_action.h"
 
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QCoreApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
 
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
+
+namespace {
+
+/// It is closed as well, by the view.
+bool edits_cell(const QLineEdit& line) {
+    const QWidget* around = line.parentWidget();
+    return around && qobject_cast<QAbstractItemView*>(around->parentWidget());
+}
+
+/// A field in which nothing was typed leaves undo to the document.
+class UndoOfFields : public QObject {
+public:
+    using QObject::QObject;
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::ShortcutOverride ||
+            !static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo))
+            return false;
+        auto* line = qobject_cast<QLineEdit*>(watched);
+        if (auto* box = qobject_cast<QAbstractSpinBox*>(watched)) line = box->findChild<QLineEdit*>();
+        if (!line || line->isUndoAvailable() || edits_cell(*line)) return false;
+        event->ignore();
+        return true;
+    }
+};
+
+}  // namespace
 
 QAction* make_undo_action(Document& document, QObject* parent) {
     auto* action = new QAction(parent);
@@ -18,6 +49,7 @@ QAction* make_undo_action(Document& document, QObject* parent) {
     QObject::connect(&document.undo_stack(), &QUndoStack::undoTextChanged, action, refresh);
     QObject::connect(&document.unread(), &UnreadTexts::changed, action, refresh);
     refresh();
+    QCoreApplication::instance()->installEventFilter(new UndoOfFields(action));
     return action;
 }
 

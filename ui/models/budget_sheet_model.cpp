@@ -54,6 +54,11 @@ const SectionHead& head_of(int section) {
     return heads[static_cast<std::size_t>(section)];
 }
 
+/// 10.13, not 10.129999999999999.
+double without_noise(double mean) {
+    return QString::number(mean, 'g', 12).toDouble();
+}
+
 /// The row of a table that a JSON pointer names: "/quantities/rows/3".
 std::optional<std::size_t> row_of(const std::string& source, const std::string& table) {
     const std::string before = "/" + table + "/rows/";
@@ -88,10 +93,16 @@ void BudgetSheetModel::follow_sheet() {
                 emit dataChanged(index(first.row(), 0), index(last.row(), sections - 1));
             });
     connect(&sheet_, &QAbstractItemModel::rowsAboutToBeInserted, this,
-            [this](const QModelIndex&, int first, int last) { beginInsertRows({}, first, last); });
+            [this](const QModelIndex&, int first, int last) {
+                beginInsertRows({}, first, last);
+                move_computed(first, last - first + 1);
+            });
     connect(&sheet_, &QAbstractItemModel::rowsInserted, this, [this] { endInsertRows(); });
     connect(&sheet_, &QAbstractItemModel::rowsAboutToBeRemoved, this,
-            [this](const QModelIndex&, int first, int last) { beginRemoveRows({}, first, last); });
+            [this](const QModelIndex&, int first, int last) {
+                beginRemoveRows({}, first, last);
+                move_computed(first, first - last - 1);
+            });
     connect(&sheet_, &QAbstractItemModel::rowsRemoved, this, [this] { endRemoveRows(); });
     connect(&sheet_, &QAbstractItemModel::modelAboutToBeReset, this, [this] { beginResetModel(); });
     connect(&sheet_, &QAbstractItemModel::modelReset, this, [this] { endResetModel(); });
@@ -100,10 +111,12 @@ void BudgetSheetModel::follow_sheet() {
 void BudgetSheetModel::set_result(std::shared_ptr<const UncertaintyResult> result, std::size_t output,
                                   bool current) {
     if (result && output >= result->budget.rows.size()) result.reset();
+    // The rows of an earlier result may have moved since: they were followed.
+    const bool is_followed = !current && result == result_ && output == output_;
     result_ = std::move(result);
     output_ = output;
     current_ = current;
-    refresh_computed();
+    if (!is_followed) refresh_computed();
     emit headerDataChanged(Qt::Horizontal, 0, sections - 1);
     emit dataChanged(index(0, 0), index(rowCount() - 1, sections - 1));
 }
@@ -112,6 +125,20 @@ void BudgetSheetModel::set_units(const DisplayUnits& units) {
     units_ = units;
     emit headerDataChanged(Qt::Horizontal, 0, sections - 1);
     emit dataChanged(index(0, 0), index(rowCount() - 1, sections - 1));
+}
+
+/// What was computed for the rows goes with them.
+void BudgetSheetModel::move_computed(int first, int count) {
+    const auto move = [&](auto& of_rows) {
+        const auto size = static_cast<int>(of_rows.size());
+        const auto at = of_rows.begin() + std::min(first, size);
+        if (count > 0 && first <= size)
+            of_rows.insert(at, static_cast<std::size_t>(count), {});
+        else if (count < 0)
+            of_rows.erase(at, of_rows.begin() + std::min(first - count, size));
+    };
+    move(components_);
+    move(lines_);
 }
 
 /// Which component each row states; of a chain of analyses only those of this one's set-up.
@@ -215,9 +242,9 @@ QVariant BudgetSheetModel::of_sheet(int row, int section, int role) const {
         const Text text = symbol_text(to_std(cell.data(Qt::EditRole).toString()));
         return role == typeset_role ? QVariant::fromValue(text) : QVariant(to_qt(to_unicode(text)));
     }
-    if (section == estimate && role == Qt::DisplayRole && cell.data(Qt::EditRole).toString().isEmpty())
-        return computed(row, section, role);
-    if (section == nu && role == Qt::DisplayRole && cell.data(role).toString().isEmpty())
+    const bool is_of_result =
+        (section == estimate || section == nu) && cell.data(Qt::EditRole).toString().isEmpty();
+    if (is_of_result && (role == Qt::DisplayRole || (role == Qt::ForegroundRole && !current_)))
         return computed(row, section, role);
     if (section == stated) return stated_cell(row, role);
     return cell.data(role);
@@ -343,9 +370,20 @@ Qt::ItemFlags BudgetSheetModel::flags(const QModelIndex& index) const {
     return editable ? flags | Qt::ItemIsEditable : flags;
 }
 
+/// "10.1; 10.3; 10.2 mm" gives a row its unit that has neither one nor an estimate.
+std::optional<Unit> BudgetSheetModel::unit_of_list(int row, const QString& text) const {
+    if (!text_at(row, "unit").empty() || number_at(row, "value")) return std::nullopt;
+    const auto unit = parse_unit(text.trimmed().section(QLatin1Char(' '), -1));
+    if (!unit || *unit == Unit() || !read_in(text, *unit)) return std::nullopt;
+    return read_in(text, *unit)->observations.empty() ? std::nullopt : std::optional(*unit);
+}
+
+Result<TypedStatement> BudgetSheetModel::read_in(const QString& text, const Unit& unit) const {
+    return read_statement(to_std(text), unit, QLocale().decimalPoint() == QLatin1String(","), core_words);
+}
+
 Result<TypedStatement> BudgetSheetModel::read_typed(int row, const QString& text) const {
-    return read_statement(to_std(text), unit_of(row), QLocale().decimalPoint() == QLatin1String(","),
-                          core_words);
+    return read_in(text, unit_of_list(row, text).value_or(unit_of(row)));
 }
 
 void BudgetSheetModel::take_observations(int row, const QString& text, const QString& step) {
@@ -372,6 +410,7 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
         return cells;
     };
     if (!read) return refuse(to_qt(read.error().message));
+    if (const auto unit = unit_of_list(row, text)) cells[column("unit")] = {to_qt(unit->text())};
     if (!read->observations.empty()) {
         if (symbol_of(row).empty()) return refuse(tr("Name the quantity before its observations."));
         const std::string file = file_of_observations(document_.project(), address_);
@@ -382,7 +421,8 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
         const std::vector<double> observed = observations_of(document_.project(), address_, symbol_of(row));
         const double sum = std::accumulate(observed.begin(), observed.end(), 0.0);
         if (!observed.empty())  // what it was known by does not change what it is
-            cells[column("value")] = {number_text(sum / static_cast<double>(observed.size()), QLocale())};
+            cells[column("value")] = {
+                number_text(without_noise(sum / static_cast<double>(observed.size())), QLocale())};
     }
     const auto number = [](const std::optional<double>& value) {
         return SetupTableModel::TypedCell{value ? number_text(*value, QLocale()) : QString()};

@@ -74,6 +74,7 @@ private:
     using Cells = std::map<int, SetupTableModel::TypedCell>;
     void follow_sheet();
     void refresh_computed();
+    void move_computed(int first, int count);
     bool is_new_row(int row) const { return row == sheet_.rowCount(); }
     int column(const char* key) const;
     /// Of the set-up's table; -1: the section has none of its own.
@@ -98,6 +99,8 @@ private:
     int write(int row, int section, const QString& text, const QString& step);
     void take_observations(int row, const QString& text, const QString& step);
     Result<TypedStatement> read_typed(int row, const QString& text) const;
+    Result<TypedStatement> read_in(const QString& text, const Unit& unit) const;
+    std::optional<Unit> unit_of_list(int row, const QString& text) const;
     /// They have a table of their own, which others can edit too.
     void follow_observations();
 

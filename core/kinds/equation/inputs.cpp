@@ -1,5 +1,6 @@
 // Input quantities of "measurement equation": rows of the table to components of uncertainty.
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/equation/operations.h"
@@ -9,6 +10,7 @@
 #include "core/kinds/instruments/sensor.h"
 #include "core/quantity/input_quantity.h"
 #include "core/quantity/statement.h"
+#include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
 namespace covaria::equation_model {
@@ -195,6 +197,13 @@ private:
             return false;
         }
         const double u = draft.unit.interval_to_si(mean->u);
+        const std::optional<double>& typed = at(row).value;
+        if (kind == "observations" && typed && std::abs(*typed - mean->mean) > 1e-9 * std::abs(mean->mean))
+            problems_.warning(
+                equation_fields().place(&StatedEquations::components, row, &StatedComponent::value),
+                "'" + at(row).symbol + "': " +
+                    tell<"the value typed is used, not the mean of the observations, %1">(
+                        format_short(mean->mean, 9)));
         if (!draft.estimate && mean->count > 0) draft.estimate = draft.unit.to_si(mean->mean);
         made.unit = draft.unit.interval();
         made.type = EvaluationType::type_a;

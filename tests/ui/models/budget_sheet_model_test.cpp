@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <tuple>
 
 #include "core/made/made_project.h"
 #include "core/propagation/engine.h"
@@ -54,10 +55,12 @@ struct BudgetSheetModelTest : testing::Test {
         ASSERT_TRUE(analysis) << first_error(made->problems(), "");
         auto result = evaluate_first_order(*analysis->propagated, analysis->options);
         ASSERT_TRUE(result);
-        model->set_result(std::make_shared<const UncertaintyResult>(std::move(*result)), 0, true);
+        shown = std::make_shared<const UncertaintyResult>(std::move(*result));
+        model->set_result(shown, 0, true);
     }
     Document document{[](const MadeProject&) { return Problems{}; }, nullptr};
     std::unique_ptr<BudgetSheetModel> model;
+    std::shared_ptr<const UncertaintyResult> shown;
     std::unique_ptr<QAbstractItemModelTester> tester;
 };
 
@@ -147,14 +150,14 @@ TEST_F(BudgetSheetModelTest, WhatWasRefusedIsReadAgainInTheNewUnit) {
 /// Typed before the units: each is read in its own row's unit, and none takes another along.
 TEST_F(BudgetSheetModelTest, WhatWasRefusedInOneRowStaysWhenAnotherIsMended) {
     type(0, Section::symbol, "d");
-    type(0, Section::stated, "215; 208; 221 nm");
+    type(0, Section::stated, "rect 5 nm");
     type(1, Section::symbol, "alpha");
     type(1, Section::stated, "2e-6 1/K");
     ASSERT_FALSE(problem(0, Section::stated).isEmpty());
     ASSERT_FALSE(problem(1, Section::stated).isEmpty());
     type(0, Section::unit, "nm");
     EXPECT_EQ(problem(0, Section::stated), QString());
-    EXPECT_EQ(text(0, Section::stated), QStringLiteral("observations 215; 208; 221"));
+    EXPECT_EQ(text(0, Section::stated), QString::fromUtf8("rectangular ± 5 nm"));
     EXPECT_FALSE(problem(1, Section::stated).isEmpty());
     EXPECT_EQ(text(1, Section::stated), QStringLiteral("2e-6 1/K"));
     type(1, Section::unit, "1/K");
@@ -203,6 +206,40 @@ TEST_F(BudgetSheetModelTest, TheSetUpReadsAValueWithItsUnitToo) {
     EXPECT_FALSE(problem(0, Section::estimate).isEmpty());
 }
 
+/// "4.0 kg" does so as an estimate.
+TEST_F(BudgetSheetModelTest, AListGivesItsRowTheUnit) {
+    type(0, Section::symbol, "a");
+    type(0, Section::stated, "10.12; 10.15; 10.11 mm");
+    EXPECT_EQ(problem(0, Section::stated), QString());
+    EXPECT_EQ(text(0, Section::unit), QStringLiteral("mm"));
+    EXPECT_EQ(text(0, Section::stated), QStringLiteral("observations 10.12; 10.15; 10.11"));
+    type(1, Section::symbol, "b");
+    type(1, Section::unit, "s");
+    type(1, Section::stated, "10.12; 10.15; 10.11 mm");
+    EXPECT_FALSE(problem(1, Section::stated).isEmpty());
+}
+
+/// Until it is computed anew.
+TEST_F(BudgetSheetModelTest, WhatWasComputedGoesWithItsRow) {
+    for (const auto& [row, symbol, u] : {std::tuple(0, "l_S", "25 nm"), {1, "d", "10 nm"}}) {
+        type(row, Section::symbol, symbol);
+        type(row, Section::estimate, "1 mm");
+        type(row, Section::stated, u);
+    }
+    evaluate();
+    const QString of_first = text(0, Section::u), of_second = text(1, Section::u);
+    ASSERT_NE(of_first, of_second);
+    ASSERT_TRUE(model->insertRow(1));
+    model->set_result(shown, 0, false);
+    EXPECT_EQ(text(0, Section::u), of_first);
+    EXPECT_EQ(text(1, Section::u), QString());
+    EXPECT_EQ(text(2, Section::u), of_second);
+    ASSERT_TRUE(model->removeRow(0));
+    model->set_result(shown, 0, false);
+    EXPECT_EQ(text(0, Section::u), QString());
+    EXPECT_EQ(text(1, Section::u), of_second);
+}
+
 /// What a quantity is does not change with how its uncertainty is known.
 TEST_F(BudgetSheetModelTest, ObservationsThatAreStatedOtherwiseLeaveTheirMean) {
     type(0, Section::symbol, "d");
@@ -211,6 +248,9 @@ TEST_F(BudgetSheetModelTest, ObservationsThatAreStatedOtherwiseLeaveTheirMean) {
     type(0, Section::stated, "2 nm");
     EXPECT_EQ(stored(0, "value"), SetupCell(215.0));
     EXPECT_EQ(text(0, Section::stated), QStringLiteral("u = 2 nm"));
+    type(0, Section::stated, "10.12; 10.15; 10.11; 10.14; 10.13");
+    type(0, Section::stated, "2 nm");
+    EXPECT_EQ(stored(0, "value"), SetupCell(10.13)) << "without the noise of a sum";
 }
 
 TEST_F(BudgetSheetModelTest, SmallFiguresAreShownAsPowersAndEditedAsTyped) {
