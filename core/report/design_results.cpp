@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/base/own_names.h"
 #include "core/base/version.h"
 #include "core/report/json_values.h"
 #include "core/report/report.h"
@@ -17,6 +18,11 @@ namespace {
 
 std::string name_of(const OutputQuantity& output) {
     return output.group.empty() ? output.symbol : output.group + ": " + output.symbol;
+}
+
+TableCell said_name_of(const OutputQuantity& output) {
+    if (output.group.empty()) return output.symbol;
+    return tell<"%1: %2">(said_name(output.group), output.symbol);
 }
 
 const char* const undecided = "undecided";
@@ -56,7 +62,7 @@ DataTable outputs_table(const DesignResult& result) {
     if (priced) table.columns.push_back({"cost per unit of target", {}, false, 0});
     for (const DesignGoal& goal : result.goals) {
         const Unit& unit = goal.output.unit;
-        std::vector<TableCell> row{name_of(goal.output), unit.text(), interval_cell(goal.target, unit),
+        std::vector<TableCell> row{said_name_of(goal.output), unit.text(), interval_cell(goal.target, unit),
                                    interval_cell(goal.before, unit)};
         row.push_back(result.found ? interval_cell(goal.after, unit) : TableCell());
         row.push_back(interval_cell(goal.monte_carlo, unit));

@@ -16552,8 +16552,8 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>nicht eingehalten</translation>
     </message>
     <message>
-        <source>&lt;li&gt;u of %1 reduced from %2 to %3&lt;/li&gt;</source>
-        <translation>&lt;li&gt;u von %1 von %2 auf %3 verringert&lt;/li&gt;</translation>
+        <source>&lt;li&gt;u of %1 reduced from %2 to %3: %4 of what is stated&lt;/li&gt;</source>
+        <translation>&lt;li&gt;u von %1 von %2 auf %3 verringert: %4 dessen, was angegeben ist&lt;/li&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;It would be met with one of these alone:&lt;ul&gt;%1&lt;/ul&gt;</source>

@@ -16552,8 +16552,8 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>no cumplido</translation>
     </message>
     <message>
-        <source>&lt;li&gt;u of %1 reduced from %2 to %3&lt;/li&gt;</source>
-        <translation>&lt;li&gt;u de %1 reducida de %2 a %3&lt;/li&gt;</translation>
+        <source>&lt;li&gt;u of %1 reduced from %2 to %3: %4 of what is stated&lt;/li&gt;</source>
+        <translation>&lt;li&gt;u de %1 reducida de %2 a %3: %4 de lo indicado&lt;/li&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;It would be met with one of these alone:&lt;ul&gt;%1&lt;/ul&gt;</source>

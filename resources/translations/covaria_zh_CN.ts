@@ -16548,8 +16548,8 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>不满足</translation>
     </message>
     <message>
-        <source>&lt;li&gt;u of %1 reduced from %2 to %3&lt;/li&gt;</source>
-        <translation>&lt;li&gt;%1 的 u 从 %2 减小到 %3&lt;/li&gt;</translation>
+        <source>&lt;li&gt;u of %1 reduced from %2 to %3: %4 of what is stated&lt;/li&gt;</source>
+        <translation>&lt;li&gt;%1 的 u 从 %2 减小到 %3：为给出值的 %4&lt;/li&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;It would be met with one of these alone:&lt;ul&gt;%1&lt;/ul&gt;</source>

@@ -88,8 +88,10 @@ QString reduction_words(const UncertaintyResult& result, const ReverseBudget& bu
         const auto& reduction = *reductions[i];
         const BudgetComponent& c = *components[i];
         const auto texts = told_apart(c.unit.interval(), reduction.now, *reduction.needed);
-        list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3</li>")
-                    .arg(linked(to_qt(to_html(labels[i])), place_of(c)), texts.first, texts.second);
+        list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3: %4 of what is stated</li>")
+                    .arg(linked(to_qt(to_html(labels[i])), place_of(c)), texts.first, texts.second,
+                         to_qt(percent_text(rounded_down(*reduction.needed / reduction.now, 3),
+                                            number_locale(QLocale()))));
     }
     if (!list.isEmpty())
         return RequirementsForm::tr("<br>It would be met with one of these alone:<ul>%1</ul>").arg(list);
