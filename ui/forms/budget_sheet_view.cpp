@@ -16,8 +16,7 @@ namespace {
 /// Who types there means the statement, which is where it is edited.
 bool follows_from_statement(const QModelIndex& cell) {
     using Sheet = BudgetSheetModel;
-    const bool follows =
-        cell.column() == Sheet::u || cell.column() == Sheet::distribution || cell.column() == Sheet::type;
+    const bool follows = cell.column() == Sheet::distribution || cell.column() == Sheet::type;
     return follows && (cell.siblingAtColumn(Sheet::stated).flags() & Qt::ItemIsEditable);
 }
 

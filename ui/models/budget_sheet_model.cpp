@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <numeric>
+#include <set>
 
 #include "core/report/result_columns.h"
 #include "core/text/symbol.h"
@@ -366,7 +367,8 @@ QVariant BudgetSheetModel::headerData(int section, Qt::Orientation orientation, 
 
 Qt::ItemFlags BudgetSheetModel::flags(const QModelIndex& index) const {
     const Qt::ItemFlags flags = SpreadsheetModel::flags(index);
-    const bool editable = index.isValid() && !is_linked() && !is_computed(index.column());
+    const bool editable = index.isValid() && !is_linked() &&
+                          (!is_computed(index.column()) || (index.column() == u && !is_new_row(index.row())));
     return editable ? flags | Qt::ItemIsEditable : flags;
 }
 
@@ -450,8 +452,36 @@ bool BudgetSheetModel::setData(const QModelIndex& index, const QVariant& value, 
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
     const QString text = value.toString();
     if (is_new_row(index.row()) && text.trimmed().isEmpty()) return false;
+    if (index.column() == u) return state_u(index.row(), text);
     write(index.row(), index.column(), text, next_step());
     if (index.column() == unit) read_again(index.row());
+    return true;
+}
+
+/// The statement keeps its form, with figures by which u is what was typed; where it has none that can be
+/// scaled, u is the statement.
+bool BudgetSheetModel::state_u(int row, const QString& text) {
+    if (text.trimmed().isEmpty()) return false;
+    static const std::set<std::string> by_their_figure{"certificate-k", "certificate-p", "rectangular",
+                                                       "triangular",    "arcsine",       "trapezoidal",
+                                                       "resolution"};
+    const auto read = read_typed(row, text);
+    const auto at = static_cast<std::size_t>(row);
+    const std::optional<double> a = number_at(row, "a");
+    const bool scales = read && read->kind == "standard" && a && current_ && at < components_.size() &&
+                        components_[at] && by_their_figure.contains(text_at(row, "statement"));
+    const Unit of_row = unit_of(row).interval();
+    const Unit typed =
+        scales && !read->unit.empty() ? Unit::parse(read->unit).value_or(of_row).interval() : of_row;
+    const double now = scales ? result_->budget.components[*components_[at]].standard_uncertainty : 0.0;
+    const double wanted = scales ? typed.interval_to_si(*read->a) : 0.0;
+    if (!(now > 0.0) || !(wanted > 0.0) || typed.dimension() != of_row.dimension()) {
+        write(row, stated, text, next_step());
+        return true;
+    }
+    Cells cells;
+    cells[column("a")] = {number_text(without_noise(*a * wanted / now), QLocale())};
+    sheet_.write_row(row, cells, next_step());
     return true;
 }
 
@@ -497,11 +527,15 @@ int BudgetSheetModel::paste(const QModelIndex& at, const QString& text) {
     return refused;
 }
 
+/// What stands in the table of the set-up.
+bool BudgetSheetModel::is_typed(const QModelIndex& cell) const {
+    return (flags(cell) & Qt::ItemIsEditable) && !is_computed(cell.column()) && !is_new_row(cell.row());
+}
+
 void BudgetSheetModel::fill_down(const QModelIndexList& cells) {
     std::map<int, std::set<int>> rows_of;
     for (const QModelIndex& cell : cells)
-        if ((flags(cell) & Qt::ItemIsEditable) && !is_new_row(cell.row()))
-            rows_of[cell.column()].insert(cell.row());
+        if (is_typed(cell)) rows_of[cell.column()].insert(cell.row());
     const QString step = next_step();
     for (const auto& [section, rows] : rows_of)
         for (const int row : rows)
@@ -512,8 +546,7 @@ void BudgetSheetModel::fill_down(const QModelIndexList& cells) {
 void BudgetSheetModel::clear(const QModelIndexList& cells) {
     const QString step = next_step();
     for (const QModelIndex& cell : cells)
-        if ((flags(cell) & Qt::ItemIsEditable) && !is_new_row(cell.row()))
-            write(cell.row(), cell.column(), QString(), step);
+        if (is_typed(cell)) write(cell.row(), cell.column(), QString(), step);
 }
 
 QString BudgetSheetModel::next_step() {

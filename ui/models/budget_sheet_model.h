@@ -58,9 +58,9 @@ public:
     void fill_down(const QModelIndexList& cells) override;
     void clear(const QModelIndexList& cells) override;
     void remove_rows_at(const std::set<int>& rows) override;
-    /// A unit that is there: what is typed next is the statement.
+    /// u, which follows, and a unit that is there: what is typed next is the statement.
     bool is_passed_over(const QModelIndex& cell) const override {
-        return cell.column() == unit && !text_at(cell.row(), "unit").empty();
+        return cell.column() == u || (cell.column() == unit && !text_at(cell.row(), "unit").empty());
     }
     bool is_linked() const override { return sheet_.is_linked(); }
 
@@ -85,6 +85,8 @@ private:
     QVariant stated_cell(int row, int role) const;
     QString stated_words(int row, bool typeset) const;
     void read_again(int row);
+    bool state_u(int row, const QString& text);
+    bool is_typed(const QModelIndex& cell) const;
     Unit unit_of(int row) const;
     /// Empty: the cell is.
     std::string text_at(int row, const char* key) const;

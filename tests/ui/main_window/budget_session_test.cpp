@@ -200,7 +200,7 @@ TEST_F(BudgetSession, TabPassesOverAUnitThatCameWithTheEstimate) {
     EXPECT_EQ(cell(0, Section::unit), QStringLiteral("mm"));
 }
 
-/// u follows from the statement: typing there edits that, in its own place.
+/// u follows from the statement: typing there changes that.
 TEST_F(BudgetSession, TypingOnUStatesTheUncertainty) {
     new_equation(QStringLiteral("y = a"));
     sheet()->setFocus();
@@ -213,10 +213,14 @@ TEST_F(BudgetSession, TypingOnUStatesTheUncertainty) {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     go(Section::u);
     type_keys(QStringLiteral("75 nm"));
-    EXPECT_EQ(sheet()->currentIndex().column(), Section::stated);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     EXPECT_TRUE(wait_for([&] { return cell(0, Section::stated) == QStringLiteral("u = 75 nm"); }, 2000))
         << to_std(cell(0, Section::stated));
+    go(Section::distribution);
+    type_keys(QStringLiteral("rect 30 nm"));
+    EXPECT_EQ(sheet()->currentIndex().column(), Section::stated) << "what follows from it is edited there";
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_TRUE(wait_for([&] { return cell(0, Section::stated).startsWith(QStringLiteral("rect")); }, 2000));
 }
 
 // The centre belongs to the analysis: equations have a budget, scenes have none over them.

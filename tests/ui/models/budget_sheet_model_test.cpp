@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <cmath>
 #include <tuple>
 
 #include "core/made/made_project.h"
@@ -219,6 +220,32 @@ TEST_F(BudgetSheetModelTest, AListGivesItsRowTheUnit) {
     EXPECT_FALSE(problem(1, Section::stated).isEmpty());
 }
 
+/// So that what a target needs can be typed as it is said.
+TEST_F(BudgetSheetModelTest, UThatIsTypedKeepsTheFormOfTheStatement) {
+    type(0, Section::symbol, "l_S");
+    type(0, Section::estimate, "1 mm");
+    type(0, Section::stated, "rect 0.1");
+    type(1, Section::symbol, "d");
+    type(1, Section::estimate, "1 mm");
+    type(1, Section::stated, "U = 80 nm, k = 2");
+    type(2, Section::symbol, "d");
+    type(2, Section::unit, "mm");
+    type(2, Section::stated, "5 nm");
+    evaluate();
+    ASSERT_TRUE(type(0, Section::u, "0.0367"));
+    EXPECT_EQ(stored(0, "statement"), SetupCell(std::string("rectangular")));
+    EXPECT_NEAR(std::get<double>(stored(0, "a")), 0.0367 * std::sqrt(3.0), 1e-12);
+    ASSERT_TRUE(type(1, Section::u, "30 nm"));
+    EXPECT_EQ(text(1, Section::stated), QStringLiteral("U = 60 nm, k = 2"));
+    ASSERT_TRUE(type(2, Section::u, "7 nm"));
+    EXPECT_EQ(text(2, Section::stated), QStringLiteral("u = 7 nm"));
+    ASSERT_TRUE(type(2, Section::u, "rect 7 nm"));
+    EXPECT_EQ(text(2, Section::stated), QString::fromUtf8("rectangular ± 7 nm"));
+    EXPECT_FALSE(type(2, Section::u, ""));
+    model->clear({model->index(0, Section::u)});
+    EXPECT_EQ(stored(0, "statement"), SetupCell(std::string("rectangular"))) << "what follows is not cleared";
+}
+
 /// Until it is computed anew.
 TEST_F(BudgetSheetModelTest, WhatWasComputedGoesWithItsRow) {
     for (const auto& [row, symbol, u] : {std::tuple(0, "l_S", "25 nm"), {1, "d", "10 nm"}}) {
@@ -315,8 +342,8 @@ TEST_F(BudgetSheetModelTest, ComputedCellsAreNotTyped) {
     type(0, Section::symbol, "x");
     for (int section = 0; section < BudgetSheetModel::sections; ++section)
         EXPECT_EQ(bool(model->flags(model->index(0, section)) & Qt::ItemIsEditable),
-                  !BudgetSheetModel::is_computed(section));
-    EXPECT_FALSE(type(0, Section::u, "3"));
+                  !BudgetSheetModel::is_computed(section) || section == Section::u);
+    EXPECT_FALSE(type(0, Section::c, "3"));
 }
 
 }  // namespace
