@@ -375,13 +375,14 @@ Qt::ItemFlags BudgetSheetModel::flags(const QModelIndex& index) const {
 /// "10.1; 10.3; 10.2 mm" gives a row its unit that has neither one nor an estimate.
 std::optional<Unit> BudgetSheetModel::unit_of_list(int row, const QString& text) const {
     if (!text_at(row, "unit").empty() || number_at(row, "value")) return std::nullopt;
-    const auto unit = parse_unit(text.trimmed().section(QLatin1Char(' '), -1));
-    if (!unit || *unit == Unit() || !read_in(text, *unit)) return std::nullopt;
-    return read_in(text, *unit)->observations.empty() ? std::nullopt : std::optional(*unit);
+    const auto last = parse_unit(text.trimmed().section(QLatin1Char(' '), -1));
+    if (!last || *last == Unit()) return std::nullopt;
+    const auto read = read_in(text, *last);
+    return read && !read->observations.empty() ? std::optional(*last) : std::nullopt;
 }
 
-Result<TypedStatement> BudgetSheetModel::read_in(const QString& text, const Unit& unit) const {
-    return read_statement(to_std(text), unit, QLocale().decimalPoint() == QLatin1String(","), core_words);
+Result<TypedStatement> BudgetSheetModel::read_in(const QString& text, const Unit& of_row) const {
+    return read_statement(to_std(text), of_row, QLocale().decimalPoint() == QLatin1String(","), core_words);
 }
 
 Result<TypedStatement> BudgetSheetModel::read_typed(int row, const QString& text) const {
@@ -412,7 +413,7 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
         return cells;
     };
     if (!read) return refuse(to_qt(read.error().message));
-    if (const auto unit = unit_of_list(row, text)) cells[column("unit")] = {to_qt(unit->text())};
+    if (const auto of_list = unit_of_list(row, text)) cells[column("unit")] = {to_qt(of_list->text())};
     if (!read->observations.empty()) {
         if (symbol_of(row).empty()) return refuse(tr("Name the quantity before its observations."));
         const std::string file = file_of_observations(document_.project(), address_);

@@ -101,7 +101,7 @@ private:
     int write(int row, int section, const QString& text, const QString& step);
     void take_observations(int row, const QString& text, const QString& step);
     Result<TypedStatement> read_typed(int row, const QString& text) const;
-    Result<TypedStatement> read_in(const QString& text, const Unit& unit) const;
+    Result<TypedStatement> read_in(const QString& text, const Unit& of_row) const;
     std::optional<Unit> unit_of_list(int row, const QString& text) const;
     /// They have a table of their own, which others can edit too.
     void follow_observations();
