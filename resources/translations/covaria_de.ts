@@ -13755,7 +13755,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
-        <translation>Korrelation &lt;i&gt;r&lt;/i&gt; zweier Zeilen =</translation>
+        <translation>&lt;i&gt;r&lt;/i&gt; zweier Zeilen =</translation>
     </message>
     <message>
         <source>Correlation of Two Rows</source>

@@ -23,6 +23,8 @@ namespace covaria::ui {
 
 namespace {
 
+constexpr std::size_t most_listed = 3;  // observations in a cell
+
 struct SectionHead {
     const char* title;
     const char* help;
@@ -230,11 +232,16 @@ QString BudgetSheetModel::stated_words(int row, bool typeset) const {
                              text_at(row, "stated_unit")};
     if (kind == "observations")
         statement.observations = observations_of(document_.project(), address_, symbol_of(row));
+    // A long list would take the room of what follows from it; where it is edited it is whole.
+    const std::size_t count = statement.observations.size();
+    const bool is_long = typeset && count > most_listed;
+    if (is_long) statement.observations.resize(most_listed - 1);
     const auto number = [typeset](double value) {
         return typeset ? grouped_digits(format_typed(value), user_numbers())
                        : to_std(number_text(value, QLocale()));
     };
-    return to_qt(statement_text(statement, unit_of(row), number, core_words));
+    const QString words = to_qt(statement_text(statement, unit_of(row), number, core_words));
+    return is_long ? words + QStringLiteral(" … (%1)").arg(count) : words;
 }
 
 QVariant BudgetSheetModel::of_sheet(int row, int section, int role) const {

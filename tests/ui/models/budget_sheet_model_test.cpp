@@ -114,6 +114,9 @@ TEST_F(BudgetSheetModelTest, AListIsTheObservationsOfItsRow) {
     // Those of another quantity stay as they are; others in its place.
     type(0, Section::stated, "1; 2; 3");
     type(1, Section::stated, "210; 220; 230; 240");
+    EXPECT_EQ(text(1, Section::stated), QString::fromUtf8("observations 210; 220 … (4)"));
+    EXPECT_EQ(model->index(1, Section::stated).data(Qt::EditRole).toString(),
+              QStringLiteral("observations 210; 220; 230; 240"));
     EXPECT_EQ(observations_of(document.project(), address, "l_S"), (std::vector<double>{1, 2, 3}));
     EXPECT_EQ(observations_of(document.project(), address, "d"), (std::vector<double>{210, 220, 230, 240}));
     document.undo();
