@@ -297,7 +297,7 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     const TableView view{of_result ? units_ : DisplayUnits(), 2, language_of_window()};
     const BudgetComponent& component = result_->budget.components[*components_[at]];
     if (section == estimate && role == Qt::DisplayRole)
-        return localized(format_typed(unit_of(row).from_si(component.estimate)));
+        return to_qt(grouped_digits(format_typed(unit_of(row).from_si(component.estimate)), user_numbers()));
     if (section == distribution)
         return role == Qt::DisplayRole ? QVariant(core_text(component.distribution)) : QVariant();
     const char* key = head_of(section).of_budget;
