@@ -264,6 +264,7 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
     const bool refused = sheet_.is_refused(row, column("statement"));
     if (role == Qt::DisplayRole || role == Qt::EditRole)
         return refused ? kind.data(Qt::EditRole) : QVariant(stated_words(row, role == Qt::DisplayRole));
+    if (role == exact_role) return refused ? QVariant() : QVariant(stated_words(row, false));
     if (role == choices_role) return {};
     for (const char* key : {"statement", "a", "b", "stated_unit"}) {
         const QModelIndex cell = sheet_.index(row, column(key));

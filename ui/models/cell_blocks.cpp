@@ -72,6 +72,7 @@ QString quoted_if_needed(QString cell) {
 /// A number with the locale's decimal mark and all its digits; any other text as it is.
 QString cell_for_programs(const QModelIndex& cell, const QLocale& locale) {
     const QVariant exact = cell.data(exact_role);
+    if (exact.typeId() == QMetaType::QString) return exact.toString();
     if (!exact.isValid() || !std::isfinite(exact.toDouble())) return cell.data().toString();
     return to_qt(format_exact(exact.toDouble())).replace('.', locale.decimalPoint());
 }

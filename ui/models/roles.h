@@ -17,7 +17,8 @@ enum Role : int {
     incomplete_role,  ///< bool: nothing is wrong with it, but something that must be given is not
     choices_role,     ///< QStringList of what the cell may be set to
     group_role,       ///< of an output or input quantity ("pose 7")
-    exact_role,       ///< double: the number of the cell with full precision; invalid: it has none
+    exact_role,       ///< double: the number of the cell with full precision; QString: the whole of a text
+                      ///< that is shown shorter; invalid: as it is shown
     verdict_role,     ///< how many requirements of an analysis are not met, in words; empty: none
     help_role,        ///< where the help of the item is: an anchor of a page
     index_role,       ///< of an output among the result's outputs

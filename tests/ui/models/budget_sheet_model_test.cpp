@@ -11,6 +11,7 @@
 #include "core/propagation/engine.h"
 #include "tests/ui/qt_application.h"
 #include "ui/document/observation_edits.h"
+#include "ui/models/cell_blocks.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"
 
@@ -117,6 +118,9 @@ TEST_F(BudgetSheetModelTest, AListIsTheObservationsOfItsRow) {
     EXPECT_EQ(text(1, Section::stated), QString::fromUtf8("observations 210; 220 … (4)"));
     EXPECT_EQ(model->index(1, Section::stated).data(Qt::EditRole).toString(),
               QStringLiteral("observations 210; 220; 230; 240"));
+    EXPECT_EQ(block_text({model->index(1, Section::stated)}),
+              QStringLiteral("observations 210; 220; 230; 240\n"))
+        << "as it can be pasted back";
     EXPECT_EQ(observations_of(document.project(), address, "l_S"), (std::vector<double>{1, 2, 3}));
     EXPECT_EQ(observations_of(document.project(), address, "d"), (std::vector<double>{210, 220, 230, 240}));
     document.undo();
