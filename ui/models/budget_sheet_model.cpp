@@ -173,6 +173,7 @@ void BudgetSheetModel::follow_observations() {
     const Setup* setup = find_setup(document_.project(), address_);
     if (!table || !setup || value_of(*table, *setup) == observations_) return;
     observations_ = value_of(*table, *setup);
+    observed_.clear();
     if (sheet_.rowCount() > 0) emit dataChanged(index(0, stated), index(sheet_.rowCount() - 1, stated));
 }
 
@@ -224,14 +225,19 @@ Unit BudgetSheetModel::unit_of(int row) const {
     return Unit::parse(text_at(row, "unit")).value_or(Unit());
 }
 
+const std::vector<double>& BudgetSheetModel::observed(const std::string& of) const {
+    const auto [known, is_new] = observed_.try_emplace(of);
+    if (is_new) known->second = observations_of(document_.project(), address_, of);
+    return known->second;
+}
+
 QString BudgetSheetModel::stated_words(int row, bool typeset) const {
     if (is_new_row(row)) return {};
     const std::string kind = text_at(row, "statement");
     if (kind.empty()) return {};
     TypedStatement statement{kind, number_at(row, "a"), number_at(row, "b"), std::nullopt,
                              text_at(row, "stated_unit")};
-    if (kind == "observations")
-        statement.observations = observations_of(document_.project(), address_, symbol_of(row));
+    if (kind == "observations") statement.observations = observed(symbol_of(row));
     // A long list would take the room of what follows from it; where it is edited it is whole.
     const std::size_t count = statement.observations.size();
     const bool is_long = typeset && count > most_listed;

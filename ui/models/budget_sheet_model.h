@@ -2,7 +2,9 @@
 // stated of each quantity beside what it contributes to an output.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/quantity/statement_text.h"
@@ -105,10 +107,13 @@ private:
     std::optional<Unit> unit_of_list(int row, const QString& text) const;
     /// They have a table of their own, which others can edit too.
     void follow_observations();
+    const std::vector<double>& observed(const std::string& of) const;
 
     Document& document_;
     SetupAddress address_;
     SetupValue observations_;  ///< as they are shown
+    /// Of the rows shown, by symbol: cells are painted often, and the table can be long.
+    mutable std::map<std::string, std::vector<double>> observed_;
     const FieldSpec& field_;
     SetupTableModel sheet_;
     std::shared_ptr<const UncertaintyResult> result_;
