@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/chart_view.h"
+#include "ui/pages/side_by_side.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 
@@ -39,6 +40,7 @@ EvaluationView::EvaluationView(Qt::Orientation orientation, QWidget* parent)
     splitter->addWidget(text_);
     splitter->addWidget(charts_);
     splitter->setSizes({1000, 1000});
+    if (orientation == Qt::Horizontal) widen_to_content(*splitter, *text_);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(splitter);

@@ -10,7 +10,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "core/project/stated_requirements.h"
@@ -27,6 +26,7 @@
 #include "ui/pages/design_tab.h"
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
+#include "ui/pages/side_by_side.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/study_tab.h"
 #include "ui/pages/unit_button.h"
@@ -41,21 +41,6 @@
 #include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
-namespace {
-
-QSplitter* side_by_side(QWidget* left, QWidget* right, int left_part = 1, int right_part = 1) {
-    auto* splitter = new QSplitter(Qt::Horizontal);
-    splitter->setChildrenCollapsible(false);
-    splitter->addWidget(left);
-    splitter->addWidget(right);
-    splitter->setStretchFactor(0, left_part);
-    splitter->setStretchFactor(1, right_part);
-    splitter->setSizes({1000 * left_part, 1000 * right_part});
-    return splitter;
-}
-
-}  // namespace
-
 ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection,
                          PreferenceStore& preferences, QWidget* parent)
     : QWidget(parent),
@@ -219,7 +204,9 @@ QWidget* ResultsPane::make_budget_tab() {
         budget_->select_row(bar);
         go_to_source(bar);
     });
-    return side_by_side(budget_, contributions_, 3, 2);
+    QSplitter* tab = side_by_side(budget_, contributions_, 3, 2);
+    widen_to_content(*tab, *budget_);
+    return tab;
 }
 
 void ResultsPane::show_contributions(std::size_t output) {

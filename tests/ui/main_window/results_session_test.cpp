@@ -3,6 +3,8 @@
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollBar>
+#include <QSplitter>
 
 #include "core/propagation/engine.h"
 #include "tests/ui/main_window/session_fixture.h"
@@ -50,6 +52,30 @@ TEST_F(ResultsSession, ABarAndARowOfTheBudgetLeadToTheirSource) {
     select(SetupOwner::analysis, "tracker-alone");
     emit window_->results().budget_table().row_activated(1);
     EXPECT_EQ(window_->selection().entry().owner, SetupOwner::asset);
+}
+
+/// Where its chart can spare the room, the budget does not scroll sideways; a handle that was moved stays.
+TEST_F(ResultsSession, TheBudgetTakesTheRoomThatItsChartCanSpare) {
+    window_->resize(1900, 1000);
+    open(project_copy(QStringLiteral("ballbar-design")));
+    select(SetupOwner::analysis, "points");
+    ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
+    window_->results().tabs().setCurrentIndex(1);
+    SortableTable& budget = window_->results().budget_table();
+    ASSERT_TRUE(wait_for([&] { return budget.horizontalScrollBar()->maximum() == 0; }, 3000));
+    settle();
+    auto* chart = window_->findChild<ChartView*>(QStringLiteral("contributions_chart"));
+    EXPECT_GE(chart->width(), 320);
+    EXPECT_GT(budget.width(), 3 * chart->width() / 2) << "more than it has by itself";
+    auto* splitter = qobject_cast<QSplitter*>(budget.parentWidget());
+    ASSERT_NE(splitter, nullptr);
+    splitter->setSizes({400, splitter->width() - 400});
+    emit splitter->splitterMoved(400, 1);
+    settle();
+    const int width = budget.width();
+    window_->selection().select_output(1);
+    settle();
+    EXPECT_EQ(budget.width(), width);
 }
 
 /// What is stated in the set-up, each in its own place.
