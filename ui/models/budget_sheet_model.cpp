@@ -276,7 +276,8 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
         const QModelIndex cell = sheet_.index(row, column(key));
         if (!cell.data(problem_role).toString().isEmpty()) return cell.data(role);
     }
-    if (role == Qt::ToolTipRole) return core_text(statement_examples());
+    if (role == Qt::ToolTipRole && sheet_.taken_words(row, kind.column()).isEmpty())
+        return core_text(statement_examples());
     return kind.data(role);
 }
 
@@ -297,6 +298,8 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
         return QVariant((section == distribution || section == type ? Qt::AlignLeft : Qt::AlignRight) |
                         Qt::AlignVCenter);
     if (role == Qt::ToolTipRole && !current_) return tr("Out of date: being computed.");
+    if (role == Qt::ToolTipRole && !sheet_.taken_words(row, column("statement")).isEmpty())
+        return sheet_.taken_words(row, column("statement"));
     if (role == Qt::ToolTipRole && section == c) return unit_of_sensitivity(row);
     if (!result_ || at >= components_.size() || !components_[at]) return {};
     // What is stated stays in the row's unit, what comes of it is in that of the results below.

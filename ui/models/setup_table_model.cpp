@@ -2,6 +2,8 @@
 #include "ui/models/setup_table_model.h"
 
 #include <QColor>
+#include <QGuiApplication>
+#include <QPalette>
 #include <algorithm>
 #include <set>
 
@@ -51,7 +53,9 @@ SetupTableModel::SetupTableModel(Document& document, SetupAddress address, const
       table_(read()) {
     recall_rejected();
     refresh_problems();
+    refresh_taken();
     connect(&document_, &Document::project_changed, this, &SetupTableModel::refresh);
+    connect(&document_.maker(), &ProjectMaker::made_changed, this, &SetupTableModel::refresh_taken);
     connect(&document_, &Document::problems_changed, this, &SetupTableModel::refresh_problems);
     connect(&document_.unread(), &UnreadTexts::changed, this, &SetupTableModel::recall_rejected);
 }
@@ -76,6 +80,17 @@ QString SetupTableModel::complaint(const CellPosition& at) const {
     if (const auto found = rejected_.find(at); found != rejected_.end()) return found->second.reason;
     if (const auto found = problems_.find(at); found != problems_.end()) return found->second;
     return {};
+}
+
+/// What says which quantity it is stays in use, and with it its unit.
+QString SetupTableModel::taken_words(int row, int column_index) const {
+    const auto found = taken_.find(row);
+    if (found == taken_.end()) return {};
+    const ColumnSpec& spec = column(column_index);
+    const bool replaced = field()->states_quantities
+                              ? !names_quantities(spec) && spec.key != "name" && spec.key != "unit"
+                              : is_numeric(spec);
+    return replaced ? found->second : QString();
 }
 
 namespace {
@@ -122,7 +137,13 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
             return QVariant(is_numeric(spec) ? Qt::AlignRight | Qt::AlignVCenter
                                              : Qt::AlignLeft | Qt::AlignVCenter);
         case Qt::ToolTipRole:
-            return complaint(at).isEmpty() ? core_text(spec.help) : complaint(at);
+            if (!complaint(at).isEmpty()) return complaint(at);
+            return taken_words(at.first, at.second).isEmpty() ? core_text(spec.help)
+                                                              : taken_words(at.first, at.second);
+        case Qt::ForegroundRole:  // still typed into: without the link it counts, and must be there
+            return taken_words(at.first, at.second).isEmpty()
+                       ? QVariant()
+                       : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
         case Qt::BackgroundRole:
             return complaint(at).isEmpty() ? QVariant() : QVariant(QColor(213, 94, 0, 60));
         case problem_role:

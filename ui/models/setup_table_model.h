@@ -46,6 +46,8 @@ public:
     std::map<int, TypedCell> cells_of_value(int row, const QString& text) const;
     /// Its text is kept beside the project because it could not be understood.
     bool is_refused(int row, int column) const { return rejected_.contains({row, column}); }
+    /// Why what a cell states has no effect: another analysis gives it. Empty: it has.
+    QString taken_words(int row, int column) const;
     /// The whole table anew, as one undo step.
     void replace_table(const SetupTable& table, const QString& text);
 
@@ -80,6 +82,7 @@ private:
     void recall_rejected();
     std::string written(const CellPosition& at) const;
     void refresh_problems();
+    void refresh_taken();
     SetupTable read() const;
     bool write(const QString& text, const std::function<void(SetupTable&)>& change,
                const QString& merge_key = {});
@@ -99,6 +102,7 @@ private:
     Marks rejected_;
     UnreadTexts::Texts seen_;  ///< of the document, when they were the same as `rejected_`
     std::map<CellPosition, QString> problems_;
+    std::map<int, QString> taken_;  ///< rows that a link of the analysis replaces, with its words
 };
 
 }  // namespace covaria::ui

@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/text/symbol.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
+#include "ui/document/taken_rows.h"
 #include "ui/models/setup_table_model.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
@@ -152,6 +154,30 @@ void SetupTableModel::refresh_problems() {
                          {Qt::ToolTipRole, Qt::BackgroundRole});
         emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1);
     }
+}
+
+/// Which quantities the rows state is known once the project is made.
+void SetupTableModel::refresh_taken() {
+    std::map<int, QString> taken;
+    const auto& made = document_.maker().made();
+    const MadeAnalysis* analysis =
+        made && address_.owner == SetupOwner::analysis ? made->find_analysis(address_.id) : nullptr;
+    if (analysis) {
+        const std::string prefix = '/' + field_;
+        for (const auto& [place, link] : taken_rows(*made->project().find_analysis(address_.id), *analysis)) {
+            if (!place.starts_with(prefix + "/rows/")) continue;
+            const AnalysisEntry* from = made->project().find_analysis(link.output.analysis);
+            taken[position_of_path(place.substr(prefix.size())).first] =
+                tr("Its value is %1 of the analysis “%2”: what is stated here is not used.")
+                    .arg(to_qt(symbol_to_unicode(link.output.symbol)),
+                         to_qt(from && !from->name.empty() ? from->name : link.output.analysis));
+        }
+    }
+    if (taken == taken_) return;
+    taken_ = std::move(taken);
+    if (rowCount() > 0 && columnCount() > 0)
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1),
+                         {Qt::ToolTipRole, Qt::ForegroundRole});
 }
 
 SetupTableModel::CellPosition SetupTableModel::position_of_path(const std::string& path) const {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QColor>
+#include <QGuiApplication>
+#include <QPalette>
 #include <cmath>
 #include <tuple>
 
@@ -351,6 +354,53 @@ TEST_F(BudgetSheetModelTest, ComputedCellsAreNotTyped) {
         EXPECT_EQ(bool(model->flags(model->index(0, section)) & Qt::ItemIsEditable),
                   !BudgetSheetModel::is_computed(section) || section == Section::u);
     EXPECT_FALSE(type(0, Section::c, "3"));
+}
+
+/// Of all rows of the quantity; what says which quantity it is stays as it was.
+TEST_F(BudgetSheetModelTest, WhatALinkReplacesIsShownAsNotUsed) {
+    type(0, Section::symbol, "l_S");
+    type(0, Section::estimate, "50 mm");
+    type(0, Section::stated, "25 nm");
+    type(1, Section::symbol, "d");
+    type(1, Section::estimate, "215 nm");
+    type(1, Section::stated, "5 nm");
+    type(2, Section::symbol, "l_S");
+    type(2, Section::unit, "mm");
+    type(2, Section::stated, "rect 10 nm");
+    const QColor dimmed = QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
+    const auto is_dimmed = [&](int row, Section section) {
+        return model->index(row, section).data(Qt::ForegroundRole).value<QColor>() == dimmed;
+    };
+    document.check_now();
+    evaluate();
+    EXPECT_FALSE(is_dimmed(0, Section::estimate));
+    document.apply(QStringLiteral("link"), [](Project& project) {
+        AnalysisEntry gauge = project.analyses[0];
+        gauge.id = "gauge";
+        gauge.name = "Gauge block";
+        project.analyses.push_back(gauge);
+        project.analyses[0].links = {{"l_S", {"gauge", "", "l"}}};
+    });
+    document.check_now();
+    ASSERT_TRUE(document.maker().made()->analysis("budget"));
+    for (const int row : {0, 2})
+        for (const Section section : {Section::stated, Section::nu, Section::source}) {
+            EXPECT_TRUE(is_dimmed(row, section)) << row << " " << section;
+            EXPECT_TRUE(model->index(row, section)
+                            .data(Qt::ToolTipRole)
+                            .toString()
+                            .contains(QStringLiteral("“Gauge block”")))
+                << row << " " << section;
+        }
+    EXPECT_TRUE(is_dimmed(0, Section::estimate));
+    EXPECT_FALSE(is_dimmed(0, Section::symbol) || is_dimmed(0, Section::unit));
+    EXPECT_FALSE(is_dimmed(1, Section::estimate) || is_dimmed(1, Section::stated));
+    EXPECT_TRUE(
+        model->index(0, Section::u).data(Qt::ToolTipRole).toString().contains(QStringLiteral("l of")));
+    EXPECT_EQ(text(0, Section::stated), QStringLiteral("u = 25 nm")) << "still readable";
+    document.undo();
+    document.check_now();
+    EXPECT_FALSE(is_dimmed(0, Section::stated));
 }
 
 }  // namespace
