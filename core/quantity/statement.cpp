@@ -158,11 +158,15 @@ const StatementKind* find_statement(std::string_view key) {
     return found == kinds.end() ? nullptr : &*found;
 }
 
+bool is_part_of_estimate(const Unit& stated, const Unit& of_quantity) {
+    return stated.dimension().is_one() && !of_quantity.dimension().is_one();
+}
+
 Result<double> figure_in_si(double figure, const Unit& stated, const Unit& of_quantity, bool on_scale,
                             std::optional<double> estimate) {
     if (stated.dimension() == of_quantity.dimension())
         return on_scale ? stated.to_si(figure) : stated.interval_to_si(figure);
-    if (on_scale || !stated.dimension().is_one())
+    if (on_scale || !is_part_of_estimate(stated, of_quantity))
         return refused(tell<"%1 is no unit for a quantity in %2">(stated.display(), of_quantity.display()));
     if (!estimate) return refused(tell<"a part of the value needs the value">());
     return std::abs(*estimate) * stated.interval_to_si(figure);

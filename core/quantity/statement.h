@@ -34,8 +34,12 @@ struct StatementKind {
 const std::vector<StatementKind>& statement_kinds();
 const StatementKind* find_statement(std::string_view key);
 
-/// A figure of a statement in SI: of limits a value on the scale, else an interval. What is stated in % or
-/// ppm of a quantity that has a unit is a part of its `estimate` (SI). Errors: a unit of another dimension, a
+/// What is stated in % or ppm of a quantity that has a unit is a part of its estimate; of a quantity that is
+/// a ratio itself it is absolute, as of any other in a unit of its own dimension.
+bool is_part_of_estimate(const Unit& stated, const Unit& of_quantity);
+
+/// A figure of a statement in SI: of limits a value on the scale, else an interval. A part of the estimate is
+/// one of `estimate` (SI). Errors: a unit of another dimension, a
 /// part of an estimate that is not there.
 Result<double> figure_in_si(double figure, const Unit& stated, const Unit& of_quantity, bool on_scale,
                             std::optional<double> estimate);

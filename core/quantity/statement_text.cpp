@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/quantity/statement.h"
+
 namespace covaria {
 
 namespace {
@@ -318,7 +320,7 @@ private:
         if (!typed) return row_unit(notation);
         if (!notation.has_unit) return not_read(tell<"it has no unit">());
         const Unit unit = limits ? *typed : typed->interval();
-        const bool part_of_value = unit.dimension().is_one() && !limits;
+        const bool part_of_value = is_part_of_estimate(unit, unit_) && !limits;
         if (unit.dimension() != unit_.dimension() && !part_of_value) return not_read(other_dimension(unit));
         return unit;
     }
@@ -425,7 +427,7 @@ std::string statement_text(const TypedStatement& statement, const Unit& row_unit
 
 std::string statement_examples() {
     return "75 nm: standard uncertainty\n"
-           "2 ppm: standard uncertainty, a part of the value\n"
+           "2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself\n"
            "U = 0.3 um, k = 2 (or p = 95 %): certificate\n"
            "rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine\n"
            "limits 19.5 to 20.5: they give the value\n"

@@ -14,6 +14,7 @@
 #include "ui/models/cell_blocks.h"
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
+#include "ui/models/stated_part.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/label_text.h"
@@ -276,8 +277,11 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
         const QModelIndex cell = sheet_.index(row, column(key));
         if (!cell.data(problem_role).toString().isEmpty()) return cell.data(role);
     }
-    if (role == Qt::ToolTipRole && sheet_.taken_words(row, kind.column()).isEmpty())
-        return core_text(statement_examples());
+    if (role == Qt::ToolTipRole && sheet_.taken_words(row, kind.column()).isEmpty()) {
+        const QString part = stated_part_words(field_, sheet_.table().rows[static_cast<std::size_t>(row)]);
+        const QString examples = core_text(statement_examples());
+        return part.isEmpty() ? examples : part + QStringLiteral("\n\n") + examples;
+    }
     return kind.data(role);
 }
 

@@ -15,6 +15,7 @@
 #include "ui/models/cell_blocks.h"
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
+#include "ui/models/stated_part.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
@@ -93,6 +94,16 @@ QString SetupTableModel::taken_words(int row, int column_index) const {
     return replaced ? found->second : QString();
 }
 
+QString SetupTableModel::tooltip(const CellPosition& at) const {
+    if (const QString wrong = complaint(at); !wrong.isEmpty()) return wrong;
+    if (const QString taken = taken_words(at.first, at.second); !taken.isEmpty()) return taken;
+    static const std::set<std::string> about_figures{"statement", "a", "stated_unit"};
+    const QString help = core_text(column(at.second).help);
+    if (!field()->states_quantities || !about_figures.contains(column(at.second).key)) return help;
+    const QString part = stated_part_words(*field(), table_.rows[static_cast<std::size_t>(at.first)]);
+    return part.isEmpty() ? help : part + QStringLiteral("\n\n") + help;
+}
+
 namespace {
 
 /// What is read otherwise than it is typed: "5e-07", "50000623", "ohm"; empty for the rest.
@@ -137,9 +148,7 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
             return QVariant(is_numeric(spec) ? Qt::AlignRight | Qt::AlignVCenter
                                              : Qt::AlignLeft | Qt::AlignVCenter);
         case Qt::ToolTipRole:
-            if (!complaint(at).isEmpty()) return complaint(at);
-            return taken_words(at.first, at.second).isEmpty() ? core_text(spec.help)
-                                                              : taken_words(at.first, at.second);
+            return tooltip(at);
         case Qt::ForegroundRole:  // still typed into: without the link it counts, and must be there
             return taken_words(at.first, at.second).isEmpty()
                        ? QVariant()

@@ -92,6 +92,7 @@ private:
     /// A column of references as one of choices: the assets of the project that fit.
     ColumnSpec choosable(ColumnSpec column) const;
     QString complaint(const CellPosition& at) const;
+    QString tooltip(const CellPosition& at) const;
     CellPosition position_of_path(const std::string& path) const;
 
     Document& document_;

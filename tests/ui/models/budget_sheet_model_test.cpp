@@ -356,6 +356,31 @@ TEST_F(BudgetSheetModelTest, ComputedCellsAreNotTyped) {
     EXPECT_FALSE(type(0, Section::c, "3"));
 }
 
+/// The same figure means either, by the unit of its row.
+TEST_F(BudgetSheetModelTest, AFigureInPercentSaysOfWhatItIs) {
+    const auto help = [&](int row) {
+        return model->index(row, Section::stated).data(Qt::ToolTipRole).toString();
+    };
+    type(0, Section::symbol, "l");
+    type(0, Section::estimate, "5 mm");
+    type(0, Section::stated, "U = 5 %, k = 2");
+    EXPECT_TRUE(help(0).startsWith(QStringLiteral("5 % of the value\n"))) << to_std(help(0));
+    type(1, Section::symbol, "r");
+    type(1, Section::estimate, "0.4");
+    type(1, Section::stated, "rect 5 %");
+    EXPECT_TRUE(help(1).startsWith(QStringLiteral("5 % absolute"))) << to_std(help(1));
+    type(2, Section::symbol, "h");
+    type(2, Section::estimate, "40 %");
+    type(2, Section::stated, "5");
+    EXPECT_TRUE(help(2).startsWith(QStringLiteral("5 % absolute"))) << to_std(help(2));
+    type(2, Section::stated, "limits 30 to 50");
+    EXPECT_FALSE(help(2).contains(QStringLiteral("absolute, not"))) << "they are values";
+    type(0, Section::stated, "5 um");
+    EXPECT_FALSE(help(0).contains(QStringLiteral("5 % of"))) << to_std(help(0));
+    type(1, Section::stated, "0.02");
+    EXPECT_FALSE(help(1).contains(QStringLiteral("absolute, not"))) << "nobody takes it for a part";
+}
+
 /// Of all rows of the quantity; what says which quantity it is stays as it was.
 TEST_F(BudgetSheetModelTest, WhatALinkReplacesIsShownAsNotUsed) {
     type(0, Section::symbol, "l_S");

@@ -1,0 +1,15 @@
+// Of what a figure in % or ppm is: of the value, or absolute.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "core/setup/setup_schema.h"
+
+namespace covaria::ui {
+
+/// What a row of a table that states quantities says with such a figure: "5 % of the value" or "5 %
+/// absolute, not a part of the value". Empty: it has none.
+QString stated_part_words(const FieldSpec& table, const std::vector<SetupCell>& row);
+
+}  // namespace covaria::ui
