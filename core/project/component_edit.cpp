@@ -43,6 +43,20 @@ Result<Distribution> distribution_of(const ComponentEdit& edit) {
                              }));
 }
 
+double degrees_of_freedom_of(const ComponentEdit& edit, const Distribution& distribution) {
+    return edit.degrees_of_freedom.value_or(distribution.degrees_of_freedom());
+}
+
+Result<Distribution> drawn_distribution(const ComponentEdit& edit, bool normal_draws) {
+    return distribution_of(edit).map([&](const Distribution& stated) {
+        UncertaintyComponent component;
+        component.distribution = stated;
+        component.degrees_of_freedom = degrees_of_freedom_of(edit, stated);
+        component.normal_draws = normal_draws;
+        return drawn_distribution(component);
+    });
+}
+
 void set_distribution(ComponentEdit& edit, const Distribution& distribution) {
     edit.distribution = distribution.kind();
     edit.parameters = distribution_parameters(distribution);

@@ -12,6 +12,11 @@ namespace covaria {
 
 /// Errors: those of `distribution_from`.
 Result<Distribution> distribution_of(const ComponentEdit& edit);
+/// What Monte Carlo draws for it, as for a component with its degrees of freedom (core/quantity). Errors
+/// likewise.
+Result<Distribution> drawn_distribution(const ComponentEdit& edit, bool normal_draws);
+/// Of its standard uncertainty: those stated, else those of its distribution.
+double degrees_of_freedom_of(const ComponentEdit& edit, const Distribution& distribution);
 /// Puts kind and parameters of `distribution` (SI) into the edit, in its unit.
 void set_distribution(ComponentEdit& edit, const Distribution& distribution);
 /// The same component with its parameters in another unit of the same dimension.

@@ -88,7 +88,7 @@ private:
         UncertaintyComponent made{edit_.symbol + ".edit" + std::to_string(i + 1), shown, edit.unit};
         if (distribution) made.distribution = *distribution;
         made.type = edit.type;
-        made.degrees_of_freedom = edit.degrees_of_freedom.value_or(made.distribution.degrees_of_freedom());
+        made.degrees_of_freedom = degrees_of_freedom_of(edit, made.distribution);
         if (!(made.degrees_of_freedom > 0))
             problems_.error(place + component_fields().place(&ComponentEdit::degrees_of_freedom),
                             tell<"%1: the degrees of freedom must be greater than zero">(what));

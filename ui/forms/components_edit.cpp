@@ -103,8 +103,9 @@ void ComponentsEdit::set_quantity(std::shared_ptr<const PreparedAnalysis> analys
     refresh();
 }
 
-std::vector<ComponentEdit> ComponentsEdit::model_components() const {
-    std::vector<ComponentEdit> found;
+/// Those that no other quantity has.
+std::vector<const UncertaintyComponent*> ComponentsEdit::own_components() const {
+    std::vector<const UncertaintyComponent*> found;
     const InputSet& inputs = analysis_->inputs;
     const std::size_t quantity = inputs.find(symbol_);
     if (quantity == InputSet::npos) return found;
@@ -114,9 +115,23 @@ std::vector<ComponentEdit> ComponentsEdit::model_components() const {
                                [&](const Share& s) { return s.component == share.component; });
         };
         if (std::count_if(inputs.quantities.begin(), inputs.quantities.end(), shares_it) == 1)
-            found.push_back(to_edit(inputs.components[share.component], language_of_window()));
+            found.push_back(&inputs.components[share.component]);
     }
     return found;
+}
+
+std::vector<ComponentEdit> ComponentsEdit::model_components() const {
+    std::vector<ComponentEdit> found;
+    for (const UncertaintyComponent* component : own_components())
+        found.push_back(to_edit(*component, language_of_window()));
+    return found;
+}
+
+/// An edit of the components does not say so.
+bool ComponentsEdit::draws_normal(int row) const {
+    if (find_input_edit(document_.project(), analysis_->id, symbol_).components) return false;
+    const auto own = own_components();
+    return row < static_cast<int>(own.size()) && own[static_cast<std::size_t>(row)]->normal_draws;
 }
 
 std::vector<ComponentEdit> ComponentsEdit::components() const {
@@ -240,7 +255,7 @@ void ComponentsEdit::show_component() {
     degrees_->set_quantity(shown.degrees_of_freedom
                                ? std::optional<Quantity>({*shown.degrees_of_freedom, Unit()})
                                : std::nullopt);
-    distribution_->set_component(shown);
+    distribution_->set_component(shown, draws_normal(row));
 }
 
 }  // namespace covaria::ui

@@ -32,7 +32,9 @@ public:
 private:
     void build();
     std::vector<ComponentEdit> components() const;
+    std::vector<const UncertaintyComponent*> own_components() const;
     std::vector<ComponentEdit> model_components() const;
+    bool draws_normal(int row) const;
     void write(const QString& text, std::vector<ComponentEdit> components, const QString& merge_key = {});
     void change(const QString& what, const std::function<void(ComponentEdit&)>& edit);
     void refresh();

@@ -106,8 +106,9 @@ void DistributionEdit::set_place(UnreadTexts& unread, const TextPlace& place) {
     place_ = place;
 }
 
-void DistributionEdit::set_component(const ComponentEdit& component) {
+void DistributionEdit::set_component(const ComponentEdit& component, bool normal_draws) {
     component_ = component;
+    normal_draws_ = normal_draws;
     kind_->setCurrentIndex(kind_->findData(to_qt(component.distribution)));
     unit_->clear();
     for (const Unit& unit : DisplayUnits::choices(component.unit.interval()))
@@ -138,7 +139,7 @@ void DistributionEdit::choose_kind(const QString& key) {
 void DistributionEdit::choose_unit(int index) {
     const Result<Unit> unit = Unit::parse(to_std(unit_->itemData(index).toString()));
     if (!unit || *unit == component_.unit) return;
-    set_component(in_unit(component_, *unit));
+    set_component(in_unit(component_, *unit), normal_draws_);
     emit component_edited(component_);
 }
 
@@ -245,7 +246,8 @@ void DistributionEdit::complain(std::size_t list, const QString& complaint) {
 
 void DistributionEdit::show_summary() {
     const Result<Distribution> distribution = distribution_of(component_);
-    picture_->set_distribution(distribution ? std::optional<Distribution>(*distribution) : std::nullopt);
+    const Result<Distribution> drawn = drawn_distribution(component_, normal_draws_);
+    picture_->set_distribution(drawn ? std::optional<Distribution>(*drawn) : std::nullopt);
     const QString complaint = distribution ? QString() : to_qt(distribution.error().message);
     for (QuantityEdit* edit : edits_) edit->set_complaint(complaint);
     if (!distribution) {
@@ -254,8 +256,14 @@ void DistributionEdit::show_summary() {
     }
     const double u = component_.unit.interval_from_si(distribution->standard_uncertainty());
     const QString unit = component_.unit == Unit() ? QString() : ' ' + to_qt(component_.unit.display());
-    summary_->setText(std::isfinite(u) ? QStringLiteral("u = ") + localized(format_significant(u, 3)) + unit
-                                       : tr("This distribution has no finite standard uncertainty."));
+    QString words = std::isfinite(u) ? QStringLiteral("u = ") + localized(format_significant(u, 3)) + unit
+                                     : tr("This distribution has no finite standard uncertainty.");
+    if (drawn && drawn->kind() != distribution->kind())
+        words +=
+            QLatin1Char('\n') + tr("Monte Carlo draws: %1, ν = %2")
+                                    .arg(core_text(drawn->title()),
+                                         localized(format_degrees_of_freedom(drawn->degrees_of_freedom())));
+    summary_->setText(words);
 }
 
 }  // namespace covaria::ui

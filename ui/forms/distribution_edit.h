@@ -21,9 +21,11 @@ public:
     explicit DistributionEdit(QWidget* parent = nullptr);
     /// Where in the project the component stands.
     void set_place(UnreadTexts& unread, const TextPlace& place);
-    void set_component(const ComponentEdit& component);
+    /// `normal_draws`: of the component (core/quantity).
+    void set_component(const ComponentEdit& component, bool normal_draws = false);
     const ComponentEdit& component() const { return component_; }
-    /// Standard uncertainty in words ("u = 0.58 µm"), or why there is none.
+    /// Standard uncertainty in words ("u = 0.58 µm"), and what Monte Carlo draws where that is another
+    /// distribution; or why there is none.
     QString summary() const { return summary_->text(); }
 
 signals:
@@ -45,6 +47,7 @@ private:
     QString list_text(std::size_t part) const;
 
     ComponentEdit component_;
+    bool normal_draws_ = false;
     std::string shown_kind_;
     UnreadTexts* unread_ = nullptr;
     TextPlace place_;

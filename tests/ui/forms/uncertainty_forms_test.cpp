@@ -60,6 +60,22 @@ TEST(DistributionEdit, EditsParametersAndSaysU) {
     EXPECT_FALSE(edit.summary().startsWith("u =")) << "low above high: " << edit.summary().toStdString();
 }
 
+/// As the budget's column says it.
+TEST(DistributionEdit, SaysWhatIsDrawnWhereThatIsAnotherDistribution) {
+    ComponentEdit normal{.name = "mean", .distribution = "normal", .parameters = {0.0, 2.0}};
+    normal.unit = Unit::of("um");
+    DistributionEdit edit;
+    edit.set_component(normal);
+    EXPECT_EQ(edit.summary(), QString::fromUtf8("u = 2.00 µm"));
+    normal.degrees_of_freedom = 4.0;
+    edit.set_component(normal);
+    EXPECT_EQ(edit.summary(), QString::fromUtf8("u = 2.00 µm\nMonte Carlo draws: Student t, ν = 4"));
+    choose(edit, "unit", "mm");
+    EXPECT_TRUE(edit.summary().contains(QStringLiteral("Student t"))) << edit.summary().toStdString();
+    edit.set_component(normal, true);
+    EXPECT_EQ(edit.summary(), QString::fromUtf8("u = 2.00 µm")) << "the set-up asks for normal draws";
+}
+
 TEST(DistributionEdit, AnotherKindKeepsTheStandardUncertainty) {
     for (const DistributionKindInfo& kind : distribution_kinds()) {
         DistributionEdit edit;
