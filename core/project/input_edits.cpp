@@ -215,9 +215,10 @@ void apply_correlation(InputSet& inputs, const CorrelationEdit& edit, const std:
         return problems.error(path + correlation_fields().place(&CorrelationEdit::second),
                               tell<"%1 cannot be correlated with itself">(in_quotes(edit.first)));
     if (!(std::abs(edit.coefficient) <= 1.0))
-        return problems.error(path + correlation_fields().place(&CorrelationEdit::coefficient),
-                              tell<"a correlation coefficient must lie between -1 and 1; it is %1">(
-                                  readable_number(edit.coefficient)));
+        return problems.error(
+            path + correlation_fields().place(&CorrelationEdit::coefficient),
+            tell<"the correlation coefficient of %1 and %2 must lie between -1 and 1; it is %3">(
+                in_quotes(edit.first), in_quotes(edit.second), readable_number(edit.coefficient)));
     for (const Share& a : first)
         for (const Share& b : second)
             if (a.component == b.component)

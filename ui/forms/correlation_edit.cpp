@@ -54,6 +54,12 @@ void CorrelationEdit::set_analysis(std::shared_ptr<const PreparedAnalysis> analy
     refresh_choices();
 }
 
+void CorrelationEdit::focus_pair(const std::string& first, const std::string& second) {
+    if (const QModelIndex cell = model_->index_of(first, second); cell.isValid())
+        view_->setCurrentIndex(cell);
+    view_->setFocus(Qt::OtherFocusReason);
+}
+
 void CorrelationEdit::refresh_choices() {
     const QString chosen = components_->currentText();
     components_->clear();

@@ -17,6 +17,8 @@ public:
     explicit CorrelationEdit(Document& document, QWidget* parent = nullptr);
     /// The analysis as it was last prepared.
     void set_analysis(std::shared_ptr<const PreparedAnalysis> analysis);
+    /// Gives the focus to the coefficient of two components, or to the matrix.
+    void focus_pair(const std::string& first, const std::string& second);
     InputCorrelationModel& model() { return *model_; }
     QTableView& view() { return *view_; }
 

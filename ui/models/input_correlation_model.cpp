@@ -3,9 +3,9 @@
 
 #include <QColor>
 #include <algorithm>
-#include <string_view>
 
 #include "core/project/input_edits.h"
+#include "ui/document/correlated_pair.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/roles.h"
@@ -15,10 +15,13 @@ namespace covaria::ui {
 
 namespace {
 
-constexpr const char* correlations_part = "/correlations/";
-
 bool is_pair(const covaria::CorrelationEdit& edit, const std::string& a, const std::string& b) {
     return (edit.first == a && edit.second == b) || (edit.first == b && edit.second == a);
+}
+
+/// Of a text that cannot be read.
+CorrelatedPair kept_pair(const TextPlace& at) {
+    return pair_in({}, at.part).value_or(CorrelatedPair());
 }
 
 template <class Container, class Value>
@@ -71,9 +74,8 @@ void InputCorrelationModel::refresh() {
     if (analysis_)
         for (const auto& [at, text] :
              document_.unread().under({SetupOwner::analysis, analysis_->id}, correlations_part)) {
-            const std::string pair = at.part.substr(std::string_view(correlations_part).size());
-            const std::size_t bar = pair.find('|');
-            for (const std::string& id : {pair.substr(0, bar), pair.substr(bar + 1)})
+            const CorrelatedPair pair = kept_pair(at);
+            for (const std::string& id : {pair.first, pair.second})
                 if (!contains(shown, id)) shown.push_back(id);
         }
     if (shown != ids_) {
@@ -85,18 +87,17 @@ void InputCorrelationModel::refresh() {
     }
     // A text goes when another coefficient comes into its place.
     forget_unread([this](const TextPlace& at, const UnreadText& text) {
-        const std::string pair = at.part.substr(std::string_view(correlations_part).size());
-        const std::size_t bar = pair.find('|');
-        const double now = coefficient(pair.substr(0, bar), pair.substr(bar + 1));
+        const CorrelatedPair pair = kept_pair(at);
+        const double now = coefficient(pair.first, pair.second);
         return to_std(number_text(now, QLocale::c())) != text.instead_of;
     });
     check();
 }
 
 TextPlace InputCorrelationModel::place(const QModelIndex& index) const {
-    const auto& [low, high] = std::minmax(ids_[static_cast<std::size_t>(index.row())],
-                                          ids_[static_cast<std::size_t>(index.column())]);
-    return {{SetupOwner::analysis, analysis_->id}, correlations_part + low + "|" + high};
+    return {{SetupOwner::analysis, analysis_->id},
+            part_of_pair(ids_[static_cast<std::size_t>(index.row())],
+                         ids_[static_cast<std::size_t>(index.column())])};
 }
 
 const UnreadText* InputCorrelationModel::unread(const QModelIndex& index) const {
@@ -189,6 +190,13 @@ double InputCorrelationModel::coefficient(const std::string& a, const std::strin
     return 0.0;
 }
 
+QModelIndex InputCorrelationModel::index_of(const std::string& a, const std::string& b) const {
+    const auto row = std::find(ids_.begin(), ids_.end(), a), column = std::find(ids_.begin(), ids_.end(), b);
+    return row == ids_.end() || column == ids_.end()
+               ? QModelIndex()
+               : index(static_cast<int>(row - ids_.begin()), static_cast<int>(column - ids_.begin()));
+}
+
 QVariant InputCorrelationModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const std::string& a = ids_[static_cast<std::size_t>(index.row())];
@@ -229,19 +237,17 @@ bool InputCorrelationModel::setData(const QModelIndex& index, const QVariant& va
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
     const QString typed = value.toString();
     const std::optional<double> r = parse_number(typed, QLocale());
+    const std::string a = ids_[static_cast<std::size_t>(index.row())];
+    const std::string b = ids_[static_cast<std::size_t>(index.column())];
     if (!r || *r < -1.0 || *r > 1.0) {
-        const std::string now =
-            to_std(number_text(coefficient(ids_[static_cast<std::size_t>(index.row())],
-                                           ids_[static_cast<std::size_t>(index.column())]),
-                               QLocale::c()));
-        const QString reason = r ? tr("A correlation coefficient lies between −1 and 1; “%1” does not.")
-                                 : tr("“%1” is not a number.");
-        document_.unread().set(place(index), {typed, reason.arg(typed), now});
+        const std::string now = to_std(number_text(coefficient(a, b), QLocale::c()));
+        const QString reason =
+            r ? tr("The correlation coefficient of %1 and %2 lies between −1 and 1; “%3” does not.")
+              : tr("The correlation coefficient of %1 and %2 is a number; “%3” is not.");
+        document_.unread().set(place(index), {typed, reason.arg(said(a), said(b), typed), now});
         return true;
     }
     document_.unread().remove(place(index));
-    const std::string a = ids_[static_cast<std::size_t>(index.row())];
-    const std::string b = ids_[static_cast<std::size_t>(index.column())];
     for (const std::string& id : {a, b})
         if (!contains(added_, id)) added_.push_back(id);  // stays in sight when its last coefficient goes
     document_.apply(tr("Change correlation of %1 and %2").arg(said(a), said(b)), [&](Project& project) {

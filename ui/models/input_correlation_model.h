@@ -29,6 +29,9 @@ public:
     /// Ids of components that are not in the matrix.
     std::vector<std::string> other_components() const;
 
+    /// Of two components in the matrix; invalid: one is not.
+    QModelIndex index_of(const std::string& a, const std::string& b) const;
+
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override { return rowCount(parent); }
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/text/symbol.h"
+#include "ui/document/correlated_pair.h"
 #include "ui/document/missing_fields.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/roles.h"
@@ -87,6 +89,12 @@ QString ProblemsModel::place_words(const Project& project, const std::string& pa
     if (parts.isEmpty()) return name;
     if (parts.first() == QStringLiteral("options"))
         return name + ": " + tr("evaluation, %1").arg(in_words(parts.mid(1).join(QStringLiteral(", "))));
+    if (const AnalysisEntry* analysis = project.find_analysis(address.id);
+        analysis && address.owner == SetupOwner::analysis)
+        if (const auto pair = pair_in(*analysis, path.substr(entry.size())))
+            return name + ": " +
+                   tr("correlation of %1 and %2")
+                       .arg(to_qt(symbol_to_unicode(pair->first)), to_qt(symbol_to_unicode(pair->second)));
     if (parts.first() != QStringLiteral("setup")) return name + ": " + parts.join(QStringLiteral(" › "));
     parts.removeFirst();
     return name + ": " + field_words(find_schema(project, address), parts);

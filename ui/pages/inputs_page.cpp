@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "core/project/links.h"
+#include "ui/document/correlated_pair.h"
 #include "ui/document/quantity_edits.h"
 #include "ui/forms/components_edit.h"
 #include "ui/forms/correlation_edit.h"
@@ -47,7 +48,8 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     auto* details = details_ = new Tabs;
     details->addTab(scrolled(components_), tr("Components"));
     details->addTab(observations_, tr("Observations"));
-    details->addTab(scrolled(correlations_), tr("Correlations"));
+    correlations_page_ = scrolled(correlations_);
+    details->addTab(correlations_page_, tr("Correlations"));
     details->addTab(notes_, tr("Notes"));
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->setChildrenCollapsible(false);
@@ -193,8 +195,9 @@ bool InputsPage::focus_field(const std::string& path) {
         return select_quantity(analysis->links[number].input);
     }
     if (path.starts_with(entry + "/correlations")) {
-        details_->setCurrentWidget(correlations_);
-        correlations_->view().setFocus(Qt::OtherFocusReason);
+        details_->setCurrentWidget(correlations_page_);
+        const auto pair = pair_in(*analysis, path.substr(entry.size())).value_or(CorrelatedPair());
+        correlations_->focus_pair(pair.first, pair.second);
         return true;
     }
     if (!path.starts_with(entry + "/inputs/")) return false;

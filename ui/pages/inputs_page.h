@@ -57,6 +57,7 @@ private:
     QTabWidget* details_ = nullptr;
     EvaluationView* observations_;
     CorrelationEdit* correlations_;
+    QWidget* correlations_page_ = nullptr;
     QuantityNotesEdit* notes_;
 };
 

@@ -91,6 +91,9 @@ TEST_F(UnreadSession, ACorrelationHoldsTheRunUntilItCanBeRead) {
     EXPECT_EQ(model.index(0, 1).data().toString(), QStringLiteral("1.5"));
     EXPECT_EQ(model.index(1, 0).data().toString(), QStringLiteral("1.5")) << "the matrix is symmetric";
     expect_held(QStringLiteral("1.5"));
+    window_->properties().focus_field(to_qt(window_->document().problems().items().front().path));
+    EXPECT_TRUE(edit->isVisible()) << "not the components, which are no part of it";
+    EXPECT_EQ(edit->view().currentIndex().data().toString(), QStringLiteral("1.5"));
     ASSERT_TRUE(model.setData(model.index(0, 1), QStringLiteral("0")));
     wait_until_idle();
     EXPECT_TRUE(status().is_current());

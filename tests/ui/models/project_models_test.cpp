@@ -4,8 +4,10 @@
 #include <QAbstractItemModelTester>
 
 #include "core/kinds/registries.h"
+#include "core/text/symbol.h"
 #include "tests/core/made.h"
 #include "tests/ui/qt_application.h"
+#include "ui/document/correlated_pair.h"
 #include "ui/document/project_edits.h"
 #include "ui/document/quantity_edits.h"
 #include "ui/models/input_correlation_model.h"
@@ -13,6 +15,7 @@
 #include "ui/models/problems_model.h"
 #include "ui/models/project_tree_model.h"
 #include "ui/models/roles.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui::project_models_test {
 namespace {
@@ -273,6 +276,20 @@ TEST_F(ProjectModelsTest, CorrelationsAreCheckedWhileTheyAreTyped) {
     EXPECT_TRUE(model.setData(model.index(0, 1), "1.5"));
     EXPECT_EQ(document.unread().all().size(), 1u)
         << "a text that is kept and holds the run, and no correlation";
+    const Problem said = document.problems().items().front();
+    const std::string first = to_std(model.headerData(0, Qt::Horizontal).toString()),
+                      second = to_std(model.headerData(1, Qt::Horizontal).toString());
+    EXPECT_NE(said.message.english().find("“1.5”"), std::string::npos) << said.message.english();
+    const QString place = ProblemsModel::place_words(document.project(), said.path);
+    for (const std::string& id : {first, second})
+        EXPECT_TRUE(place.contains(to_qt(symbol_to_unicode(id)))) << "which pair: " << to_std(place);
+    const auto pair =
+        pair_in(document.project().analyses[0], said.path.substr(std::string("/analyses/0").size()));
+    ASSERT_TRUE(pair);
+    EXPECT_EQ(model.index_of(pair->first, pair->second).data().toString(), "1.5") << "and where it is";
+    EXPECT_EQ(pair_in(document.project().analyses[0], "/correlations/1/coefficient"),
+              CorrelatedPair(document.project().analyses[0].correlations[1].first,
+                             document.project().analyses[0].correlations[1].second));
     EXPECT_EQ(document.project().analyses[0].correlations.size(), 3u);
     EXPECT_TRUE(model.setData(model.index(0, 1), "0.9"));
     EXPECT_TRUE(document.unread().all().empty());
