@@ -15,12 +15,25 @@ namespace covaria::ui {
 
 namespace {
 
-QString field_words(const SetupSchema* schema, const QStringList& parts) {
+/// " (l_S)", of a row that states a quantity.
+QString symbol_words(const FieldSpec& table, const Setup* setup, int row) {
+    const std::size_t column = SetupSchema::column(table, "symbol");
+    const auto* rows = setup ? std::get_if<SetupTable>(&value_of(table, *setup)) : nullptr;
+    const auto at = static_cast<std::size_t>(row);
+    if (!table.states_quantities || !rows || row < 0 || at >= rows->rows.size()) return {};
+    const auto* symbol =
+        column < rows->rows[at].size() ? std::get_if<std::string>(&rows->rows[at][column]) : nullptr;
+    return symbol && !symbol->empty() ? QStringLiteral(" (%1)").arg(to_qt(symbol_to_unicode(*symbol)))
+                                      : QString();
+}
+
+QString field_words(const SetupSchema* schema, const Setup* setup, const QStringList& parts) {
     const FieldSpec* field = schema && !parts.isEmpty() ? schema->find(to_std(parts[0])) : nullptr;
     if (!field) return parts.join(QStringLiteral(" › "));
     QString words = core_text(field->title);
     if (parts.size() > 2 && parts[1] == QStringLiteral("rows"))
-        words += ProblemsModel::tr(", row %1").arg(parts[2].toInt() + 1);
+        words += ProblemsModel::tr(", row %1").arg(parts[2].toInt() + 1) +
+                 symbol_words(*field, setup, parts[2].toInt());
     if (parts.size() > 3) {
         const std::size_t by_key = SetupSchema::column(*field, to_std(parts[3]));
         const std::size_t column = by_key < field->columns.size() ? by_key : parts[3].toUInt();
@@ -44,6 +57,22 @@ QString in_words(const QString& key) {
         words += c.toLower();
     }
     return words;
+}
+
+/// Of a part of an entry: "/setup/quantities/rows/2/value".
+QString part_words(const Project& project, const SetupAddress& address, const std::string& part) {
+    QStringList parts = to_qt(part).split('/', Qt::SkipEmptyParts);
+    if (parts.isEmpty()) return {};
+    if (parts.first() == QStringLiteral("options"))
+        return ProblemsModel::tr("evaluation, %1").arg(in_words(parts.mid(1).join(QStringLiteral(", "))));
+    const AnalysisEntry* analysis =
+        address.owner == SetupOwner::analysis ? project.find_analysis(address.id) : nullptr;
+    if (const auto pair = analysis ? pair_in(*analysis, part) : std::nullopt)
+        return ProblemsModel::tr("correlation of %1 and %2")
+            .arg(to_qt(symbol_to_unicode(pair->first)), to_qt(symbol_to_unicode(pair->second)));
+    if (parts.first() != QStringLiteral("setup")) return parts.join(QStringLiteral(" › "));
+    parts.removeFirst();
+    return field_words(find_schema(project, address), find_setup(project, address), parts);
 }
 
 }  // namespace
@@ -78,26 +107,25 @@ QString ProblemsModel::place_words(const Project& project, const std::string& pa
     const SetupAddress address = address_of_path(project, path);
     if (address.owner == SetupOwner::project) return words_of_project(path);
     if (address.id.empty()) return to_qt(path);
-    const std::string entry = entry_path(project, address);
     QString name = to_qt(address.id);
     if (const AssetEntry* asset = project.find_asset(address.id); asset && address.owner == SetupOwner::asset)
         name = to_qt(asset->name);
     if (const AnalysisEntry* analysis = project.find_analysis(address.id);
         analysis && address.owner == SetupOwner::analysis)
         name = to_qt(analysis->name);
-    QStringList parts = to_qt(path.substr(entry.size())).split('/', Qt::SkipEmptyParts);
-    if (parts.isEmpty()) return name;
-    if (parts.first() == QStringLiteral("options"))
-        return name + ": " + tr("evaluation, %1").arg(in_words(parts.mid(1).join(QStringLiteral(", "))));
-    if (const AnalysisEntry* analysis = project.find_analysis(address.id);
-        analysis && address.owner == SetupOwner::analysis)
-        if (const auto pair = pair_in(*analysis, path.substr(entry.size())))
-            return name + ": " +
-                   tr("correlation of %1 and %2")
-                       .arg(to_qt(symbol_to_unicode(pair->first)), to_qt(symbol_to_unicode(pair->second)));
-    if (parts.first() != QStringLiteral("setup")) return name + ": " + parts.join(QStringLiteral(" › "));
-    parts.removeFirst();
-    return name + ": " + field_words(find_schema(project, address), parts);
+    const QString part = part_words(project, address, path.substr(entry_path(project, address).size()));
+    return part.isEmpty() ? name : name + ": " + part;
+}
+
+QString ProblemsModel::missing_words(const Document& document, const std::string& analysis) {
+    const Project& project = document.project();
+    const SetupAddress own{SetupOwner::analysis, analysis};
+    const std::string entry = entry_path(project, own);
+    const auto missing = next_missing(project, document.problems(), entry);
+    if (entry.empty() || !missing) return {};
+    return address_of_path(project, missing->path) == own
+               ? part_words(project, own, missing->path.substr(entry.size()))
+               : place_words(project, missing->path);
 }
 
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {

@@ -24,6 +24,9 @@ public:
 
     /// Where the path points, in words: "Pose analysis: Base points, row 3".
     static QString place_words(const Project& project, const std::string& path);
+    /// What must be given next for an analysis that is not complete ("Quantities, row 3 (l_S), value"), with
+    /// the entry where it is that of another; empty: nothing.
+    static QString missing_words(const Document& document, const std::string& analysis);
 
 private:
     bool is_to_give(const Problem& problem) const;

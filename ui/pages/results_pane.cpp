@@ -21,6 +21,7 @@
 #include "ui/document/missing_fields.h"
 #include "ui/document/setup_address.h"
 #include "ui/forms/form_labels.h"
+#include "ui/models/problems_model.h"
 #include "ui/pages/all_results_tab.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
@@ -256,7 +257,10 @@ void ResultsPane::connect_selection() {
         if (!(document_.project().results.style == shown_style_)) take_preferences();
         take_requirements();
     });
-    connect(&document_, &Document::problems_changed, this, &ResultsPane::show_next_step);
+    connect(&document_, &Document::problems_changed, this, [this] {
+        show_state();
+        show_next_step();
+    });
     connect(&selection_, &Selection::group_changed, this, &ResultsPane::show_group);
     connect(&selection_, &Selection::output_changed, this, &ResultsPane::show_output);
 }
@@ -265,7 +269,11 @@ QString ResultsPane::state_words() const {
     if (selection_.analysis().isEmpty()) return tr("Select an analysis to see its results.");
     const AnalysisStatus& status = runner_.status(selection_.analysis());
     if (status.state == RunState::failed) return tr("Failed: %1").arg(status.message);
-    if (status.state == RunState::incomplete) return tr("Not complete yet: nothing is wrong.");
+    if (status.state == RunState::incomplete) {
+        const QString missing = ProblemsModel::missing_words(document_, to_std(selection_.analysis()));
+        return missing.isEmpty() ? tr("Not complete yet: nothing is wrong.")
+                                 : tr("Not complete yet, but not wrong; to give next: %1").arg(missing);
+    }
     if (!status.result)
         return status.prepared ? tr("Not evaluated yet: press F5.") : tr("The analysis has problems.");
     QString words = result_words(status);
@@ -288,14 +296,18 @@ void ResultsPane::take_result() {
     current_ = status.is_of_present();
     const QString said = reservation(status);
     for (SortableTable* table : {results_, budget_, correlation_}) table->set_remark(said);
-    state_->setText(state_words());
-    state_->setToolTip(state_->text());
+    show_state();
     show_next_step();
     units_->set_result(result_);
     result_model_.set_group(to_std(shown_group()));
     take_requirements();
     refresh_outputs();
     show_group(selection_.group());
+}
+
+void ResultsPane::show_state() {
+    state_->setText(state_words());
+    state_->setToolTip(state_->text());
 }
 
 void ResultsPane::show_next_step() {

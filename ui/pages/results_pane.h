@@ -71,6 +71,7 @@ signals:
     void place_wanted(const QString& path);
 
 private:
+    void show_state();
     void show_next_step();
     void make_head();
     QWidget* make_filter();

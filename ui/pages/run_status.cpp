@@ -9,6 +9,7 @@
 
 #include "core/text/numbers.h"
 #include "ui/models/number_words.h"
+#include "ui/models/problems_model.h"
 #include "ui/models/project_tree_model.h"
 #include "ui/pages/entry_delegate.h"
 #include "ui/theme/follow_font.h"
@@ -56,6 +57,7 @@ RunStatus::RunStatus(Document& document, AnalysisRunner& runner, Selection& sele
     }
     connect(&selection_, &Selection::analysis_changed, this, &RunStatus::show_state);
     connect(&document_, &Document::project_changed, this, &RunStatus::show_state);
+    connect(&document_, &Document::problems_changed, this, &RunStatus::show_state);
     show_idle();
 }
 
@@ -117,6 +119,9 @@ void RunStatus::show_state() {
     }
     const AnalysisStatus& status = runner_.status(id);
     QString words = ProjectTreeModel::words(status.state);
+    if (status.state == RunState::incomplete)
+        if (const QString missing = ProblemsModel::missing_words(document_, analysis->id); !missing.isEmpty())
+            words += QStringLiteral(": ") + missing;
     const bool said = status.state == RunState::failed || status.state == RunState::incomplete;
     if (!status.prepared && !said) words = tr("has problems");
     if (status.state == RunState::up_to_date && status.result && status.result->trials > 0)

@@ -15,6 +15,7 @@
 #include "ui/models/problems_model.h"
 #include "ui/models/project_tree_model.h"
 #include "ui/models/roles.h"
+#include "ui/models/setup_table_model.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui::project_models_test {
@@ -139,6 +140,29 @@ TEST_F(ProjectModelsTest, TheTreeShowsStatesAndProblems) {
     found.error("/analyses/0/setup/x", "too small");
     document.check_now();
     EXPECT_EQ(index.data(problem_role).toString(), "too small");
+}
+
+/// The cell, and whose it is.
+TEST_F(ProjectModelsTest, WhatIsMissingIsNamed) {
+    AnalysisEntry budget{"budget", "measurement-equation", "Budget", {}, {}, {}, {}, {}, {}};
+    budget.setup.values["equations"] = std::string("l = l_S + d");
+    Project project;
+    project.analyses = {budget};
+    Document own;
+    own.replace(project);
+    SetupTableModel table(own, {SetupOwner::analysis, "budget"}, "quantities");
+    const auto type = [&](int row, const char* column, const char* text) {
+        table.setData(table.index(row, int(SetupSchema::column(*table.field(), column))), QString(text));
+    };
+    table.insertRows(0, 2);
+    type(0, "symbol", "l_S");
+    type(0, "value", "50 mm");
+    type(1, "symbol", "d");
+    own.check_now();
+    EXPECT_EQ(ProblemsModel::missing_words(own, "budget"), "Quantities, row 2 (d), value");
+    type(1, "value", "2 nm");
+    own.check_now();
+    EXPECT_EQ(ProblemsModel::missing_words(own, "budget"), QString());
 }
 
 TEST_F(ProjectModelsTest, ProblemsComeWithTheirPlaceErrorsFirst) {
