@@ -61,16 +61,12 @@ void PropertiesPane::rebuild() {
     const SetupAddress& entry = selection_.entry();
     if (entry.owner == SetupOwner::project) return add_project_pages();
     if (!find_setup(document_.project(), entry)) {
-        auto* hint =
-            new QLabel(document_.project().assets.empty() && document_.project().analyses.empty()
-                           ? tr("The project is empty. Add an analysis, or first what it uses, with the "
-                                "plus sign above or a right click in the project tree.")
-                           : tr("Select an entry of the project tree to see its properties."));
-        hint->setWordWrap(true);
-        hint->setMargin(16);
-        hint->setAlignment(Qt::AlignTop);
-        hint->setEnabled(false);
-        tabs_->addTab(hint, tr("Properties"));
+        hint_ = new QLabel(hint());
+        hint_->setWordWrap(true);
+        hint_->setMargin(16);
+        hint_->setAlignment(Qt::AlignTop);
+        hint_->setEnabled(false);
+        tabs_->addTab(hint_, tr("Properties"));
         return;
     }
     setup_ = new SetupForm(document_, entry);
@@ -86,6 +82,14 @@ void PropertiesPane::rebuild() {
     else
         add_analysis_pages(entry);
     add_notes_page(entry);
+}
+
+/// Where no entry is selected.
+QString PropertiesPane::hint() const {
+    return document_.project().assets.empty() && document_.project().analyses.empty()
+               ? tr("The project is empty. Add an analysis, or first what it uses, with the "
+                    "plus sign above or a right click in the project tree.")
+               : tr("Select an entry of the project tree to see its properties.");
 }
 
 /// What was said of a field of another tab is over.
@@ -152,6 +156,7 @@ void PropertiesPane::add_notes_page(const SetupAddress& entry) {
 
 void PropertiesPane::discard_if_gone() {
     if (setup_ && !find_setup(document_.project(), setup_->address())) rebuild();
+    if (hint_) hint_->setText(hint());  // entries come and go with undo, too
 }
 
 /// Shows the field selected elsewhere; the keyboard stays where it is.

@@ -3,6 +3,8 @@
 // from the model's input quantities.
 #pragma once
 
+#include <QLabel>
+#include <QPointer>
 #include <QWidget>
 #include <memory>
 
@@ -51,6 +53,7 @@ private:
     void go_to_field(const QString& path);
     void scroll_to_focus();
     void rebuild();
+    QString hint() const;
     void add_project_pages();
     void add_asset_pages(const SetupAddress& entry);
     void add_analysis_pages(const SetupAddress& entry);
@@ -64,6 +67,7 @@ private:
     Selection& selection_;
     FieldHelp* help_ = nullptr;
     QTabWidget* tabs_ = nullptr;
+    QPointer<QLabel> hint_;  ///< where no entry is selected
     SetupForm* setup_ = nullptr;
     CertificateForm* certificate_ = nullptr;
     ProjectPage* project_ = nullptr;

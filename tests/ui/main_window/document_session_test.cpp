@@ -1,12 +1,14 @@
 // The page of the project: title, notes, certificate, contents of the report; and the certificate that leaves
 // the window.
 #include <QCheckBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QProcess>
 #include <array>
 
 #include "tests/ui/main_window/session_fixture.h"
+#include "ui/document/project_edits.h"
 #include "ui/main_window/export_actions.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/pages/report_preview.h"
@@ -74,6 +76,23 @@ protected:
         window_->grab().save(folder.filePath(name + QStringLiteral(".png")));
     }
 };
+
+TEST_F(DocumentSession, WhatIsSaidOfAnEmptyProjectFollowsUndo) {
+    window_->document().replace({});
+    window_->selection().clear();
+    auto* hint = qobject_cast<QLabel*>(window_->properties().tabs()->widget(0));
+    ASSERT_NE(hint, nullptr);
+    const auto says_empty = [hint] {
+        return hint->text().startsWith(QStringLiteral("The project is empty"));
+    };
+    EXPECT_TRUE(says_empty());
+    add_analysis(window_->document(), "measurement-equation");
+    EXPECT_FALSE(says_empty());
+    window_->document().undo();
+    EXPECT_TRUE(says_empty());
+    window_->document().undo_stack().redo();
+    EXPECT_FALSE(says_empty());
+}
 
 TEST_F(DocumentSession, TitleAndNotesAreEditedInThePageOfTheProject) {
     open(QStringLiteral(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria"));
