@@ -118,6 +118,19 @@ void SpreadsheetView::fit_columns(int first, int last) {
     give_way();
 }
 
+/// Of what was typed or cleared: what is computed would move the columns with every result.
+void SpreadsheetView::shrink_columns(const std::set<int>& columns) {
+    if (model_.rowCount() > most_rows_measured) return;
+    fitting_ = true;
+    for (const int column : columns) {
+        if (column < 0 || given_widths_.contains(column)) continue;
+        const int wanted = std::max(horizontalHeader()->sectionSizeHint(column), sizeHintForColumn(column));
+        if (wanted < columnWidth(column)) setColumnWidth(column, wanted);
+    }
+    fitting_ = false;
+    give_way();
+}
+
 /// The second column, where it has names, leaves room for the numbers as far as names are still told apart.
 void SpreadsheetView::give_way() {
     constexpr int names = 1, least = 110;
@@ -210,7 +223,9 @@ void SpreadsheetView::currentChanged(const QModelIndex& current, const QModelInd
 }
 
 void SpreadsheetView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+    const int typed = currentIndex().column();
     QTableView::closeEditor(editor, hint);
+    shrink_columns({typed});
     if (hint == QAbstractItemDelegate::SubmitModelCache) move_down();  // Enter
 }
 
@@ -237,7 +252,10 @@ void SpreadsheetView::paste() {
 }
 
 void SpreadsheetView::clear() {
+    std::set<int> columns;
+    for (const QModelIndex& cell : selectedIndexes()) columns.insert(cell.column());
     model_.clear(selectedIndexes());
+    shrink_columns(columns);
 }
 
 void SpreadsheetView::fill_down() {

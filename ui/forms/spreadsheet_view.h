@@ -48,6 +48,7 @@ private:
     void remove_rows();
     void update_actions();
     void fit_columns(int first, int last);
+    void shrink_columns(const std::set<int>& columns);
     void give_way();
     void move_down();
     void begin_row_below();

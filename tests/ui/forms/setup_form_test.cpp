@@ -172,6 +172,30 @@ TEST_F(SetupFormTest, TheSpreadsheetIsUsedWithTheKeyboard) {
     EXPECT_EQ(document.project(), sample_project());
 }
 
+TEST_F(SetupFormTest, AColumnIsAsWideAsWhatIsTypedIntoIt) {
+    auto* view = find<SpreadsheetView>("points");
+    view->setFocus();
+    const auto type = [view](const QString& text) {
+        view->setCurrentIndex(view->model()->index(0, 1));
+        QTest::keyClicks(view, text.left(1));
+        QWidget* cell = QApplication::focusWidget();
+        ASSERT_NE(qobject_cast<QLineEdit*>(cell), nullptr);
+        QTest::keyClicks(cell, text.mid(1));
+        QTest::keyClick(cell, Qt::Key_Return);
+        QCoreApplication::processEvents();
+    };
+    type(QStringLiteral("4"));
+    const int before = view->columnWidth(1);
+    type(QStringLiteral("123456.789012345"));
+    EXPECT_GT(view->columnWidth(1), before);
+    type(QStringLiteral("4"));
+    EXPECT_EQ(view->columnWidth(1), before);
+    type(QStringLiteral("123456.789012345"));
+    view->setColumnWidth(1, 300);  // as the user wants it
+    type(QStringLiteral("4"));
+    EXPECT_EQ(view->columnWidth(1), 300);
+}
+
 TEST_F(SetupFormTest, BlocksAreCopiedAndPasted) {
     auto* view = find<SpreadsheetView>("points");
     view->setFocus();
