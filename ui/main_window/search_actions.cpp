@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QTabWidget>
+#include <map>
 
 #include "core/manual/help_page.h"
 #include "ui/document/document.h"
@@ -16,6 +17,7 @@
 #include "ui/pages/search_palette.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
+#include "ui/theme/languages.h"
 #include "ui/theme/output_words.h"
 #include "ui/theme/strings.h"
 
@@ -32,6 +34,19 @@ QString without_mnemonic(QString text) {
 QString quantity_words(const std::string& symbol, const std::string& group, const Message& name) {
     const QString words = to_qt(to_unicode(output_words(symbol, group)));
     return name.empty() || name == symbol ? words : words + QStringLiteral(": ") + to_qt(name);
+}
+
+/// By their anchors, which are those of all languages; none where the window speaks English.
+std::map<std::string, QString> english_headings() {
+    std::map<std::string, QString> headings;
+    if (spoken_language() == QLatin1String("en")) return headings;
+    const Result<std::vector<HelpPage>> pages = help_pages();
+    if (!pages) return headings;
+    for (const HelpPage& page : *pages)
+        for (const ReportBlock& block : page.blocks)
+            if (const auto* heading = std::get_if<HeadingBlock>(&block); heading && !heading->anchor.empty())
+                headings[heading->anchor] = to_qt(heading->text);
+    return headings;
 }
 
 }  // namespace
@@ -96,7 +111,8 @@ void SearchActions::add_entry(const SetupAddress& entry, const std::string& name
     for (const FieldSpec& field : schema->fields())
         if (is_shown(*schema, field, *setup))
             all.push_back({core_text(field.title), tr("field of %1").arg(to_qt(name)),
-                           [this, place = path + to_qt(field.key)] { go_to_(place); }});
+                           [this, place = path + to_qt(field.key)] { go_to_(place); }, false,
+                           to_qt(field.title)});
 }
 
 void SearchActions::add_quantities(const std::string& analysis, const QString& name,
@@ -136,14 +152,17 @@ void SearchActions::add_tabs(std::vector<Findable>& all) const {
 
 void SearchActions::add_help(std::vector<Findable>& all) const {
     static const Result<std::vector<HelpPage>> pages = help_pages(language_of_window());
+    static const std::map<std::string, QString> english = english_headings();
     if (!pages) return;
     for (const HelpPage& page : *pages)
         for (const ReportBlock& block : page.blocks) {
             const auto* heading = std::get_if<HeadingBlock>(&block);
             if (!heading || heading->anchor.empty()) continue;
             const bool is_page = heading->anchor == page.id;
+            const auto in_english = english.find(heading->anchor);
             all.push_back({to_qt(heading->text), is_page ? tr("help") : tr("help: %1").arg(to_qt(page.title)),
-                           [this, place = to_qt(heading->anchor)] { help_.show_place(place); }, true});
+                           [this, place = to_qt(heading->anchor)] { help_.show_place(place); }, true,
+                           in_english == english.end() ? QString() : in_english->second});
         }
 }
 

@@ -61,6 +61,11 @@ QPixmap card_pixmap(const QString& file, const QString& icon_name, const QPalett
     return card;
 }
 
+/// `has_words` knows the case of ASCII letters only.
+std::string without_case(const QString& text) {
+    return to_std(text.toCaseFolded());
+}
+
 QListWidget* make_collections() {
     auto* list = new QListWidget;
     list->setObjectName(QStringLiteral("library_collections"));
@@ -136,6 +141,12 @@ void LibraryBrowser::fill() {
     add_examples({}, examples_title());
     add_examples(QStringLiteral("gum"), tr("GUM and its supplements"));
     add_assets();
+    for (Entry& entry : entries_) {
+        // Beside the English words those that are shown: both are looked for.
+        for (const QString& shown : {entry.title, entry.collection, entry.summary})
+            entry.texts.push_back(to_std(shown));
+        for (std::string& text : entry.texts) text = without_case(to_qt(text));
+    }
     const QString shown = collections_->currentItem() ? collections_->currentItem()->text() : QString();
     const QSignalBlocker quiet(collections_);
     collections_->clear();
@@ -178,7 +189,6 @@ void LibraryBrowser::add_examples(const QString& subfolder, const QString& colle
                     example.summary, tr("Opens as a new project."),
                     example.picture, QStringLiteral("project")};
         entry.example = example.file;
-        entry.texts = {to_std(example.title), to_std(example.summary), to_std(collection)};
         entries_.push_back(std::move(entry));
     }
 }
@@ -191,7 +201,6 @@ void LibraryBrowser::add_assets() {
             to_qt(item.asset.notes), from_path(item.picture), icon_of_category(item.asset)};
         entry.asset = item.asset;
         entry.texts = searched_texts(item);
-        entry.texts.push_back(to_std(entry.collection));
         entries_.push_back(std::move(entry));
     }
 }
@@ -201,10 +210,11 @@ void LibraryBrowser::refresh_cards() {
     cards_->clear();
     const QString collection =
         collections_->currentRow() > 0 ? collections_->currentItem()->text() : QString();
+    const std::string wanted = without_case(search_->text());
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         const Entry& entry = entries_[i];
         if (!collection.isEmpty() && entry.collection != collection) continue;
-        if (!has_words(entry.texts, to_std(search_->text()))) continue;
+        if (!has_words(entry.texts, wanted)) continue;
         auto* card =
             new QListWidgetItem(QIcon(card_pixmap(entry.picture, entry.icon, palette(), devicePixelRatioF())),
                                 entry.title, cards_);

@@ -46,7 +46,7 @@ private:
         QString example = {};                        ///< its file
         const AnalysisTemplate* analysis = nullptr;  ///< of a template
         std::optional<AssetEntry> asset = {};
-        std::vector<std::string> texts = {};  ///< that a search looks at
+        std::vector<std::string> texts = {};  ///< that a search looks at: shown ones and English ones, folded
     };
     void add_templates();
     void add_examples(const QString& subfolder, const QString& collection);

@@ -36,7 +36,8 @@ std::optional<int> match(const QString& typed, const Findable& findable) {
     const QStringList words = typed.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
     int sum = 0;
     for (const QString& word : words) {
-        const int best = std::max(3 * fit(word, findable.name), fit(word, findable.kind));
+        const int best = std::max(
+            {3 * fit(word, findable.name), 2 * fit(word, findable.english), fit(word, findable.kind)});
         if (best == 0) return std::nullopt;
         sum += best;
     }

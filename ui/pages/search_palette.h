@@ -18,11 +18,12 @@ struct Findable {
     QString name;
     QString kind;  ///< "analysis", "field of Tracker" ...: shown beside the name, and searched too
     std::function<void()> go;
-    bool behind = false;  ///< what fits alike and is not goes first
+    bool behind = false;   ///< what fits alike and is not goes first
+    QString english = {};  ///< its name there: searched in every language, and not shown
 };
 
-/// How well `typed` fits; nothing: not at all. Every word that was typed must be in the words of `name` or
-/// `kind`, its letters in order; whole words and beginnings of words of the name count most.
+/// How well `typed` fits; nothing: not at all. Every word that was typed must be in the words of `name`,
+/// `english` or `kind`, its letters in order; whole words and beginnings of words of the names count most.
 std::optional<int> match(const QString& typed, const Findable& findable);
 
 class SearchPalette : public QDialog {

@@ -3,12 +3,14 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTextBrowser>
+#include <QTranslator>
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/document/project_edits.h"
 #include "ui/pages/library_browser.h"
 #include "ui/pages/project_pane.h"
 #include "ui/pages/results_pane.h"
+#include "ui/theme/core_text.h"
 
 namespace covaria::ui::library_session_test {
 namespace {
@@ -32,6 +34,29 @@ TEST_F(LibrarySession, ATrackerIsFoundByItsNameAndTakenIntoTheProject) {
     library.search().setText(QStringLiteral("no such thing"));
     EXPECT_EQ(library.cards().count(), 0);
     EXPECT_FALSE(library.take_button().isEnabled());
+}
+
+// In a window of another language: the shown words are found, whatever their case, and the English ones.
+TEST_F(LibrarySession, WhatIsShownInAnotherLanguageIsFoundAndTheEnglishWordsAreToo) {
+    class German : public QTranslator {
+    public:
+        bool isEmpty() const override { return false; }
+        QString translate(const char* context, const char* text, const char*, int) const override {
+            const bool is_known = QLatin1String(context) == QLatin1String(core_context) &&
+                                  text == analysis_templates()[1].title;
+            return is_known ? QStringLiteral("Über das Endmaß") : QString();
+        }
+    } german;
+    QCoreApplication::installTranslator(&german);
+    LibraryBrowser& library = window_->library();
+    library.fill();
+    library.show_collection(LibraryBrowser::templates_title());
+    library.search().setText(QStringLiteral("endmaß ÜBER"));
+    ASSERT_EQ(library.cards().count(), 1);
+    EXPECT_EQ(library.cards().item(0)->text(), QStringLiteral("Über das Endmaß"));
+    library.search().setText(to_qt(analysis_templates()[1].title));
+    EXPECT_EQ(library.cards().count(), 1);
+    QCoreApplication::removeTranslator(&german);
 }
 
 TEST_F(LibrarySession, ACollectionShowsItsOwn) {

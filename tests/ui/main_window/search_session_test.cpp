@@ -30,6 +30,15 @@ TEST(SearchMatch, WordsFitByTheirLettersInOrder) {
     EXPECT_GT(*match("budget", named("Budget", "tab")), *match("budget", named("Tab", "Budget")));
 }
 
+TEST(SearchMatch, TheEnglishNameIsFoundInEveryLanguageBehindTheShownOne) {
+    Findable field = named("Standardunsicherheit", "Feld von Tracker 1");
+    EXPECT_FALSE(match("standard uncertainty", field));
+    field.english = QStringLiteral("Standard uncertainty");
+    EXPECT_TRUE(match("standard uncertainty", field));
+    EXPECT_TRUE(match("standardunsicherheit", field));
+    EXPECT_GT(*match("standardunsicherheit", field), *match("uncertainty", field));
+}
+
 class SearchSession : public Session {
 protected:
     SearchPalette& palette() { return window_->search().palette(); }
