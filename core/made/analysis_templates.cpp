@@ -47,10 +47,55 @@ std::string sort_of(const AssetEntry& asset) {
     return asset.kind + '/' + (sort ? *sort : std::string());
 }
 
+/// An asset of the project in the place of one of the template.
+struct StandIn {
+    std::string id;
+    bool is_moved = false;  ///< it stands where the template's does
+};
+using StandIns = std::map<std::string, StandIn>;  ///< by the template's asset
+
+/// Fields that say where an asset stands: poses and what stands under one heading with them.
+std::vector<const FieldSpec*> placing_fields(const SetupSchema& schema) {
+    std::set<std::string> headings;
+    for (const FieldSpec& field : schema.fields())
+        if (field.kind == FieldKind::pose) headings.insert(field.section);
+    std::vector<const FieldSpec*> placing;
+    for (const FieldSpec& field : schema.fields())
+        if (headings.contains(field.section)) placing.push_back(&field);
+    return placing;
+}
+
+/// It was given no place, as what comes from the library: nobody minds if it gets one.
+bool stands_nowhere(const Project& project, const AssetEntry& asset) {
+    const AssetDescriptor* kind = find_asset_kind(asset.kind);
+    if (!kind) return false;
+    bool has_pose = false;
+    for (const FieldSpec& field : kind->schema.fields()) {
+        if (field.kind != FieldKind::pose) continue;
+        has_pose = true;
+        if (value_of(field, asset.setup) != field.default_value) return false;
+    }
+    const EntryGraph graph(project);
+    const auto itself = static_cast<std::size_t>(&asset - project.assets.data());
+    for (std::size_t entry = 0; entry < graph.size(); ++entry)
+        if (std::ranges::binary_search(graph.used_by(entry), itself)) return false;
+    return has_pose;
+}
+
+void move_to(const AssetEntry& there, AssetEntry& own) {
+    for (const FieldSpec* field : placing_fields(find_asset_kind(own.kind)->schema)) {
+        const auto given = there.setup.values.find(field->key);
+        if (given == there.setup.values.end())
+            own.setup.values.erase(field->key);
+        else
+            own.setup.values[field->key] = given->second;
+    }
+}
+
 class TemplateMerge {
 public:
-    TemplateMerge(const Project& project, const Project& part, bool own_assets)
-        : merged_(project), part_(part), own_assets_(own_assets) {
+    TemplateMerge(const Project& project, const Project& part, StandIns stand_ins)
+        : merged_(project), part_(part), stand_ins_(std::move(stand_ins)) {
         for (const AssetEntry& asset : project.assets) taken_.insert(asset.id);
         for (const AnalysisEntry& analysis : project.analyses) taken_.insert(analysis.id);
     }
@@ -89,18 +134,15 @@ private:
     }
 
     void add_asset(const AssetEntry& asset) {
-        if (own_assets_) {
-            for (const AssetEntry& own : merged_.assets) {
-                if (used_.contains(own.id) || sort_of(own) != sort_of(asset)) continue;
-                used_.insert(own.id);
-                ids_[asset.id] = own.id;
-                return;
-            }
+        if (const auto own = stand_ins_.find(asset.id); own != stand_ins_.end()) {
+            ids_[asset.id] = own->second.id;
+            for (AssetEntry& entry : merged_.assets)
+                if (own->second.is_moved && entry.id == own->second.id) move_to(asset, entry);
+            return;
         }
         AssetEntry copy = asset;
         copy.id = ids_[asset.id] = fresh(asset.id);
         copy.name = name_for(asset.name);
-        used_.insert(copy.id);
         if (const AssetDescriptor* kind = find_asset_kind(asset.kind)) {
             for (const AssetReference& reference : references_of(kind->schema, asset.setup))
                 add(reference.id);
@@ -128,19 +170,71 @@ private:
 
     Project merged_;
     const Project& part_;
-    bool own_assets_;
+    StandIns stand_ins_;
     Ids ids_;       ///< of what set-ups refer to
     Ids analyses_;  ///< an asset may have the same id
-    std::set<std::string> taken_, used_;
+    std::set<std::string> taken_;
 };
 
-bool has_value(const Project& project, const std::string& analysis) {
-    const auto prepared = MadeProject::make(project)->analysis(analysis);
+bool has_value(const Project& project, const std::string& analysis, const MadeProject::Pointer& before) {
+    const auto prepared = MadeProject::make(project, before)->analysis(analysis);
     if (!prepared) return false;
     const auto result =
         guarded([&] { return evaluate_first_order(*prepared->propagated, prepared->options); });
     return result && *result;
 }
+
+/// Which assets of the project stand in the place of the template's: all of the same sort, one for one, where
+/// the analysis then has a value; else one after the other each with which it has one.
+class StandInSearch {
+public:
+    StandInSearch(const Project& project, const Project& part)
+        : project_(project), part_(part), made_(MadeProject::make(project)) {}
+
+    StandIns find() {
+        for (const AssetEntry& asset : part_.assets)
+            for (const AssetEntry& own : project_.assets)
+                if (is_free(own, asset)) {
+                    chosen_[asset.id] = {own.id};
+                    break;
+                }
+        if (chosen_.empty() || works(chosen_)) return chosen_;
+        chosen_.clear();
+        // What refers to others first: with it, those are not needed.
+        for (auto asset = part_.assets.rbegin(); asset != part_.assets.rend(); ++asset) choose_for(*asset);
+        return chosen_;
+    }
+
+private:
+    bool is_free(const AssetEntry& own, const AssetEntry& asset) const {
+        return sort_of(own) == sort_of(asset) &&
+               std::ranges::none_of(chosen_, [&](const auto& one) { return one.second.id == own.id; });
+    }
+
+    void choose_for(const AssetEntry& asset) {
+        for (const AssetEntry& own : project_.assets) {
+            if (!is_free(own, asset)) continue;
+            for (const bool is_moved : {false, true}) {
+                if (is_moved && !stands_nowhere(project_, own)) continue;
+                StandIns with = chosen_;
+                with[asset.id] = {own.id, is_moved};
+                if (!works(with)) continue;
+                chosen_ = std::move(with);
+                return;
+            }
+        }
+    }
+
+    bool works(const StandIns& stand_ins) const {
+        const auto [merged, id] = TemplateMerge(project_, part_, stand_ins).merge();
+        return has_value(merged, id, made_);
+    }
+
+    const Project& project_;
+    const Project& part_;
+    MadeProject::Pointer made_;
+    StandIns chosen_;
+};
 
 /// With other ids than the project's, where designs and studies name them.
 bool has_same_ids(const Project& project, const Project& part) {
@@ -225,7 +319,7 @@ Result<Project> template_project(const AnalysisTemplate& wanted) {
     Project whole = loaded.project;
     whole.analyses.push_back(*analysis);  // last, which is what is merged
     const Project nothing;
-    Project part = TemplateMerge(nothing, whole, false).merge().first;
+    Project part = TemplateMerge(nothing, whole, {}).merge().first;
     unlink_tables(part);
     AnalysisEntry& last = part.analyses.back();
     last.name = wanted.title;
@@ -246,14 +340,9 @@ Result<std::string> add_template(Project& project, const AnalysisTemplate& wante
         last.studies.clear();
         last.designs.clear();
     }
-    if (last.studies.empty() && last.designs.empty()) {
-        auto [merged, id] = TemplateMerge(project, *part, true).merge();
-        if (has_value(merged, id)) {
-            project = std::move(merged);
-            return id;
-        }
-    }
-    auto [merged, id] = TemplateMerge(project, *part, false).merge();
+    const bool names_assets = !last.studies.empty() || !last.designs.empty();
+    StandIns stand_ins = names_assets ? StandIns() : StandInSearch(project, *part).find();
+    auto [merged, id] = TemplateMerge(project, *part, std::move(stand_ins)).merge();
     project = std::move(merged);
     return id;
 }

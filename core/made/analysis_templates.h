@@ -29,9 +29,10 @@ const AnalysisTemplate* template_of(const std::string& model);
 Result<Project> template_project(const AnalysisTemplate& wanted);
 
 /// `project` with the template's analysis at the end. In place of the template's assets stand those of the
-/// project of the same kind, one for one, if the analysis then has a value; else the template's own come with
-/// it. Designs and studies name assets: with them nothing is put in another's place. Gives the id of the
-/// analysis.
+/// project of the same kind, one for one, as far as the analysis then has a value; one that nothing uses and
+/// that was given no place takes that of the template's, where it has a value only from there. The others
+/// come with the analysis. Designs and studies name assets: with them nothing is put in another's place.
+/// Gives the id of the analysis.
 Result<std::string> add_template(Project& project, const AnalysisTemplate& wanted);
 
 }  // namespace covaria

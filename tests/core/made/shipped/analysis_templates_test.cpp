@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "core/kinds/registries.h"
@@ -89,6 +90,51 @@ TEST(AnalysisTemplates, ATrackerThatCannotSeeTheTargetsIsNotTaken) {
     const auto id = add_template(project, from_tracker());
     ASSERT_TRUE(id);
     EXPECT_EQ(project.assets.size(), 2U) << "the template's own came with it";
+}
+
+// As it comes from the library it stands in the origin, among the targets, nearer than it measures.
+TEST(AnalysisTemplates, ATrackerThatWasGivenNoPlaceStandsWhereTheTemplatesDoes) {
+    Project project = *template_project(from_tracker());
+    project.analyses.clear();
+    AssetEntry& mine = project.assets.front();
+    const SetupValue place = mine.setup.values.at("station");
+    mine.id = "mine";
+    mine.setup.values.erase("station");
+    mine.setup.values["view_nearest"] = Quantity{0.8, Unit::of("m")};
+    const auto id = add_template(project, from_tracker());
+    ASSERT_TRUE(id);
+    ASSERT_EQ(project.assets.size(), 1U) << "nothing was copied";
+    EXPECT_EQ(project.assets.front().setup.values.at("station"), place);
+    expect_value(project, *id, "with the project's tracker");
+}
+
+// Where another analysis uses it from the origin, it stays there.
+TEST(AnalysisTemplates, ATrackerThatIsUsedIsNotMoved) {
+    Project project = *template_project(from_tracker());
+    AssetEntry& mine = project.assets.front();
+    mine.setup.values.erase("station");
+    mine.setup.values["view_nearest"] = Quantity{0.8, Unit::of("m")};
+    const AssetEntry before = mine;
+    ASSERT_TRUE(add_template(project, from_tracker()));
+    EXPECT_EQ(project.assets.size(), 2U) << "the template's own came with it";
+    EXPECT_EQ(project.assets.front(), before);
+}
+
+// One of two assets is not complete yet: the other one is used all the same.
+TEST(AnalysisTemplates, OneAssetThatDoesNotFitKeepsNoOtherOut) {
+    const auto wanted =
+        std::ranges::find(analysis_templates(), "from-artefacts", &AnalysisTemplate::analysis);
+    Project project = *template_project(*wanted);
+    project.analyses.clear();
+    ASSERT_EQ(project.assets.size(), 2U);
+    for (AssetEntry& asset : project.assets) asset.id = "my-" + asset.id;
+    project.assets.front().setup.values.clear();
+    const std::string incomplete = project.assets.front().kind;
+    const auto id = add_template(project, *wanted);
+    ASSERT_TRUE(id);
+    ASSERT_EQ(project.assets.size(), 3U);
+    EXPECT_EQ(project.assets.back().kind, incomplete) << "instead of that came the template's own";
+    EXPECT_NE(MadeProject::make(project)->analysis(*id), nullptr);
 }
 
 }  // namespace
