@@ -156,6 +156,7 @@ Rows RowSearch::exchanged(Rows rows, const std::string& search, Partners which) 
 
 std::vector<DesignCount> RowSearch::curve(const Rows& rows) {
     const std::size_t fewest = std::max(choice_.least, choice_.fixed.size());
+    judge({rows}, "fewer rows");
     for (Rows fewer = rows; fewer.size() > fewest && merit_of(fewer).feasible;) {
         const auto choices = with_one_less(fewer);
         if (choices.empty()) break;

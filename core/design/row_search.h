@@ -23,7 +23,8 @@ public:
     Found find();
     /// By exchange from these rows, which stay where nothing gains.
     Found improve(const Rows& rows);
-    /// The best of each number of rows; `find` looks at some, this at those that differ from `rows` by a few.
+    /// The best of each number of rows at these values; `find` looks at some, this at those that differ from
+    /// `rows` by a few.
     std::vector<DesignCount> curve(const Rows& rows);
 
 private:

@@ -335,13 +335,16 @@ private:
             chosen_.rows = found.rows;
             result_.found = found.feasible;
             result_.proved = found.proved && design_.design.variables.empty();
-            if (found.feasible) result_.curve = rows.curve(found.rows);
+            if (found.feasible && design_.design.variables.empty()) result_.curve = rows.curve(found.rows);
         }
         if (!design_.design.variables.empty()) {
             const FoundValues found = find_values(book, chosen_.rows, chosen_.values);
             chosen_.values = found.values;
             result_.found = found.feasible;
-            if (design_.table && found.feasible) alternate(book);
+            if (!design_.table || !found.feasible) return;
+            alternate(book);
+            // At the values that were found: the searches before looked at rows at others.
+            result_.curve = RowSearch(book, chosen_.values).curve(chosen_.rows);
         }
     }
 

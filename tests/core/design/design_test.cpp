@@ -430,6 +430,19 @@ TEST(Design, RowsAreChosenAnewForTheValuesFound) {
     EXPECT_GT(exchanged, 0);
 }
 
+// The curve is that of the values found: at their number of rows it has the objective of the design.
+TEST(Design, TheCurveIsAtTheValuesThatWereFound) {
+    const DesignResult result = run(Stations(8, 4).project(
+        R"({"id":"d","choose":{"table":"/setup/sensors/rows","keep":4,"fixed":[1]},)"
+        R"("variables":[{"asset":"s1","target":"/setup/station/position/0","from":-5000,"to":5000,"unit":"mm"}],)"
+        R"("trials":1000})"));
+    const auto kept = std::ranges::find(result.curve, result.rows.size(), &DesignCount::rows);
+    ASSERT_NE(kept, result.curve.end());
+    EXPECT_NEAR(kept->objective, result.objective, 1e-12);
+    for (std::size_t i = 1; i < result.curve.size(); ++i)
+        EXPECT_LT(result.curve[i].objective, result.curve[i - 1].objective);
+}
+
 TEST(Design, SameBytesForAnyNumberOfThreads) {
     const Project project = Stations(6, 5).project(
         R"({"id":"d","choose":{"table":"/setup/sensors/rows","keep":4,"fixed":[1]},)" +
