@@ -382,6 +382,10 @@ std::vector<DataTable> readable_design_tables(const DesignResult& result) {
             // The other targets are points.
             if (table.columns[c].header == "target") readable.columns.back().header = "target uncertainty";
             if (!counts.contains(table.columns[c].header)) readable.columns.back().digits = 4;
+            if (table.columns[c].header == "change") {  // a part of one in files
+                readable.columns.back().unit = Unit::of("%");
+                readable.columns.back().decimals = 1;
+            }
             for (std::size_t r = 0; r < table.rows.size(); ++r) readable.rows[r].push_back(table.rows[r][c]);
         }
         for (std::size_t c = 0; c < readable.columns.size(); ++c) say_yes_and_no(readable, c);

@@ -1,9 +1,12 @@
 // Designs in charts, tables for people and the report.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/report/design_plots.h"
 #include "core/report/design_results.h"
 #include "core/report/report.h"
+#include "core/report/table_text.h"
 #include "tests/core/report/sample_report.h"
 
 namespace covaria::design_report_test {
@@ -110,6 +113,20 @@ TEST(DesignTables, ForPeopleHaveNoColumnsThatSayNothing) {
         }
         for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
     }
+}
+
+TEST(DesignTables, TheChangeIsInPerCentForPeopleAndAPartOfOneInFiles) {
+    const auto curve = [](const std::vector<DataTable>& tables) {
+        return *std::find_if(tables.begin(), tables.end(),
+                             [](const DataTable& table) { return table.id == "curve"; });
+    };
+    const TableBlock block{curve(readable_design_tables(of_rows())), {}, {}};
+    EXPECT_EQ(to_unicode(head_text(block.table.columns.at(2))), "change (%)");
+    EXPECT_EQ(cell_text(block, 1, 2), "-50.0");
+    EXPECT_EQ(cell_text(block, 2, 2), "-6.3");
+    const DataTable file = curve(design_tables(of_rows()));
+    EXPECT_EQ(file.columns.at(2).header, "change");
+    EXPECT_NEAR(std::get<double>(file.rows[1][2]), -0.5, 1e-12);
 }
 
 TEST(DesignTables, CandidatesHaveTheirGainAndPlace) {
