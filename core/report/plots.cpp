@@ -53,6 +53,45 @@ double trials_of(const Histogram& histogram) {
         std::accumulate(histogram.counts.begin(), histogram.counts.end(), histogram.below + histogram.above));
 }
 
+/// Equal ones.
+struct Bins {
+    double low = 0.0, width = 0.0;
+    std::size_t count = 0;
+};
+
+/// From the smallest trial to the largest, where the cells reach as far: a quantity that cannot pass a bound
+/// has no bar beyond it.
+Bins bins_of(const MonteCarloOutput& mc, double trials) {
+    const Histogram& histogram = mc.histogram;
+    const std::size_t cells = histogram.counts.size();
+    const double step = (histogram.high - histogram.low) / static_cast<double>(cells);
+    const double wanted = step * static_cast<double>(cells_to_join(histogram, spread_of(mc), trials));
+    const bool known = mc.minimum < mc.maximum && mc.minimum < histogram.high && mc.maximum > histogram.low;
+    const bool to_largest = known && mc.maximum < histogram.high;
+    const double low = known ? std::max(mc.minimum, histogram.low) : histogram.low;
+    const double room = ((to_largest ? mc.maximum : histogram.high) - low) / wanted;
+    const double count = std::max(1.0, to_largest ? std::round(room) : std::ceil(room - 1e-9));
+    return {low, to_largest ? room * wanted / count : wanted, static_cast<std::size_t>(count)};
+}
+
+/// How many trials of the cells lie below `x`; those of one cell are evenly over as much of it as lies
+/// between the bins' ends.
+double trials_below(const Histogram& histogram, const Bins& bins, double x) {
+    const double step = (histogram.high - histogram.low) / static_cast<double>(histogram.counts.size());
+    const double end = bins.low + bins.width * static_cast<double>(bins.count);
+    double below = 0.0;
+    for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+        const double from = std::max(histogram.low + step * static_cast<double>(i), bins.low),
+                     to = std::min(histogram.low + step * static_cast<double>(i + 1), end);
+        const bool is_before = x >= std::min(from, end);  // of a cell with no room of its own
+        const double part = to > from   ? std::clamp((x - from) / (to - from), 0.0, 1.0)
+                            : is_before ? 1.0
+                                        : 0.0;
+        below += part * static_cast<double>(histogram.counts[i]);
+    }
+    return below;
+}
+
 /// The axis leaves out the extreme tails, which would squeeze the rest.
 void set_range(PlotAxis& axis, const PlotSeries& bars, const PlottedOutput& y) {
     const double half = 0.5 * bars.bar_width;
@@ -116,18 +155,17 @@ PlotSeries plot_parts::histogram_bars(const PlottedOutput& y) {
     const MonteCarloOutput& mc = *y.trials();
     const Histogram& histogram = mc.histogram;
     const double all = trials_of(histogram);
-    const std::size_t cells = histogram.counts.size();
-    const std::size_t join = cells_to_join(histogram, spread_of(mc), all);
-    const double step = (histogram.high - histogram.low) / static_cast<double>(cells);
+    const Bins bins = bins_of(mc, all);
     PlotSeries bars{
         y.language().say(plot_words::monte_carlo), SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.0};
-    bars.bar_width = y.interval(step * static_cast<double>(join));
-    for (std::size_t first = 0; first < cells; first += join) {
-        std::uint64_t count = 0;
-        for (std::size_t i = first; i < std::min(first + join, cells); ++i) count += histogram.counts[i];
-        const double middle = static_cast<double>(first) + 0.5 * static_cast<double>(join);
-        bars.x.push_back(y.value(histogram.low + step * middle));
-        bars.y.push_back(static_cast<double>(count) / (all * bars.bar_width));
+    bars.bar_width = y.interval(bins.width);
+    double before = 0.0;
+    for (std::size_t i = 0; i < bins.count; ++i) {
+        const auto place = static_cast<double>(i);
+        const double below = trials_below(histogram, bins, bins.low + bins.width * (place + 1.0));
+        bars.x.push_back(y.value(bins.low + bins.width * (place + 0.5)));
+        bars.y.push_back((below - before) / (all * bars.bar_width));
+        before = below;
     }
     return bars;
 }

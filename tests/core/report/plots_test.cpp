@@ -85,6 +85,39 @@ TEST(HistogramPlot, JoinsCellsForFewTrials) {
     EXPECT_NEAR(area_of(bars), 1.0, 1e-12);
 }
 
+TEST(HistogramPlot, ReachesFromTheSmallestTrialToTheLargest) {
+    UncertaintyResult result = test::plot_sample();
+    MonteCarloOutput& mc = *result.outputs[0].monte_carlo;
+    // Rectangular, with ends inside of cells: 28.4 of them.
+    const double u = mc.standard_uncertainty, cell = (mc.histogram.high - mc.histogram.low) / 100.0;
+    mc.minimum = mc.mean - 1.42 * u;
+    mc.maximum = mc.mean + 1.42 * u;
+    for (int i = 0; i < 100; ++i) {
+        const double from = std::max(mc.histogram.low + i * cell, mc.minimum),
+                     to = std::min(mc.histogram.low + (i + 1) * cell, mc.maximum);
+        mc.histogram.counts[std::size_t(i)] =
+            std::uint64_t(std::llround(1e6 * std::max(0.0, to - from) / (2.84 * u)));
+    }
+    const PlotSeries bars = histogram_plot(result, 0).series.at(0);
+    ASSERT_GT(bars.x.size(), 10U);
+    EXPECT_NEAR(bars.x.front() - 0.5 * bars.bar_width, -120.0 - 1.42 * 0.367, 1e-9);
+    EXPECT_NEAR(bars.x.back() + 0.5 * bars.bar_width, -120.0 + 1.42 * 0.367, 1e-9);
+    EXPECT_NEAR(area_of(bars), 1.0, 1e-9);
+    for (const double density : bars.y) EXPECT_NEAR(density, 1.0 / (2.84 * 0.367), 1e-4);
+}
+
+TEST(HistogramPlot, NothingIsBeyondABoundOnOneSide) {
+    UncertaintyResult result = test::plot_sample();
+    MonteCarloOutput& mc = *result.outputs[0].monte_carlo;
+    mc.minimum = mc.mean - 0.55 * mc.standard_uncertainty;
+    mc.maximum = mc.mean + 7.0 * mc.standard_uncertainty;
+    mc.histogram.above = 1;
+    for (std::size_t i = 0; i < 44; ++i) mc.histogram.counts[i] = 0;
+    const PlotSeries bars = histogram_plot(result, 0).series.at(0);
+    EXPECT_NEAR(bars.x.front() - 0.5 * bars.bar_width, -120.0 - 0.55 * 0.367, 1e-9);
+    EXPECT_NEAR(area_of(bars), 1.0, 1e-5);
+}
+
 TEST(HistogramPlot, LeavesOutFarTails) {
     UncertaintyResult result = test::plot_sample();
     Histogram& histogram = result.outputs[0].monte_carlo->histogram;
