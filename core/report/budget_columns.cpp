@@ -81,6 +81,9 @@ void add_sobol_columns(Table& table, const UncertaintyResult& result, const Plac
             .round({.decimals = 1, .percent = true})
             .not_in_files();
     };
+    add("sobol standard error", &SobolIndex::first_standard_error).round({.digits = 2, .percent = true});
+    add("sobol total standard error", &SobolIndex::total_standard_error)
+        .round({.digits = 2, .percent = true});
     add("sobol", &SobolIndex::first)
         .window("S / %", "Share of the variance that the component causes by itself (Sobol index)");
     add("sobol total", &SobolIndex::total)

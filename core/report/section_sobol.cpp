@@ -49,11 +49,16 @@ void add_sobol(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Documen
     const UncertaintyResult& result = *evaluated.result;
     if (result.sobol.empty()) return;
     blocks.push_back(HeadingBlock{2, in.say(tell<"Sobol indices">())});
-    blocks.push_back(ParagraphBlock{in.say(
-        tell<"S is the share of the variance that a component causes by itself, S total the share with "
-             "all its interactions with others: where both agree and the shares sum to 100 %, the "
-             "measurement model is additive. Components that are correlated have indices together. By "
-             "Monte Carlo with %1 pairs of trials.">(count_text(result.sobol_trials, in.numbers())))});
+    blocks.push_back(ParagraphBlock{
+        in.say(
+            tell<"S is the share of the variance that a component causes by itself, S total the share with "
+                 "all its interactions with others: where both agree and the shares sum to 100 %, the "
+                 "measurement model is additive. Components that are correlated have indices together. By "
+                 "Monte Carlo with %1 pairs of trials.">(count_text(result.sobol_trials, in.numbers()))) +
+        " " +
+        in.say(tell<"Both are estimates by sampling, with the standard errors beside them: S can exceed S "
+                    "total by "
+                    "chance.">())});
     for (const std::string& group : groups_in_full(result))
         for (const std::size_t output : measurands_of(result, group))
             blocks.push_back(sobol_table(evaluated, output, in));

@@ -35,8 +35,18 @@ const BudgetComponent* BudgetTableModel::component(int row) const {
     return &result_->budget.components[result_->budget.rows[place.output][place.row].component];
 }
 
-QVariant BudgetTableModel::extra(std::size_t row, std::size_t, int role) const {
+/// Empty where the component has no index.
+QString BudgetTableModel::standard_error(std::size_t row, const std::string& of_index) const {
+    const QString figure = to_qt(to_unicode(text_of(of_index + " standard error", row)));
+    if (figure.isEmpty()) return {};
+    return tr("An estimate by sampling with a standard error of %1 %: S can exceed S total by chance")
+        .arg(figure);
+}
+
+QVariant BudgetTableModel::extra(std::size_t row, std::size_t column, int role) const {
     const BudgetComponent& of = *component(int(row));
+    const bool of_index = key(column) == "sobol" || key(column) == "sobol total";
+    if (role == Qt::ToolTipRole && of_index) return standard_error(row, key(column));
     if (role == id_role) return to_qt(of.id);
     if (role == group_role) return to_qt(of.group);
     if (role == Qt::ToolTipRole) return to_qt(of.origin);

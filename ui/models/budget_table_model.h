@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/report/result_columns.h"
@@ -23,6 +24,9 @@ protected:
     QVariant extra(std::size_t row, std::size_t column, int role) const override;
 
 private:
+    /// What the number of a Sobol index is worth.
+    QString standard_error(std::size_t row, const std::string& of_index) const;
+
     std::shared_ptr<const UncertaintyResult> result_;
     std::vector<BudgetPlace> places_;
 };

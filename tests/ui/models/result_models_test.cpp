@@ -159,6 +159,22 @@ TEST(BudgetTableModel, ShowsComponentsAndContributions) {
     EXPECT_EQ(model.rowCount(), 0);
 }
 
+TEST(BudgetTableModel, SaysWhatASobolIndexIsWorth) {
+    auto result = std::make_shared<UncertaintyResult>(*sample_result());
+    result->sobol.assign(result->outputs.size(), {{"a", {0}, 0.802, 0.799, 0.0041, 0.0037}});
+    BudgetTableModel model;
+    model.set_result(result, 0, true);
+    const auto tip_of = [&model](const char* head) {
+        for (int c = 0; c < model.columnCount(); ++c)
+            if (model.headerData(c, Qt::Horizontal).toString() == QLatin1String(head))
+                return model.index(0, c).data(Qt::ToolTipRole).toString();
+        return QString();
+    };
+    EXPECT_EQ(cell(model, 0, "S / %"), "80.2");
+    EXPECT_TRUE(tip_of("S / %").contains("0.41")) << tip_of("S / %").toStdString();
+    EXPECT_TRUE(tip_of("S total / %").contains("0.37")) << tip_of("S total / %").toStdString();
+}
+
 TEST(CorrelationTableModel, ShowsTheMatrixOfAGroup) {
     CorrelationTableModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
