@@ -4411,24 +4411,6 @@
         <translation>Erweiterte Unsicherheit. U ist die halbe Breite des probabilistisch symmetrischen Überdeckungsintervalls, und k = U/u.</translation>
     </message>
     <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: Standardunsicherheit
-2 ppm: Standardunsicherheit, ein Teil des Wertes
-U = 0,3 um, k = 2 (oder p = 95 %): Kalibrierschein
-rechteckig 0,5 (oder recht, ±): Grenzen um den Wert; ebenso dreieckig, Arkussinus
-Grenzen 19,5 bis 20,5: sie liefern den Wert
-10,1; 10,3; 10,2: Beobachtungen
-Auflösung 0,01, MPE 3 + 0,1 %, Zählereignisse 12, Konstante
-nu 18 hinter jedem davon: Freiheitsgrade</translation>
-    </message>
-    <message>
         <source>Target uncertainty</source>
         <translation>Zielunsicherheit</translation>
     </message>
@@ -9729,10 +9711,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>%1 kann nicht mit sich selbst korreliert sein</translation>
     </message>
     <message>
-        <source>a correlation coefficient must lie between -1 and 1; it is %1</source>
-        <translation>ein Korrelationskoeffizient muss zwischen -1 und 1 liegen; angegeben ist %1</translation>
-    </message>
-    <message>
         <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
         <translation>%1 und %2 haben die Komponente %3 gemeinsam, was sie korreliert; stattdessen die Korrelation anderer Komponenten angeben</translation>
     </message>
@@ -13196,6 +13174,32 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>the value typed is used, not the mean of the observations, %1</source>
         <translation>verwendet wird der eingetippte Wert, nicht der Mittelwert der Beobachtungen, %1</translation>
     </message>
+    <message>
+        <source>the correlation coefficient of %1 and %2 must lie between -1 and 1; it is %3</source>
+        <translation>der Korrelationskoeffizient von %1 und %2 muss zwischen -1 und 1 liegen; er ist %3</translation>
+    </message>
+    <message>
+        <source>Both are estimates by sampling, with the standard errors beside them: S can exceed S total by chance.</source>
+        <translation>Beide sind durch Stichproben geschätzt, mit den Standardfehlern daneben: S kann S total durch Zufall übersteigen.</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: Standardunsicherheit
+2 ppm: Standardunsicherheit, ein Teil des Wertes; absolut, wo die Größe selbst ein Verhältnis ist
+U = 0,3 um, k = 2 (oder p = 95 %): Kalibrierschein
+rechteckig 0,5 (oder recht, ±): Grenzen um den Wert; ebenso dreieckig, Arkussinus
+Grenzen 19,5 bis 20,5: sie liefern den Wert
+10,1; 10,3; 10,2: Beobachtungen
+Auflösung 0,01, MPE 3 + 0,1 %, Zählereignisse 12, Konstante
+nu 18 hinter jedem davon: Freiheitsgrade</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13810,6 +13814,13 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Its components, observations, correlations and notes</source>
         <translation>Ihre Komponenten, Beobachtungen, Korrelationen und Notizen</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::BudgetTableModel</name>
+    <message>
+        <source>An estimate by sampling with a standard error of %1 %: S can exceed S total by chance</source>
+        <translation>Durch Stichproben geschätzt, Standardfehler %1 %: S kann S total durch Zufall übersteigen</translation>
     </message>
 </context>
 <context>
@@ -14686,6 +14697,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>This distribution has no finite standard uncertainty.</source>
         <translation>Diese Verteilung hat keine endliche Standardunsicherheit.</translation>
     </message>
+    <message>
+        <source>Monte Carlo draws: %1, ν = %2</source>
+        <translation>Monte Carlo zieht: %1, ν = %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
@@ -15353,16 +15368,16 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <translation>Korrelationen von %1 entfernen</translation>
     </message>
     <message>
-        <source>A correlation coefficient lies between −1 and 1; “%1” does not.</source>
-        <translation>Ein Korrelationskoeffizient liegt zwischen −1 und 1; „%1“ nicht.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>„%1“ ist keine Zahl.</translation>
-    </message>
-    <message>
         <source>Change correlation of %1 and %2</source>
         <translation>Korrelation von %1 und %2 ändern</translation>
+    </message>
+    <message>
+        <source>The correlation coefficient of %1 and %2 lies between −1 and 1; “%3” does not.</source>
+        <translation>Der Korrelationskoeffizient von %1 und %2 liegt zwischen −1 und 1; „%3“ nicht.</translation>
+    </message>
+    <message>
+        <source>The correlation coefficient of %1 and %2 is a number; “%3” is not.</source>
+        <translation>Der Korrelationskoeffizient von %1 und %2 ist eine Zahl; „%3“ nicht.</translation>
     </message>
 </context>
 <context>
@@ -16106,6 +16121,10 @@ Gewählt: %2</translation>
         <source>Problem</source>
         <translation>Problem</translation>
     </message>
+    <message>
+        <source>correlation of %1 and %2</source>
+        <translation>Korrelation von %1 und %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -16805,6 +16824,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <source>Go to Source</source>
         <translation>Zur Quelle</translation>
     </message>
+    <message>
+        <source>Not complete yet, but not wrong; to give next: %1</source>
+        <translation>Noch nicht vollständig, aber nicht falsch; als Nächstes anzugeben: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
@@ -17195,6 +17218,18 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
         <translation>%1 ist keine Einheit für eine Größe in %2.</translation>
+    </message>
+    <message>
+        <source>Its value is %1 of the analysis “%2”: what is stated here is not used.</source>
+        <translation>Ihr Wert ist %1 der Analyse „%2“: Was hier angegeben ist, wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>%1 of the value</source>
+        <translation>%1 des Wertes</translation>
+    </message>
+    <message>
+        <source>%1 absolute, not a part of the value</source>
+        <translation>%1 absolut, kein Teil des Wertes</translation>
     </message>
 </context>
 <context>

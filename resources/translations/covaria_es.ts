@@ -4411,24 +4411,6 @@
         <translation>Incertidumbre expandida. U es la mitad de la anchura del intervalo de cobertura probabilísticamente simétrico, y k = U/u.</translation>
     </message>
     <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: incertidumbre típica
-2 ppm: incertidumbre típica, una fracción del valor
-U = 0,3 um, k = 2 (o p = 95 %): certificado
-rectangular 0,5 (o rect, ±): límites en torno al valor; lo mismo triangular, arcoseno
-límites 19,5 hasta 20,5: dan el valor
-10,1; 10,3; 10,2: observaciones
-resolución 0,01, MPE 3 + 0,1 %, recuentos 12, constante
-nu 18 tras cualquiera de ellas: grados de libertad</translation>
-    </message>
-    <message>
         <source>Target uncertainty</source>
         <translation>Incertidumbre objetivo</translation>
     </message>
@@ -9729,10 +9711,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>%1 no se puede correlacionar consigo mismo</translation>
     </message>
     <message>
-        <source>a correlation coefficient must lie between -1 and 1; it is %1</source>
-        <translation>un coeficiente de correlación debe estar entre -1 y 1; es %1</translation>
-    </message>
-    <message>
         <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
         <translation>%1 y %2 tienen en común la componente %3, que los correlaciona; indique en su lugar la correlación de otras componentes</translation>
     </message>
@@ -13196,6 +13174,32 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>the value typed is used, not the mean of the observations, %1</source>
         <translation>se usa el valor escrito, no la media de las observaciones, %1</translation>
     </message>
+    <message>
+        <source>the correlation coefficient of %1 and %2 must lie between -1 and 1; it is %3</source>
+        <translation>el coeficiente de correlación de %1 y %2 debe estar entre -1 y 1; es %3</translation>
+    </message>
+    <message>
+        <source>Both are estimates by sampling, with the standard errors beside them: S can exceed S total by chance.</source>
+        <translation>Ambas son estimaciones por muestreo, con los errores típicos al lado: S puede superar a S total por azar.</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: incertidumbre típica
+2 ppm: incertidumbre típica, una fracción del valor; absoluta si la magnitud misma es una razón
+U = 0,3 um, k = 2 (o p = 95 %): certificado
+rectangular 0,5 (o rect, ±): límites en torno al valor; lo mismo triangular, arcoseno
+límites 19,5 hasta 20,5: dan el valor
+10,1; 10,3; 10,2: observaciones
+resolución 0,01, MPE 3 + 0,1 %, recuentos 12, constante
+nu 18 tras cualquiera de ellas: grados de libertad</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13810,6 +13814,13 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>Its components, observations, correlations and notes</source>
         <translation>Sus componentes, observaciones, correlaciones y notas</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::BudgetTableModel</name>
+    <message>
+        <source>An estimate by sampling with a standard error of %1 %: S can exceed S total by chance</source>
+        <translation>Estimación por muestreo con un error típico de %1 %: S puede superar a S total por azar</translation>
     </message>
 </context>
 <context>
@@ -14686,6 +14697,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>This distribution has no finite standard uncertainty.</source>
         <translation>Esta distribución no tiene incertidumbre típica finita.</translation>
     </message>
+    <message>
+        <source>Monte Carlo draws: %1, ν = %2</source>
+        <translation>Monte Carlo extrae de: %1, ν = %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
@@ -15353,16 +15368,16 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <translation>Quitar correlaciones de %1</translation>
     </message>
     <message>
-        <source>A correlation coefficient lies between −1 and 1; “%1” does not.</source>
-        <translation>Un coeficiente de correlación está entre −1 y 1; «%1» no lo está.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>«%1» no es un número.</translation>
-    </message>
-    <message>
         <source>Change correlation of %1 and %2</source>
         <translation>Modificar correlación de %1 y %2</translation>
+    </message>
+    <message>
+        <source>The correlation coefficient of %1 and %2 lies between −1 and 1; “%3” does not.</source>
+        <translation>El coeficiente de correlación de %1 y %2 está entre −1 y 1; «%3» no lo está.</translation>
+    </message>
+    <message>
+        <source>The correlation coefficient of %1 and %2 is a number; “%3” is not.</source>
+        <translation>El coeficiente de correlación de %1 y %2 es un número; «%3» no lo es.</translation>
     </message>
 </context>
 <context>
@@ -16106,6 +16121,10 @@ Elegido: %2</translation>
         <source>Problem</source>
         <translation>Problema</translation>
     </message>
+    <message>
+        <source>correlation of %1 and %2</source>
+        <translation>correlación de %1 y %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -16805,6 +16824,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <source>Go to Source</source>
         <translation>Ir al origen</translation>
     </message>
+    <message>
+        <source>Not complete yet, but not wrong; to give next: %1</source>
+        <translation>Aún incompleto, pero no hay nada mal; lo siguiente por indicar: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
@@ -17195,6 +17218,18 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
         <translation>%1 no es unidad para una magnitud en %2.</translation>
+    </message>
+    <message>
+        <source>Its value is %1 of the analysis “%2”: what is stated here is not used.</source>
+        <translation>Su valor es %1 del análisis «%2»: lo que se declara aquí no se usa.</translation>
+    </message>
+    <message>
+        <source>%1 of the value</source>
+        <translation>%1 del valor</translation>
+    </message>
+    <message>
+        <source>%1 absolute, not a part of the value</source>
+        <translation>%1 en términos absolutos, no una fracción del valor</translation>
     </message>
 </context>
 <context>

@@ -4410,24 +4410,6 @@
         <translation>확장불확도. U는 확률적 대칭 포함구간 폭의 절반이고, k = U/u.</translation>
     </message>
     <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: 표준불확도
-2 ppm: 표준불확도, 값에 대한 비
-U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
-직사각형 0.5 (또는 rect, ±): 값을 중심으로 한 한계. 삼각형, 아크사인도 같음
-한계 19.5 까지 20.5: 한계가 값을 줌
-10.1; 10.3; 10.2: 관측값
-분해능 0.01, MPE 3 + 0.1 %, 계수 횟수 12, 상수
-이들 뒤의 nu 18: 자유도</translation>
-    </message>
-    <message>
         <source>Target uncertainty</source>
         <translation>목표불확도</translation>
     </message>
@@ -9728,10 +9710,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>%1은(는) 자기 자신과 상관될 수 없습니다</translation>
     </message>
     <message>
-        <source>a correlation coefficient must lie between -1 and 1; it is %1</source>
-        <translation>상관계수는 -1과 1 사이여야 합니다. 현재 %1</translation>
-    </message>
-    <message>
         <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
         <translation>%1과(와) %2은(는) 성분 %3을(를) 공유하여 상관됩니다. 대신 다른 성분의 상관을 제시하십시오</translation>
     </message>
@@ -13195,6 +13173,32 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>the value typed is used, not the mean of the observations, %1</source>
         <translation>관측값의 평균 %1이(가) 아니라 입력한 값이 쓰입니다</translation>
     </message>
+    <message>
+        <source>the correlation coefficient of %1 and %2 must lie between -1 and 1; it is %3</source>
+        <translation>%1과(와) %2의 상관계수는 -1과 1 사이여야 합니다. 지금은 %3입니다</translation>
+    </message>
+    <message>
+        <source>Both are estimates by sampling, with the standard errors beside them: S can exceed S total by chance.</source>
+        <translation>둘 다 표본 추출에 의한 추정값이며 표준오차가 옆에 있습니다. S가 우연히 전체 S보다 클 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: 표준불확도
+2 ppm: 표준불확도, 값에 대한 비. 양 자체가 비이면 절대값
+U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
+직사각형 0.5 (또는 rect, ±): 값을 중심으로 한 한계. 삼각형, 아크사인도 같음
+한계 19.5 까지 20.5: 한계가 값을 줌
+10.1; 10.3; 10.2: 관측값
+분해능 0.01, MPE 3 + 0.1 %, 계수 횟수 12, 상수
+이들 뒤의 nu 18: 자유도</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13809,6 +13813,13 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>Its components, observations, correlations and notes</source>
         <translation>성분, 관측값, 상관관계 및 메모</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::BudgetTableModel</name>
+    <message>
+        <source>An estimate by sampling with a standard error of %1 %: S can exceed S total by chance</source>
+        <translation>표준오차가 %1 %인 표본 추출 추정값입니다. S가 우연히 전체 S보다 클 수 있습니다</translation>
     </message>
 </context>
 <context>
@@ -14683,6 +14694,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <source>This distribution has no finite standard uncertainty.</source>
         <translation>이 분포에는 유한한 표준불확도가 없습니다.</translation>
     </message>
+    <message>
+        <source>Monte Carlo draws: %1, ν = %2</source>
+        <translation>몬테카를로 추출: %1, ν = %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
@@ -15349,16 +15364,16 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>%1의 상관 제거</translation>
     </message>
     <message>
-        <source>A correlation coefficient lies between −1 and 1; “%1” does not.</source>
-        <translation>상관계수는 −1과 1 사이에 있습니다. “%1”은(는) 그렇지 않습니다.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>“%1”은(는) 수가 아닙니다.</translation>
-    </message>
-    <message>
         <source>Change correlation of %1 and %2</source>
         <translation>%1과(와) %2의 상관 변경</translation>
+    </message>
+    <message>
+        <source>The correlation coefficient of %1 and %2 lies between −1 and 1; “%3” does not.</source>
+        <translation>%1과(와) %2의 상관계수는 −1과 1 사이에 있습니다. “%3”은(는) 그렇지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The correlation coefficient of %1 and %2 is a number; “%3” is not.</source>
+        <translation>%1과(와) %2의 상관계수는 숫자입니다. “%3”은(는) 숫자가 아닙니다.</translation>
     </message>
 </context>
 <context>
@@ -16102,6 +16117,10 @@ Chosen: %2</source>
         <source>Problem</source>
         <translation>문제</translation>
     </message>
+    <message>
+        <source>correlation of %1 and %2</source>
+        <translation>%1과(와) %2의 상관</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -16801,6 +16820,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Go to Source</source>
         <translation>출처로 이동</translation>
     </message>
+    <message>
+        <source>Not complete yet, but not wrong; to give next: %1</source>
+        <translation>아직 미완성이지만 잘못된 것은 없습니다. 다음으로 입력할 것: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
@@ -17190,6 +17213,18 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
         <translation>%1은(는) %2 단위의 양에 맞는 단위가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Its value is %1 of the analysis “%2”: what is stated here is not used.</source>
+        <translation>그 값은 분석 “%2”의 %1입니다. 여기에 기재된 내용은 사용되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>%1 of the value</source>
+        <translation>값의 %1</translation>
+    </message>
+    <message>
+        <source>%1 absolute, not a part of the value</source>
+        <translation>%1(절대값), 값에 대한 비가 아님</translation>
     </message>
 </context>
 <context>

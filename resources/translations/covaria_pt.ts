@@ -4411,24 +4411,6 @@
         <translation>Incerteza expandida. U é metade da largura do intervalo de abrangência probabilisticamente simétrico, e k = U/u.</translation>
     </message>
     <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: incerteza-padrão
-2 ppm: incerteza-padrão, uma parte do valor
-U = 0,3 um, k = 2 (ou p = 95 %): certificado
-retangular 0,5 (ou ret, ±): limites em torno do valor; do mesmo modo triangular, arco-seno
-limites 19,5 até 20,5: dão o valor
-10,1; 10,3; 10,2: observações
-resolução 0,01, MPE 3 + 0,1 %, contagens 12, constante
-nu 18 após qualquer um deles: graus de liberdade</translation>
-    </message>
-    <message>
         <source>Target uncertainty</source>
         <translation>Incerteza-alvo</translation>
     </message>
@@ -9729,10 +9711,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>%1 não pode ser correlacionado consigo mesmo</translation>
     </message>
     <message>
-        <source>a correlation coefficient must lie between -1 and 1; it is %1</source>
-        <translation>um coeficiente de correlação deve estar entre -1 e 1; é %1</translation>
-    </message>
-    <message>
         <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
         <translation>%1 e %2 têm em comum a componente %3, que os correlaciona; declare em vez disso a correlação de outras componentes</translation>
     </message>
@@ -13196,6 +13174,32 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>the value typed is used, not the mean of the observations, %1</source>
         <translation>usa-se o valor digitado, não a média das observações, %1</translation>
     </message>
+    <message>
+        <source>the correlation coefficient of %1 and %2 must lie between -1 and 1; it is %3</source>
+        <translation>o coeficiente de correlação de %1 e %2 deve estar entre -1 e 1; é %3</translation>
+    </message>
+    <message>
+        <source>Both are estimates by sampling, with the standard errors beside them: S can exceed S total by chance.</source>
+        <translation>Ambas são estimativas por amostragem, com os erros-padrão ao lado: S pode exceder S total por acaso.</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: incerteza-padrão
+2 ppm: incerteza-padrão, uma parte do valor; absoluta se a própria grandeza for uma razão
+U = 0,3 um, k = 2 (ou p = 95 %): certificado
+retangular 0,5 (ou ret, ±): limites em torno do valor; do mesmo modo triangular, arco-seno
+limites 19,5 até 20,5: dão o valor
+10,1; 10,3; 10,2: observações
+resolução 0,01, MPE 3 + 0,1 %, contagens 12, constante
+nu 18 após qualquer um deles: graus de liberdade</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13810,6 +13814,13 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Its components, observations, correlations and notes</source>
         <translation>Seus componentes, observações, correlações e notas</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::BudgetTableModel</name>
+    <message>
+        <source>An estimate by sampling with a standard error of %1 %: S can exceed S total by chance</source>
+        <translation>Estimativa por amostragem com erro-padrão de %1 %: S pode exceder S total por acaso</translation>
     </message>
 </context>
 <context>
@@ -14686,6 +14697,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>This distribution has no finite standard uncertainty.</source>
         <translation>Esta distribuição não tem incerteza-padrão finita.</translation>
     </message>
+    <message>
+        <source>Monte Carlo draws: %1, ν = %2</source>
+        <translation>Monte Carlo sorteia: %1, ν = %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
@@ -15353,16 +15368,16 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <translation>Remover correlações de %1</translation>
     </message>
     <message>
-        <source>A correlation coefficient lies between −1 and 1; “%1” does not.</source>
-        <translation>Um coeficiente de correlação está entre −1 e 1; “%1” não.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>“%1” não é um número.</translation>
-    </message>
-    <message>
         <source>Change correlation of %1 and %2</source>
         <translation>Alterar correlação de %1 e %2</translation>
+    </message>
+    <message>
+        <source>The correlation coefficient of %1 and %2 lies between −1 and 1; “%3” does not.</source>
+        <translation>O coeficiente de correlação de %1 e %2 está entre −1 e 1; “%3” não.</translation>
+    </message>
+    <message>
+        <source>The correlation coefficient of %1 and %2 is a number; “%3” is not.</source>
+        <translation>O coeficiente de correlação de %1 e %2 é um número; “%3” não é.</translation>
     </message>
 </context>
 <context>
@@ -16106,6 +16121,10 @@ Escolhido: %2</translation>
         <source>Problem</source>
         <translation>Problema</translation>
     </message>
+    <message>
+        <source>correlation of %1 and %2</source>
+        <translation>correlação de %1 e %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -16805,6 +16824,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Go to Source</source>
         <translation>Ir para a origem</translation>
     </message>
+    <message>
+        <source>Not complete yet, but not wrong; to give next: %1</source>
+        <translation>Ainda não completo, mas nada está errado; a seguir, indicar: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
@@ -17195,6 +17218,18 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
         <translation>%1 não é unidade para uma grandeza em %2.</translation>
+    </message>
+    <message>
+        <source>Its value is %1 of the analysis “%2”: what is stated here is not used.</source>
+        <translation>O seu valor é %1 da análise “%2”: o que está declarado aqui não é usado.</translation>
+    </message>
+    <message>
+        <source>%1 of the value</source>
+        <translation>%1 do valor</translation>
+    </message>
+    <message>
+        <source>%1 absolute, not a part of the value</source>
+        <translation>%1 em termos absolutos, não uma parte do valor</translation>
     </message>
 </context>
 <context>

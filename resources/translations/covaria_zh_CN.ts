@@ -4410,24 +4410,6 @@
         <translation>扩展不确定度。U 为概率对称包含区间宽度的一半，k = U/u。</translation>
     </message>
     <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm：标准不确定度
-2 ppm：标准不确定度，为值的一部分
-U = 0.3 um, k = 2（或 p = 95 %）：证书
-矩形 0.5（或 rect、±）：值两侧的界限；三角、反正弦与此相同
-界限 19.5 至 20.5：由界限给出值
-10.1; 10.3; 10.2：观测值
-分辨力 0.01、MPE 3 + 0.1 %、计数 12、常量
-以上任一项之后加 nu 18：自由度</translation>
-    </message>
-    <message>
         <source>Target uncertainty</source>
         <translation>目标不确定度</translation>
     </message>
@@ -9728,10 +9710,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>%1 不能与自身相关</translation>
     </message>
     <message>
-        <source>a correlation coefficient must lie between -1 and 1; it is %1</source>
-        <translation>相关系数必须在 -1 和 1 之间；现为 %1</translation>
-    </message>
-    <message>
         <source>%1 and %2 have the component %3 in common, which correlates them; state the correlation of other components instead</source>
         <translation>%1 和 %2 共有分量 %3，因而相关；请改为给出其他分量的相关</translation>
     </message>
@@ -13195,6 +13173,32 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>the value typed is used, not the mean of the observations, %1</source>
         <translation>使用键入的值，而非观测值的平均值 %1</translation>
     </message>
+    <message>
+        <source>the correlation coefficient of %1 and %2 must lie between -1 and 1; it is %3</source>
+        <translation>%1 与 %2 的相关系数必须在 -1 和 1 之间；现为 %3</translation>
+    </message>
+    <message>
+        <source>Both are estimates by sampling, with the standard errors beside them: S can exceed S total by chance.</source>
+        <translation>两者都是抽样估计值，标准误差列在旁边：S 可能偶然大于总 S。</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm：标准不确定度
+2 ppm：标准不确定度，为值的一部分；量本身为比值时则为绝对值
+U = 0.3 um, k = 2（或 p = 95 %）：证书
+矩形 0.5（或 rect、±）：值两侧的界限；三角、反正弦与此相同
+界限 19.5 至 20.5：由界限给出值
+10.1; 10.3; 10.2：观测值
+分辨力 0.01、MPE 3 + 0.1 %、计数 12、常量
+以上任一项之后加 nu 18：自由度</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13809,6 +13813,13 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>Its components, observations, correlations and notes</source>
         <translation>其分量、观测值、相关性和附注</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::BudgetTableModel</name>
+    <message>
+        <source>An estimate by sampling with a standard error of %1 %: S can exceed S total by chance</source>
+        <translation>抽样估计值，标准误差为 %1 %：S 可能偶然大于总 S</translation>
     </message>
 </context>
 <context>
@@ -14683,6 +14694,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <source>This distribution has no finite standard uncertainty.</source>
         <translation>该分布没有有限的标准不确定度。</translation>
     </message>
+    <message>
+        <source>Monte Carlo draws: %1, ν = %2</source>
+        <translation>蒙特卡洛抽样所用：%1，ν = %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
@@ -15349,16 +15364,16 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>移除 %1 的相关性</translation>
     </message>
     <message>
-        <source>A correlation coefficient lies between −1 and 1; “%1” does not.</source>
-        <translation>相关系数在 −1 和 1 之间；“%1”不在此范围。</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>“%1”不是数字。</translation>
-    </message>
-    <message>
         <source>Change correlation of %1 and %2</source>
         <translation>更改 %1 与 %2 的相关性</translation>
+    </message>
+    <message>
+        <source>The correlation coefficient of %1 and %2 lies between −1 and 1; “%3” does not.</source>
+        <translation>%1 与 %2 的相关系数在 −1 和 1 之间；“%3”不在此范围。</translation>
+    </message>
+    <message>
+        <source>The correlation coefficient of %1 and %2 is a number; “%3” is not.</source>
+        <translation>%1 与 %2 的相关系数是一个数；“%3”不是。</translation>
     </message>
 </context>
 <context>
@@ -16102,6 +16117,10 @@ Chosen: %2</source>
         <source>Problem</source>
         <translation>问题</translation>
     </message>
+    <message>
+        <source>correlation of %1 and %2</source>
+        <translation>%1 与 %2 的相关</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -16801,6 +16820,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Go to Source</source>
         <translation>转到来源</translation>
     </message>
+    <message>
+        <source>Not complete yet, but not wrong; to give next: %1</source>
+        <translation>尚不完整，但没有错误；接下来需给出：%1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
@@ -17190,6 +17213,18 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
         <translation>%1 不是以 %2 表示的量的单位。</translation>
+    </message>
+    <message>
+        <source>Its value is %1 of the analysis “%2”: what is stated here is not used.</source>
+        <translation>其值是分析“%2”的 %1：此处所述内容不会被使用。</translation>
+    </message>
+    <message>
+        <source>%1 of the value</source>
+        <translation>值的 %1</translation>
+    </message>
+    <message>
+        <source>%1 absolute, not a part of the value</source>
+        <translation>%1（绝对值），不是值的一部分</translation>
     </message>
 </context>
 <context>
