@@ -132,7 +132,7 @@
     </message>
     <message>
         <source>Position of the origin from point 1 along x of the base frame b (s of Eqs 17 and 18).</source>
-        <translation>Lage des Ursprungs von Punkt 1 aus entlang x des Basissystems b (s der Gln. 17 und 18).</translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang x des Basissystems b (s der Gl. 17 und 18).</translation>
     </message>
     <message>
         <source>Origin from point 1, y</source>
@@ -140,7 +140,7 @@
     </message>
     <message>
         <source>Position of the origin from point 1 along y of the base frame b (s of Eqs 17 and 18).</source>
-        <translation>Lage des Ursprungs von Punkt 1 aus entlang y des Basissystems b (s der Gln. 17 und 18).</translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang y des Basissystems b (s der Gl. 17 und 18).</translation>
     </message>
     <message>
         <source>Origin from point 1, z</source>
@@ -148,7 +148,7 @@
     </message>
     <message>
         <source>Position of the origin from point 1 along z of the base frame b (s of Eqs 17 and 18).</source>
-        <translation>Lage des Ursprungs von Punkt 1 aus entlang z des Basissystems b (s der Gln. 17 und 18).</translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang z des Basissystems b (s der Gl. 17 und 18).</translation>
     </message>
     <message>
         <source>Pose of the base in frame 0</source>
@@ -172,15 +172,15 @@
     </message>
     <message>
         <source>Position of the origin from point 1 along x of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation>Lage des Ursprungs von Punkt 1 aus entlang x des bewegten Systems p (s der Gln. 17 und 18).</translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang x des bewegten Systems p (s der Gl. 17 und 18).</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along y of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation>Lage des Ursprungs von Punkt 1 aus entlang y des bewegten Systems p (s der Gln. 17 und 18).</translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang y des bewegten Systems p (s der Gl. 17 und 18).</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along z of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation>Lage des Ursprungs von Punkt 1 aus entlang z des bewegten Systems p (s der Gln. 17 und 18).</translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang z des bewegten Systems p (s der Gl. 17 und 18).</translation>
     </message>
     <message>
         <source>Poses</source>
@@ -688,7 +688,7 @@
     </message>
     <message>
         <source>linearised equations: OLS, then GLS (Eqs 1-4 of the paper)</source>
-        <translation>linearisiert: OLS, dann GLS (Gln. 1-4 des Artikels)</translation>
+        <translation>linearisiert: OLS, dann GLS (Gl. 1-4 des Artikels)</translation>
     </message>
     <message>
         <source>linearised equations: OLS alone (Eq 3 of the paper)</source>
@@ -2220,7 +2220,7 @@
     </message>
     <message>
         <source>ΔT of Eqs 3 and 6: without correction the largest absolute deviation from 20 °C, with correction the expanded uncertainty of the measured temperature. Half-width of a rectangular distribution.</source>
-        <translation>ΔT der Gln. 3 und 6: ohne Korrektion die größte absolute Abweichung von 20 °C, mit Korrektion die erweiterte Unsicherheit der gemessenen Temperatur. Halbbreite einer Rechteckverteilung.</translation>
+        <translation>ΔT der Gl. 3 und 6: ohne Korrektion die größte absolute Abweichung von 20 °C, mit Korrektion die erweiterte Unsicherheit der gemessenen Temperatur. Halbbreite einer Rechteckverteilung.</translation>
     </message>
     <message>
         <source>Measured temperature</source>
@@ -3344,7 +3344,7 @@
     </message>
     <message>
         <source>Calibration series of each axis: n of Eqs 2 to 4.</source>
-        <translation>Kalibrierreihen jeder Achse: n der Gln. 2 bis 4.</translation>
+        <translation>Kalibrierreihen jeder Achse: n der Gl. 2 bis 4.</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -4404,11 +4404,11 @@
     </message>
     <message>
         <source>Coverage factor. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation>Erweiterungsfaktor. U ist die halbe Breite des probabilistisch symmetrischen Überdeckungsintervalls, und k = U/u.</translation>
+        <translation>Erweiterungsfaktor. U ist die halbe Breite des wahrscheinlichkeitssymmetrischen Überdeckungsintervalls, und k = U/u.</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation>Erweiterte Unsicherheit. U ist die halbe Breite des probabilistisch symmetrischen Überdeckungsintervalls, und k = U/u.</translation>
+        <translation>Erweiterte Unsicherheit. U ist die halbe Breite des wahrscheinlichkeitssymmetrischen Überdeckungsintervalls, und k = U/u.</translation>
     </message>
     <message>
         <source>Target uncertainty</source>
@@ -7412,7 +7412,7 @@
     </message>
     <message>
         <source>U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation>U ist die halbe Breite des probabilistisch symmetrischen Überdeckungsintervalls, und k = U/u.</translation>
+        <translation>U ist die halbe Breite des wahrscheinlichkeitssymmetrischen Überdeckungsintervalls, und k = U/u.</translation>
     </message>
     <message>
         <source>U = k u with k of the t distribution for the effective degrees of freedom.</source>
@@ -11076,7 +11076,7 @@
     </message>
     <message>
         <source>The same project, seed and version give the same numbers on any number of threads. The fingerprint covers everything that influences the numbers of an analysis.</source>
-        <translation>Dasselbe Projekt, derselbe Startwert und dieselbe Version geben dieselben Zahlen mit jeder Anzahl von Threads. Der Fingerabdruck umfasst alles, was die Zahlen einer Analyse beeinflusst.</translation>
+        <translation>Dasselbe Projekt, dieselbe Startzahl und dieselbe Version geben dieselben Zahlen mit jeder Anzahl von Threads. Der Fingerabdruck umfasst alles, was die Zahlen einer Analyse beeinflusst.</translation>
     </message>
     <message>
         <source>Factors by which the standard uncertainties are to be multiplied so that all measurands of a group lie in the region together with a probability of %1 (JCGM 102 6.5 and 7.7).</source>
@@ -11164,7 +11164,7 @@
     </message>
     <message>
         <source>Values from the propagation of distributions (JCGM 101) with %1 trials; the interval is probabilistically symmetric, the shortest one beside it. The effective degrees of freedom are those of the law of propagation.</source>
-        <translation>Werte aus der Fortpflanzung von Verteilungen (JCGM 101) mit %1 Versuchen; das Intervall ist probabilistisch symmetrisch, das kürzeste steht daneben. Die effektiven Freiheitsgrade sind die des Fortpflanzungsgesetzes.</translation>
+        <translation>Werte aus der Fortpflanzung von Verteilungen (JCGM 101) mit %1 Versuchen; das Intervall ist wahrscheinlichkeitssymmetrisch, das kürzeste steht daneben. Die effektiven Freiheitsgrade sind die des Fortpflanzungsgesetzes.</translation>
     </message>
     <message>
         <source>This result does not represent the measurand: %1 trials, more than 1 %, have no value.</source>
@@ -12348,7 +12348,7 @@
     </message>
     <message>
         <source>calibration machine, Eq 5</source>
-        <translation>Kalibriermaschine, Eq 5</translation>
+        <translation>Kalibriermaschine, Gl. 5</translation>
     </message>
     <message>
         <source>regression of %1</source>
@@ -12368,7 +12368,7 @@
     </message>
     <message>
         <source>standard deviation of one reading, Eq 3</source>
-        <translation>Standardabweichung einer Ablesung, Eq 3</translation>
+        <translation>Standardabweichung einer Ablesung, Gl. 3</translation>
     </message>
     <message>
         <source>net reading of %1, %2</source>
@@ -12376,19 +12376,19 @@
     </message>
     <message>
         <source>Eq 6</source>
-        <translation>Eq 6</translation>
+        <translation>Gl. 6</translation>
     </message>
     <message>
         <source>Eq 7</source>
-        <translation>Eq 7</translation>
+        <translation>Gl. 7</translation>
     </message>
     <message>
         <source>Eq 10, full width of the loop</source>
-        <translation>Eq 10, volle Breite der Schleife</translation>
+        <translation>Gl. 10, volle Breite der Schleife</translation>
     </message>
     <message>
         <source>Eq 10, in proportion to the load</source>
-        <translation>Eq 10, im Verhältnis zur Last</translation>
+        <translation>Gl. 10, im Verhältnis zur Last</translation>
     </message>
     <message>
         <source>Condition number, by rated outputs and rated loads: %1; with quadratic terms beside these slopes.</source>
@@ -12448,7 +12448,7 @@
     </message>
     <message>
         <source>Eqs 3, 4</source>
-        <translation>Eqs 3, 4</translation>
+        <translation>Gl. 3, 4</translation>
     </message>
     <message>
         <source>net reading of %1 at rated load</source>
@@ -12460,11 +12460,11 @@
     </message>
     <message>
         <source>Eq 5</source>
-        <translation>Eq 5</translation>
+        <translation>Gl. 5</translation>
     </message>
     <message>
         <source>Eq 10, as a rectangular distribution over the loop</source>
-        <translation>Eq 10, als Rechteckverteilung über die Schleife</translation>
+        <translation>Gl. 10, als Rechteckverteilung über die Schleife</translation>
     </message>
     <message>
         <source>unknown load on %1</source>
