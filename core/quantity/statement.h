@@ -39,8 +39,7 @@ const StatementKind* find_statement(std::string_view key);
 bool is_part_of_estimate(const Unit& stated, const Unit& of_quantity);
 
 /// A figure of a statement in SI: of limits a value on the scale, else an interval. A part of the estimate is
-/// one of `estimate` (SI). Errors: a unit of another dimension, a
-/// part of an estimate that is not there.
+/// one of `estimate` (SI). Errors: a unit of another dimension, a part of an estimate that is not there.
 Result<double> figure_in_si(double figure, const Unit& stated, const Unit& of_quantity, bool on_scale,
                             std::optional<double> estimate);
 

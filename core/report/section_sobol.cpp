@@ -57,8 +57,7 @@ void add_sobol(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Documen
                  "Monte Carlo with %1 pairs of trials.">(count_text(result.sobol_trials, in.numbers()))) +
         " " +
         in.say(tell<"Both are estimates by sampling, with the standard errors beside them: S can exceed S "
-                    "total by "
-                    "chance.">())});
+                    "total by chance.">())});
     for (const std::string& group : groups_in_full(result))
         for (const std::size_t output : measurands_of(result, group))
             blocks.push_back(sobol_table(evaluated, output, in));

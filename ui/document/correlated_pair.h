@@ -15,6 +15,8 @@ using CorrelatedPair = std::pair<std::string, std::string>;  ///< ids of compone
 inline constexpr const char* correlations_part = "/correlations/";
 /// "/correlations/a.1|b.1", whatever the order of the two.
 std::string part_of_pair(const std::string& first, const std::string& second);
+/// Of such a part. Empty: of none.
+std::optional<CorrelatedPair> pair_of(const std::string& part);
 
 /// Of such a part, or of one that names a correlation by its number ("/correlations/3/coefficient"). Empty:
 /// of none.

@@ -19,6 +19,13 @@ QString cell_text(const ColumnSpec& column, const SetupCell& cell, const QLocale
 Result<SetupCell> parse_cell(const ColumnSpec& column, const Unit& unit, const QString& text,
                              const QLocale& locale);
 
+/// What stands in a row's cell under `key`; null: nothing, or something else than a `T`.
+template <class T>
+const T* cell_in(const FieldSpec& table, const std::vector<SetupCell>& row, const std::string& key) {
+    const std::size_t column = SetupSchema::column(table, key);
+    return column < row.size() ? std::get_if<T>(&row[column]) : nullptr;
+}
+
 /// Cell of a new row: the first choice, an unset flag, otherwise nothing.
 SetupCell empty_cell(const ColumnSpec& column);
 

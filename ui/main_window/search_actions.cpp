@@ -36,6 +36,15 @@ QString quantity_words(const std::string& symbol, const std::string& group, cons
     return name.empty() || name == symbol ? words : words + QStringLiteral(": ") + to_qt(name);
 }
 
+/// Those that can be gone to.
+std::vector<const HeadingBlock*> headings_of(const HelpPage& page) {
+    std::vector<const HeadingBlock*> headings;
+    for (const ReportBlock& block : page.blocks)
+        if (const auto* heading = std::get_if<HeadingBlock>(&block); heading && !heading->anchor.empty())
+            headings.push_back(heading);
+    return headings;
+}
+
 /// By their anchors, which are those of all languages; none where the window speaks English.
 std::map<std::string, QString> english_headings() {
     std::map<std::string, QString> headings;
@@ -43,9 +52,8 @@ std::map<std::string, QString> english_headings() {
     const Result<std::vector<HelpPage>> pages = help_pages();
     if (!pages) return headings;
     for (const HelpPage& page : *pages)
-        for (const ReportBlock& block : page.blocks)
-            if (const auto* heading = std::get_if<HeadingBlock>(&block); heading && !heading->anchor.empty())
-                headings[heading->anchor] = to_qt(heading->text);
+        for (const HeadingBlock* heading : headings_of(page))
+            headings[heading->anchor] = to_qt(heading->text);
     return headings;
 }
 
@@ -155,9 +163,7 @@ void SearchActions::add_help(std::vector<Findable>& all) const {
     static const std::map<std::string, QString> english = english_headings();
     if (!pages) return;
     for (const HelpPage& page : *pages)
-        for (const ReportBlock& block : page.blocks) {
-            const auto* heading = std::get_if<HeadingBlock>(&block);
-            if (!heading || heading->anchor.empty()) continue;
+        for (const HeadingBlock* heading : headings_of(page)) {
             const bool is_page = heading->anchor == page.id;
             const auto in_english = english.find(heading->anchor);
             all.push_back({to_qt(heading->text), is_page ? tr("help") : tr("help: %1").arg(to_qt(page.title)),

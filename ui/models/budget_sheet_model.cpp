@@ -277,11 +277,9 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
         const QModelIndex cell = sheet_.index(row, column(key));
         if (!cell.data(problem_role).toString().isEmpty()) return cell.data(role);
     }
-    if (role == Qt::ToolTipRole && sheet_.taken_words(row, kind.column()).isEmpty()) {
-        const QString part = stated_part_words(field_, sheet_.table().rows[static_cast<std::size_t>(row)]);
-        const QString examples = core_text(statement_examples());
-        return part.isEmpty() ? examples : part + QStringLiteral("\n\n") + examples;
-    }
+    if (role == Qt::ToolTipRole && sheet_.taken_words(row, kind.column()).isEmpty())
+        return below_stated_part(field_, sheet_.table().rows[static_cast<std::size_t>(row)],
+                                 core_text(statement_examples()));
     return kind.data(role);
 }
 

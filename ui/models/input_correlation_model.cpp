@@ -19,11 +19,6 @@ bool is_pair(const covaria::CorrelationEdit& edit, const std::string& a, const s
     return (edit.first == a && edit.second == b) || (edit.first == b && edit.second == a);
 }
 
-/// Of a text that cannot be read.
-CorrelatedPair kept_pair(const TextPlace& at) {
-    return pair_in({}, at.part).value_or(CorrelatedPair());
-}
-
 template <class Container, class Value>
 bool contains(const Container& container, const Value& value) {
     return std::find(container.begin(), container.end(), value) != container.end();
@@ -74,7 +69,7 @@ void InputCorrelationModel::refresh() {
     if (analysis_)
         for (const auto& [at, text] :
              document_.unread().under({SetupOwner::analysis, analysis_->id}, correlations_part)) {
-            const CorrelatedPair pair = kept_pair(at);
+            const CorrelatedPair pair = pair_of(at.part).value_or(CorrelatedPair());
             for (const std::string& id : {pair.first, pair.second})
                 if (!contains(shown, id)) shown.push_back(id);
         }
@@ -87,7 +82,7 @@ void InputCorrelationModel::refresh() {
     }
     // A text goes when another coefficient comes into its place.
     forget_unread([this](const TextPlace& at, const UnreadText& text) {
-        const CorrelatedPair pair = kept_pair(at);
+        const CorrelatedPair pair = pair_of(at.part).value_or(CorrelatedPair());
         const double now = coefficient(pair.first, pair.second);
         return to_std(number_text(now, QLocale::c())) != text.instead_of;
     });

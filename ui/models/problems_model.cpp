@@ -7,6 +7,7 @@
 #include "ui/document/correlated_pair.h"
 #include "ui/document/missing_fields.h"
 #include "ui/document/setup_address.h"
+#include "ui/document/setup_cells.h"
 #include "ui/models/roles.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
@@ -17,12 +18,10 @@ namespace {
 
 /// " (l_S)", of a row that states a quantity.
 QString symbol_words(const FieldSpec& table, const Setup* setup, int row) {
-    const std::size_t column = SetupSchema::column(table, "symbol");
     const auto* rows = setup ? std::get_if<SetupTable>(&value_of(table, *setup)) : nullptr;
     const auto at = static_cast<std::size_t>(row);
     if (!table.states_quantities || !rows || row < 0 || at >= rows->rows.size()) return {};
-    const auto* symbol =
-        column < rows->rows[at].size() ? std::get_if<std::string>(&rows->rows[at][column]) : nullptr;
+    const auto* symbol = cell_in<std::string>(table, rows->rows[at], "symbol");
     return symbol && !symbol->empty() ? QStringLiteral(" (%1)").arg(to_qt(symbol_to_unicode(*symbol)))
                                       : QString();
 }

@@ -100,8 +100,7 @@ QString SetupTableModel::tooltip(const CellPosition& at) const {
     static const std::set<std::string> about_figures{"statement", "a", "stated_unit"};
     const QString help = core_text(column(at.second).help);
     if (!field()->states_quantities || !about_figures.contains(column(at.second).key)) return help;
-    const QString part = stated_part_words(*field(), table_.rows[static_cast<std::size_t>(at.first)]);
-    return part.isEmpty() ? help : part + QStringLiteral("\n\n") + help;
+    return below_stated_part(*field(), table_.rows[static_cast<std::size_t>(at.first)], help);
 }
 
 namespace {

@@ -8,8 +8,8 @@
 
 namespace covaria::ui {
 
-/// What a row of a table that states quantities says with such a figure: "5 % of the value" or "5 %
-/// absolute, not a part of the value". Empty: it has none.
-QString stated_part_words(const FieldSpec& table, const std::vector<SetupCell>& row);
+/// `words` of a tooltip, below what a row of a table that states quantities says with such a figure: "5 % of
+/// the value" or "5 % absolute, not a part of the value". `words` alone: it has none.
+QString below_stated_part(const FieldSpec& table, const std::vector<SetupCell>& row, const QString& words);
 
 }  // namespace covaria::ui

@@ -257,10 +257,7 @@ void ResultsPane::connect_selection() {
         if (!(document_.project().results.style == shown_style_)) take_preferences();
         take_requirements();
     });
-    connect(&document_, &Document::problems_changed, this, [this] {
-        show_state();
-        show_next_step();
-    });
+    connect(&document_, &Document::problems_changed, this, &ResultsPane::show_state);
     connect(&selection_, &Selection::group_changed, this, &ResultsPane::show_group);
     connect(&selection_, &Selection::output_changed, this, &ResultsPane::show_output);
 }
@@ -297,7 +294,6 @@ void ResultsPane::take_result() {
     const QString said = reservation(status);
     for (SortableTable* table : {results_, budget_, correlation_}) table->set_remark(said);
     show_state();
-    show_next_step();
     units_->set_result(result_);
     result_model_.set_group(to_std(shown_group()));
     take_requirements();
@@ -308,6 +304,7 @@ void ResultsPane::take_result() {
 void ResultsPane::show_state() {
     state_->setText(state_words());
     state_->setToolTip(state_->text());
+    show_next_step();
 }
 
 void ResultsPane::show_next_step() {
