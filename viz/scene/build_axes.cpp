@@ -97,12 +97,17 @@ void add_axes(Scene& scene) {
         return nearest_round_number(length * per_metre) / per_metre;
     };
     const double step = round_step(extent.maxCoeff() / 6);
+    // Between two numbers there is a scale: a step of half of the axis has two of them wherever it begins.
+    const auto longest_step = [per_metre = scene.unit.per_metre](double length) {
+        return round_number_below(length / 2 * per_metre) / per_metre;
+    };
     static constexpr const char* names[] = {"x", "y", "z"};
     for (int i = 0; i < 3; ++i) {
         const auto k = static_cast<std::size_t>(i);
         axes.titles[k] = std::string(names[i]) + " / " + scene.unit.text;
         const double own = extent[i] >= 2 * step ? step : round_step(extent[i] / 3);
-        axes.ticks[k] = ticks_between(axes.low[i], axes.high[i], own, scene);
+        axes.ticks[k] =
+            ticks_between(axes.low[i], axes.high[i], std::min(own, longest_step(extent[i])), scene);
     }
     scene.axes = std::move(axes);
 }

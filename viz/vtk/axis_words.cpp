@@ -48,6 +48,25 @@ void Overlay::paint_axes() {
     paint_axis(2, low, high);
 }
 
+std::vector<std::size_t> Overlay::numbered_ticks(const std::vector<ScreenRect>& needed,
+                                                 const std::vector<AxisTick>& ticks) const {
+    const std::size_t n = ticks.size();
+    const double step = n < 2 ? 1.0 : ticks[1].at - ticks[0].at;
+    const int each = stride(needed, ticks, step);
+    std::vector<std::size_t> numbered;
+    for (std::size_t i = 0; i < n; ++i)
+        if (std::lround(ticks[i].at / step) % each == 0 && is_free(needed[i]) &&
+            (numbered.empty() || !needed[i].overlaps(needed[numbered.back()])))
+            numbered.push_back(i);
+    if (numbered.size() >= 2) return numbered;
+    for (std::size_t apart = n; apart-- > 1;)
+        for (std::size_t first = 0; first + apart < n; ++first)
+            if (is_free(needed[first]) && is_free(needed[first + apart]) &&
+                !needed[first].overlaps(needed[first + apart]))
+                return {first, first + apart};
+    return {};
+}
+
 double Overlay::paint_ticks(int axis, const Vector& from, const Eigen::Vector2d& out) {
     double farthest = 0.0;
     const std::vector<AxisTick>& ticks = scene_.axes->ticks[static_cast<std::size_t>(axis)];
@@ -67,11 +86,7 @@ double Overlay::paint_ticks(int axis, const Vector& from, const Eigen::Vector2d&
             {at.x + reach * out.x() - w / 2 - px(3), at.y + reach * out.y() - h / 2, w + px(6), h});
         farthest = std::max(farthest, reach + (std::abs(out.x()) * w + std::abs(out.y()) * h) / 2);
     }
-    const double step = ticks.size() < 2 ? 1.0 : ticks[1].at - ticks[0].at;
-    const int each = stride(needed, ticks, step);
-    for (std::size_t i = 0; i < words.size(); ++i)
-        if (std::lround(ticks[i].at / step) % each == 0 && is_free(needed[i]))
-            put(words[i], needed[i].x + px(3), needed[i].y);
+    for (const std::size_t i : numbered_ticks(needed, ticks)) put(words[i], needed[i].x + px(3), needed[i].y);
     return farthest;
 }
 

@@ -59,6 +59,10 @@ private:
     // axis_words.cpp
     void paint_axes();
     void paint_axis(int axis, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+    /// Which ticks have room for their numbers: evenly spaced ones, else the two that are farthest apart,
+    /// else none, because a single number is no scale.
+    std::vector<std::size_t> numbered_ticks(const std::vector<ScreenRect>& needed,
+                                            const std::vector<AxisTick>& ticks) const;
     /// Of an axis that begins there, its numbers on the side `out`; how far they reach.
     double paint_ticks(int axis, const Eigen::Vector3d& from, const Eigen::Vector2d& out);
 

@@ -274,6 +274,19 @@ TEST(BuildScene, LengthsAreInInchesForWhoeverPrefersOneOfTheirs) {
         EXPECT_NEAR(tick.at / 0.0254, std::round(tick.at / 0.0254 * 100.0) / 100.0, 1e-9) << "round inches";
 }
 
+// Flat layouts of many shapes, anywhere.
+TEST(BuildScene, EveryAxisHasTwoNumbers) {
+    for (const double from : {-3.1, -0.47, 0.0, 0.26, 12.3})
+        for (double high = 0.02; high < 1.0; high *= 1.07) {
+            Layout layout;
+            layout.points = {{.name = "a", .p_W = {0.0, from, 0.0}},
+                             {.name = "b", .p_W = {2.0, from + high, high / 2}}};
+            const Scene scene = build_scene({.layout = &layout}, {});
+            ASSERT_TRUE(scene.axes);
+            for (const auto& ticks : scene.axes->ticks) EXPECT_GE(ticks.size(), 2u) << from << " " << high;
+        }
+}
+
 TEST(BuildScene, IndicesOutOfRangeAndInfiniteUncertaintyAreLeftOut) {
     auto setup = test::stewart_setup(0);
     setup.layout.points[0].inputs = {{0, 1, 999}};

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "core/made/load_project.h"
@@ -146,6 +148,41 @@ TEST(Words, ALabelWithoutRoomIsLeftOutAndComesWhenZoomed) {
         look.camera.half_height = 0.02;
         EXPECT_TRUE(has(words(), name)) << name;
     }
+}
+
+// Numbers so long that few have room: two of them, or none.
+TEST(Words, NoAxisHasASingleNumber) {
+    Scene scene;
+    scene.size = 1.0;
+    scene.axes = SceneAxes{
+        .low = {-0.5, -0.2, -0.1}, .high = {0.5, 0.2, 0.1}, .titles = {"x / mm", "y / mm", "z / mm"}};
+    const std::array<double, 3> steps{0.1, 0.1, 0.05};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int last = static_cast<int>(std::lround(scene.axes->high[Eigen::Index(axis)] / steps[axis]));
+        for (int i = -last; i <= last; ++i)
+            scene.axes->ticks[axis].push_back({i * steps[axis], std::string("xyz").substr(axis, 1) + " = " +
+                                                                    std::to_string(i) + "00 000 000"});
+    }
+    detail::TextMasks masks;
+    std::size_t numbered = 0;
+    for (const View& view : views())
+        for (const int width : {140, 200, 300, 564}) {
+            const PictureSize size{width, width * 5 / 8};
+            Image image{size.width, size.height, {}};
+            image.rgba.assign(std::size_t(4) * std::size_t(size.width) * std::size_t(size.height), 255);
+            detail::OverlayView look;
+            look.camera = view_of(bounds_of(scene), view.view, size, 50.0, view.perspective);
+            detail::Overlay overlay(scene, look, image, masks);
+            overlay.paint();
+            for (const char* axis : {"x = ", "y = ", "z = "}) {
+                const auto numbers = std::ranges::count_if(overlay.words(), [&](const auto& word) {
+                    return to_unicode(word.text).starts_with(axis);
+                });
+                EXPECT_NE(numbers, 1) << axis << "view " << int(view.view) << ", width " << width;
+                numbered += numbers > 1;
+            }
+        }
+    EXPECT_GE(numbered, 20U);
 }
 
 }  // namespace
