@@ -1,8 +1,6 @@
-// Axes, unit of length, labels and legend of a scene.
+// Axes, unit of length and labels of a scene.
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <utility>
 
 #include "core/base/own_names.h"
 #include "core/text/numbers.h"
@@ -14,7 +12,6 @@ namespace covaria::detail {
 namespace {
 
 constexpr double air = 0.03;  // around everything, of the scene's size
-const Phrase distributions_of{"distributions of %1"};
 
 LengthUnit unit_for(double size, bool in_inches) {
     constexpr double inch = 0.0254;
@@ -120,42 +117,6 @@ std::vector<AxisTick> colour_ticks(const SceneMap& map, const NumberLocale& numb
     for (double at = std::ceil(map.low / step - 1e-9) * step; at <= map.high + 1e-9 * step; at += step)
         ticks.push_back({at, grouped_number(at, decimals, numbers)});
     return ticks;
-}
-
-void add_legend(SceneBuild& build) {
-    Scene& scene = build.scene;
-    const DocumentLanguage& in = build.options.language;
-    const std::string p = percent_text(scene.probability, in.numbers());
-    const auto add = [&](LegendMark mark, Role role, const Message& words) {
-        scene.legend.push_back({mark, role, in.say(words)});
-    };
-    for (const auto& [role, name] :
-         {std::pair{Role::output, tell<"outputs">()}, {Role::input, tell<"inputs">()}}) {
-        const auto is_role = [role = role](const auto& item) { return item.role == role; };
-        if (std::any_of(scene.ellipsoids.begin(), scene.ellipsoids.end(), is_role))
-            add(LegendMark::ellipsoid, role, tell<"%1: coverage ellipsoids, p = %2">(name, p));
-        const auto cloud = std::find_if(scene.clouds.begin(), scene.clouds.end(), is_role);
-        if (cloud != scene.clouds.end())
-            add(LegendMark::cloud, role,
-                tell<"%1: %2 trials per point">(name, count_text(cloud->size(), in.numbers())));
-    }
-    if (!scene.ellipsoids_before.empty())
-        add(LegendMark::ellipsoid, Role::before, tell<"before: coverage ellipsoids, p = %1">(p));
-    if (!scene.wall_histograms.empty()) {
-        const SceneItem* item = find_item(scene, scene.wall_histograms.front().cloud);
-        const Text of = item ? running_text(in.say(said_name(item->name))) : Text();
-        scene.legend.push_back(
-            {LegendMark::histogram, scene.wall_histograms.front().role, in.say_text(distributions_of, {of})});
-    }
-    if (std::ranges::any_of(scene.links,
-                            [](const SceneLink& link) { return link.kind == LinkKind::sight_line; }))
-        add(LegendMark::line, Role::sight_line, tell<"line of sight">());
-    for (const auto& [kind, role, words] :
-         {std::tuple{VectorKind::force, Role::vector, tell<"forces, to a scale of their own">()},
-          {VectorKind::moment, Role::moment, tell<"moments, to a scale of their own">()}})
-        if (std::ranges::any_of(scene.vectors,
-                                [kind = kind](const SceneVector& vector) { return vector.kind == kind; }))
-            add(LegendMark::arrow, role, words);
 }
 
 }  // namespace covaria::detail

@@ -42,8 +42,10 @@ bool explains(const LegendLine& line, const Scene& scene) {
                                [](const SceneLink& link) { return link.kind == LinkKind::sight_line; });
         case LegendMark::arrow:
             return !scene.vectors.empty();
-        case LegendMark::none:
-            return true;
+        case LegendMark::none:  // of the uncertainty of what is too small, or of the whole
+            return line.role == Role::quiet_text || std::ranges::any_of(scene.ellipsoids, is_role) ||
+                   std::ranges::any_of(scene.ellipsoids_before, is_role) ||
+                   std::ranges::any_of(scene.clouds, is_role);
     }
     return true;
 }

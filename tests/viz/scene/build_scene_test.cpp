@@ -274,6 +274,36 @@ TEST(BuildScene, LengthsAreInInchesForWhoeverPrefersOneOfTheirs) {
         EXPECT_NEAR(tick.at / 0.0254, std::round(tick.at / 0.0254 * 100.0) / 100.0, 1e-9) << "round inches";
 }
 
+bool legend_says(const Scene& scene, const std::string& words) {
+    return std::ranges::any_of(scene.legend, [&](const LegendLine& line) {
+        return to_unicode(line.text).find(words) != std::string::npos;
+    });
+}
+
+// Inputs so exact that their ellipsoids and clouds are inside the balls of their points.
+TEST(BuildScene, LegendListsTheUncertaintyThatIsSeen) {
+    auto setup = test::stewart_setup(200);
+    EXPECT_TRUE(legend_says(build_scene(setup.source(), {}), "inputs: coverage ellipsoids"));
+    test::change_inputs(setup.result, [](InputSet& inputs) {
+        for (InputQuantity& quantity : inputs.quantities)
+            for (auto& share : quantity.shares) share.factor *= 0.01;
+    });
+    for (Eigen::Index i = 0; i < setup.input_trials.rows(); ++i) {
+        const double estimate = estimate_of(setup.result.inputs, std::size_t(i));
+        setup.input_trials.row(i).array() = estimate + 0.01 * (setup.input_trials.row(i).array() - estimate);
+    }
+    const Scene scene = build_scene(setup.source(), {});
+    EXPECT_EQ(scene.ellipsoids.size(), 7u) << "they are there, for who comes nearer";
+    EXPECT_FALSE(legend_says(scene, "inputs: coverage ellipsoids"));
+    EXPECT_FALSE(legend_says(scene, "inputs: 200 trials"));
+    EXPECT_TRUE(legend_says(scene, "inputs: uncertainty too small to be seen"));
+    EXPECT_TRUE(legend_says(scene, "outputs: coverage ellipsoids"));
+    EXPECT_TRUE(legend_says(scene, "outputs: 200 trials"));
+    const Visibility without{
+        .hidden = {"point:b1", "point:b2", "point:b3", "point:p1", "point:p2", "point:p3"}};
+    EXPECT_FALSE(legend_says(visible_part(scene, without), "too small"));
+}
+
 // Flat layouts of many shapes, anywhere.
 TEST(BuildScene, EveryAxisHasTwoNumbers) {
     for (const double from : {-3.1, -0.47, 0.0, 0.26, 12.3})
