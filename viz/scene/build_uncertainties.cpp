@@ -15,12 +15,14 @@ constexpr double largest_axis = 0.08;      // of the scene's size
 constexpr double same_place = 0.01;        // of the scene's size: points that cannot be told apart anyway
 constexpr double room_to_neighbour = 0.7;  // of the distance
 constexpr double most_reduction = 10.0;    // below which ellipsoids would hardly be seen
+constexpr double beyond_ball = 1.2;        // of its radius: where an ellipsoid is seen around a point
 
 /// The points with an ellipsoid, with the item that `add_points` made for each.
 struct UncertainPoint {
     const LayoutPoint* point;
     const SceneItem* drawn;
     Role role;
+    double radius;  ///< of the ball that is drawn there, m
     CoverageEllipsoid ellipsoid;
     CoverageEllipsoid before = {};  ///< of rank 0: nothing is compared
 
@@ -32,12 +34,12 @@ CoverageEllipsoid ellipsoid_of(const PointUncertainty& uncertainty, const Layout
     return coverage_ellipsoid(point.R_WQ * uncertainty.covariance * point.R_WQ.transpose(), probability);
 }
 
-void add_uncertain(const SceneBuild& build, const LayoutPoint& point, const SceneItem& drawn,
+void add_uncertain(const SceneBuild& build, const LayoutPoint& point, const SceneItem& drawn, double radius,
                    std::vector<UncertainPoint>& found) {
     const auto uncertainty = build.uncertainties.of(point);
     if (!uncertainty) return;
     const double probability = build.options.probability;
-    UncertainPoint made{&point, &drawn, uncertainty->of_outputs ? Role::output : Role::input,
+    UncertainPoint made{&point, &drawn, uncertainty->of_outputs ? Role::output : Role::input, radius,
                         ellipsoid_of(*uncertainty, point, probability)};
     if (build.source.compared)
         if (const auto earlier = build.before.of(point_before(point, *build.source.compared)))
@@ -50,9 +52,10 @@ std::vector<UncertainPoint> uncertain_points(const SceneBuild& build) {
     std::size_t next = 0;
     for (const LayoutPoint& point : build.source.layout->points) {
         if (!build.shows(point.group) || next >= build.scene.points.size()) continue;
-        add_uncertain(build, point, build.scene.points[next++].item, found);
+        const ScenePoint& drawn = build.scene.points[next++];
+        add_uncertain(build, point, drawn.item, drawn.radius, found);
     }
-    for (const VectorTip& tip : build.tips) add_uncertain(build, tip.point, tip.item, found);
+    for (const VectorTip& tip : build.tips) add_uncertain(build, tip.point, tip.item, 0.0, found);
     return found;
 }
 
@@ -75,7 +78,13 @@ double automatic_magnification(const std::vector<UncertainPoint>& points, double
     for (const UncertainPoint& p : points) largest = std::max(largest, p.longest());
     double wanted = largest > 0 ? largest_axis * size / largest : 1.0;
     wanted = std::max(wanted / most_reduction, std::min(wanted, magnification_with_room(points, size)));
-    return std::isfinite(wanted) && wanted > 0 ? nearest_round_number(wanted) : 1.0;
+    if (!std::isfinite(wanted) || !(wanted > 0)) return 1.0;
+    // Room or not, where all would be inside the balls of their points, there would be none to see.
+    double first_seen = std::numeric_limits<double>::infinity();
+    for (const UncertainPoint& p : points)
+        first_seen = std::min(first_seen, beyond_ball * p.radius / p.longest());
+    const bool limits = std::isfinite(first_seen) && first_seen > 0;
+    return std::max(nearest_round_number(wanted), limits ? round_number_above(first_seen) : 0.0);
 }
 
 /// Rows of the trials matrix that belong to the point; null where there are none.

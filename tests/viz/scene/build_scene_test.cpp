@@ -24,6 +24,12 @@ const SceneEllipsoid* ellipsoid_of(const Scene& scene, const std::string& id) {
     return nullptr;
 }
 
+bool legend_says(const Scene& scene, const std::string& words) {
+    return std::ranges::any_of(scene.legend, [&](const LegendLine& line) {
+        return to_unicode(line.text).find(words) != std::string::npos;
+    });
+}
+
 TEST(BuildScene, TextOfTheStewartPlatformIsTheReviewedOne) {
     const auto setup = test::stewart_setup(400);
     const std::string text = dump_scene(build_scene(setup.source(), {}));
@@ -170,6 +176,23 @@ TEST_P(AutomaticMagnification, IsRoundAndShowsTheLargestEllipsoidAtEightPercent)
 INSTANTIATE_TEST_SUITE_P(Scales, AutomaticMagnification,
                          testing::Values(1e-6, 0.03, 0.7, 1.0, 2.0, 4.0, 9.0, 3e3));
 
+// Neighbours so near that they leave no room outside of the balls.
+TEST(BuildScene, SomeEllipsoidIsSeenHoweverNearTheNextPointIs) {
+    auto setup = test::stewart_setup(0);
+    const double size = build_scene(setup.source(), {}).size;
+    for (const double apart : {0.011, 0.02, 0.05, 0.2}) {
+        for (std::size_t i = 1; i < setup.layout.points.size(); ++i)
+            setup.layout.points[i].p_W = Eigen::Vector3d(double(i % 3), double(i / 3), 0.0) * apart * size;
+        const Scene scene = build_scene(setup.source(), {});
+        std::size_t seen = 0;
+        for (const SceneEllipsoid& e : scene.ellipsoids)
+            for (const ScenePoint& point : scene.points)
+                seen += point.item.id == e.item.id && e.axes.col(0).norm() > point.radius;
+        EXPECT_GT(seen, 0u) << apart;
+        EXPECT_TRUE(legend_says(scene, "coverage ellipsoids")) << apart;
+    }
+}
+
 TEST(BuildScene, CaptionSaysMagnificationAndProbability) {
     const auto setup = test::stewart_setup(100);
     SceneOptions options;
@@ -272,12 +295,6 @@ TEST(BuildScene, LengthsAreInInchesForWhoeverPrefersOneOfTheirs) {
     ASSERT_GT(scene.axes->ticks[0].size(), 1u);
     for (const AxisTick& tick : scene.axes->ticks[0])
         EXPECT_NEAR(tick.at / 0.0254, std::round(tick.at / 0.0254 * 100.0) / 100.0, 1e-9) << "round inches";
-}
-
-bool legend_says(const Scene& scene, const std::string& words) {
-    return std::ranges::any_of(scene.legend, [&](const LegendLine& line) {
-        return to_unicode(line.text).find(words) != std::string::npos;
-    });
 }
 
 // Inputs so exact that their ellipsoids and clouds are inside the balls of their points.
