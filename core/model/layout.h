@@ -111,6 +111,9 @@ struct Layout {
     std::vector<LayoutVector> vectors;
     std::vector<LayoutMesh> meshes = {};
     std::vector<Message> notes = {};  ///< what has to be said beside a picture of it
+    /// Where only some points name their quantities, because the uncertainty of all would hide the rest: how
+    /// many have one. 0: all that have one name them.
+    std::size_t uncertain_points = 0;
 };
 
 /// The layout of an asset as part of another layout: what is written in its own set-up is marked with its id.

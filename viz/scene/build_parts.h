@@ -43,6 +43,8 @@ void add_labels(SceneBuild& build);
 void add_axes(Scene& scene);
 /// "uncertainty × 2000, ellipsoids p = 95 %".
 std::string magnified_ellipsoids_words(const Scene& scene, double probability, const DocumentLanguage& in);
+/// That not all points show their uncertainty, where that is so.
+void note_what_is_drawn(Scene& scene, std::size_t drawn, std::size_t all, const DocumentLanguage& in);
 /// Of a colour bar, at round numbers.
 std::vector<AxisTick> colour_ticks(const SceneMap& map, const NumberLocale& numbers);
 void add_legend(SceneBuild& build);

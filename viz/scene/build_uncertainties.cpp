@@ -139,6 +139,10 @@ std::string magnified_ellipsoids_words(const Scene& scene, double probability, c
                                                               percent_text(probability, scene.numbers)));
 }
 
+void note_what_is_drawn(Scene& scene, std::size_t drawn, std::size_t all, const DocumentLanguage& in) {
+    if (drawn < all) scene.notes.push_back(in.say(tell<"uncertainty drawn at %1 of %2 points">(drawn, all)));
+}
+
 void add_uncertainties(SceneBuild& build) {
     const auto points = uncertain_points(build);
     Scene& scene = build.scene;
@@ -157,6 +161,9 @@ void add_uncertainties(SceneBuild& build) {
         if (build.options.clouds) add_cloud(build, p);
     }
     scene.caption = caption_of(scene, build.options.language);
+    if (!scene.caption.empty())
+        note_what_is_drawn(scene, points.size(), build.source.layout->uncertain_points,
+                           build.options.language);
 }
 
 }  // namespace covaria::detail

@@ -233,7 +233,7 @@ struct Scene {
     std::string title = {};
     std::string group = {};               ///< the output group shown
     std::string group_title = {};         ///< likewise, for people
-    std::vector<std::string> notes = {};  ///< below the titles: in which frame results are
+    std::vector<std::string> notes = {};  ///< below the titles: of the layout, and what is not drawn
     std::string caption = {};  ///< "uncertainty × 2000, ellipsoids p = 95 %": whenever uncertainty is drawn
     double magnification = 1.0;
     double probability = 0.95;

@@ -115,8 +115,10 @@ double automatic_magnification(const std::vector<CoverageEllipsoid>& ellipsoids,
 void add_ellipsoids(const StudyResult& study, std::size_t triple, const SceneOptions& options, Scene& scene) {
     std::vector<std::size_t> drawn;
     std::vector<CoverageEllipsoid> ellipsoids;
-    for (std::size_t i = 0; i < study.points.size() && drawn.size() < most_ellipsoids; ++i) {
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < study.points.size(); ++i) {
         if (!study.points[i].has_values() || !scene.map->shown[i]) continue;
+        if (++all > most_ellipsoids) continue;
         const StudyPlace& place = study.points[i].places[triple];
         ellipsoids.push_back(
             coverage_ellipsoid(place.R_WQ * place.covariance * place.R_WQ.transpose(), options.probability));
@@ -140,6 +142,7 @@ void add_ellipsoids(const StudyResult& study, std::size_t triple, const SceneOpt
         {LegendMark::ellipsoid, Role::output,
          in.say(tell<"coverage ellipsoids, p = %1">(percent_text(options.probability, in.numbers())))});
     scene.caption = detail::magnified_ellipsoids_words(scene, options.probability, in);
+    detail::note_what_is_drawn(scene, drawn.size(), all, in);
 }
 
 std::string surface_words(const Scene& scene, const Unit& unit, const DocumentLanguage& in) {

@@ -179,6 +179,7 @@ Layout layout(const Calibration& c) {
         if (shown) point.inputs = {{pose.first_input, pose.first_input + 1, pose.first_input + 2}};
         layout.points.push_back(std::move(point));
     }
+    layout.uncertain_points = c.poses.size();
     return layout;
 }
 

@@ -96,6 +96,7 @@ void add_points(const Trajectory& t, const std::string& name, Layout& layout) {
         if (k + 1 == n) point.inputs = {{i, i + 1, i + 2}};
         layout.points.push_back(std::move(point));
     }
+    layout.uncertain_points += n;
 }
 
 /// The identified arm, at its zero readings, where its axes were found.

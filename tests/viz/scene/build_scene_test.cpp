@@ -321,6 +321,18 @@ TEST(BuildScene, LegendListsTheUncertaintyThatIsSeen) {
     EXPECT_FALSE(legend_says(visible_part(scene, without), "too small"));
 }
 
+TEST(BuildScene, SaysWhereOnlySomePointsShowTheirUncertainty) {
+    auto setup = test::stewart_setup(0);
+    setup.layout.uncertain_points = 7;
+    EXPECT_TRUE(build_scene(setup.source(), {}).notes.empty()) << "all of them";
+    setup.layout.uncertain_points = 60;
+    const std::vector<std::string> expected{"uncertainty drawn at 7 of 60 points"};
+    EXPECT_EQ(build_scene(setup.source(), {}).notes, expected);
+    SceneSource layout_only = setup.source();
+    layout_only.result = nullptr;
+    EXPECT_TRUE(build_scene(layout_only, {}).notes.empty()) << "none is drawn at all";
+}
+
 // Flat layouts of many shapes, anywhere.
 TEST(BuildScene, EveryAxisHasTwoNumbers) {
     for (const double from : {-3.1, -0.47, 0.0, 0.26, 12.3})

@@ -2,6 +2,7 @@
 // test and validation, what is refused or warned of.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -309,6 +310,17 @@ TEST(Calibration, ReadingsOfTheWrongSignDoNotPassForAnArm) {
     for (auto& row : robot.table(measured, "poses").rows) row[first_q] = -std::get<double>(row[first_q]);
     const auto prepared = robot.prepare(measured);
     EXPECT_TRUE(!prepared || says(robot, "times as large as the uncertainties")) << robot.words();
+}
+
+TEST(Calibration, TheLayoutSaysHowManyPosesHaveAnUncertainty) {
+    Robot robot;
+    const auto prepared = robot.prepare(measured);
+    ASSERT_TRUE(prepared);
+    const Layout layout = prepared->model->layout({});
+    const auto shown = std::ranges::count_if(
+        layout.points, [](const LayoutPoint& point) { return point.inputs.has_value(); });
+    EXPECT_EQ(shown, 6);
+    EXPECT_EQ(layout.uncertain_points, 60u);
 }
 
 }  // namespace

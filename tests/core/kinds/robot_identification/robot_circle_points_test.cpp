@@ -216,5 +216,19 @@ TEST(CirclePoints, TwoPointsAreNoCircle) {
     EXPECT_TRUE(says(robot, "joint 1 has 2 points")) << robot.words();
 }
 
+// Of each trajectory one point, and how many there are.
+TEST(CirclePoints, TheLayoutSaysHowManyPointsHaveAnUncertainty) {
+    Robot robot;
+    const auto prepared = robot.prepare("trajectories");
+    ASSERT_TRUE(prepared);
+    const Layout layout = prepared->model->layout({});
+    const auto measured = std::ranges::count(layout.points, PointKind::target, &LayoutPoint::kind);
+    const auto shown = std::ranges::count_if(
+        layout.points, [](const LayoutPoint& point) { return point.inputs.has_value(); });
+    EXPECT_EQ(shown, 6);
+    EXPECT_GT(measured, shown);
+    EXPECT_EQ(layout.uncertain_points, static_cast<std::size_t>(measured));
+}
+
 }  // namespace
 }  // namespace covaria::robot_circle_points_test
