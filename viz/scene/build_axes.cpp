@@ -69,8 +69,13 @@ void add_labels(SceneBuild& build) {
     for (const SceneBody& body : scene.bodies)
         if (body.outline.empty() && !is_named_already(body.item.name))
             labels.add(body.item, 0.36 * body.size, 30);
-    for (const SceneLink& link : scene.links)
-        if (has_label(link.kind)) labels.add(link.item, link.radius, 20, Role::quiet_text);
+    for (const SceneLink& link : scene.links) {
+        if (!has_label(link.kind)) continue;
+        SceneItem end = link.item;
+        // The middle of a joint's axis is inside the arm, its z arrow before it; axes that meet part here.
+        if (link.kind == LinkKind::joint_axis) end.position = link.from;
+        labels.add(end, link.radius, 20, Role::quiet_text);
+    }
     for (const SceneVector& vector : scene.vectors) {
         SceneItem tip = vector.item;
         tip.name = vector.label;

@@ -28,14 +28,18 @@ bool within(const ScreenRect& r, const ScreenRect& inside) {
 }
 
 std::optional<ScreenRect> free_place(const LabelRequest& request, const ScreenRect& inside,
-                                     const std::vector<ScreenRect>& taken) {
+                                     const std::vector<ScreenRect>& taken,
+                                     const std::vector<ScreenRect>& drawn) {
+    std::optional<ScreenRect> covering;
     for (double further : {0.0, 0.8, 1.8})
         for (const Place& place : places) {
             const ScreenRect rect = at_place(request, place, request.clearance + further * request.height);
             const auto hit = [&](const ScreenRect& other) { return rect.overlaps(other); };
-            if (within(rect, inside) && std::none_of(taken.begin(), taken.end(), hit)) return rect;
+            if (!within(rect, inside) || std::ranges::any_of(taken, hit)) continue;
+            if (std::ranges::none_of(drawn, hit)) return rect;
+            if (!covering) covering = rect;
         }
-    return std::nullopt;
+    return covering;
 }
 
 }  // namespace
@@ -46,7 +50,8 @@ bool ScreenRect::overlaps(const ScreenRect& other) const {
 }
 
 std::vector<std::optional<ScreenRect>> place_labels(const std::vector<LabelRequest>& requests,
-                                                    const ScreenRect& inside, std::vector<ScreenRect> taken) {
+                                                    const ScreenRect& inside, std::vector<ScreenRect> taken,
+                                                    const std::vector<ScreenRect>& drawn) {
     std::vector<std::size_t> order(requests.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -54,7 +59,7 @@ std::vector<std::optional<ScreenRect>> place_labels(const std::vector<LabelReque
     });
     std::vector<std::optional<ScreenRect>> placed(requests.size());
     for (std::size_t i : order) {
-        placed[i] = free_place(requests[i], inside, taken);
+        placed[i] = free_place(requests[i], inside, taken, drawn);
         if (placed[i]) taken.push_back(*placed[i]);
     }
     return placed;

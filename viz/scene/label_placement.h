@@ -22,8 +22,9 @@ struct LabelRequest {
 };
 
 /// Positions in the order of the requests; empty where there was no room within `inside` and outside of
-/// `taken`. Higher priority first, then in order.
+/// `taken`. Higher priority first, then in order. `drawn` is covered only where there is no other room.
 std::vector<std::optional<ScreenRect>> place_labels(const std::vector<LabelRequest>& requests,
-                                                    const ScreenRect& inside, std::vector<ScreenRect> taken);
+                                                    const ScreenRect& inside, std::vector<ScreenRect> taken,
+                                                    const std::vector<ScreenRect>& drawn = {});
 
 }  // namespace covaria

@@ -1,4 +1,4 @@
-// Title, legend, caption, scale bar, labels.
+// Title, legend, caption, scale bar, selection.
 #include "viz/vtk/overlay.h"
 
 #include <algorithm>
@@ -211,44 +211,6 @@ void Overlay::paint_selection() {
     if (!(std::abs(at.x) < 1e5 && std::abs(at.y) < 1e5)) return;
     canvas_.ring(at, radius, px(4.5), ground_top(view_.palette), 0.8);
     canvas_.ring(at, radius, px(2.2), selection_colour(view_.palette));
-}
-
-/// From a label that stands apart to what it names.
-void Overlay::paint_leader(const LabelRequest& request, const ScreenRect& rect) {
-    const Pixel end{std::clamp(request.anchor.x, rect.x, rect.x + rect.width),
-                    std::clamp(request.anchor.y, rect.y, rect.y + rect.height)};
-    const double dx = end.x - request.anchor.x, dy = end.y - request.anchor.y, length = std::hypot(dx, dy);
-    if (length < request.clearance + 0.7 * request.height) return;
-    const double begin = request.clearance / length;
-    canvas_.line({request.anchor.x + begin * dx, request.anchor.y + begin * dy}, end, px(0.9),
-                 colour(Role::quiet_text), 0.8);
-}
-
-void Overlay::paint_labels() {
-    const SceneItem* selected = view_.selected.empty() ? nullptr : find_item(scene_, view_.selected);
-    std::vector<Word> words;
-    std::vector<LabelRequest> requests;
-    std::vector<ScreenRect> taken = taken_;
-    for (const SceneLabel& label : scene_.labels) {
-        const bool is_selected = selected && selected->id == label.item;
-        const Word word{label.text, label.role, is_selected, 1.0};
-        const TextMask& mask = mask_of(word);
-        const Pixel at = pixel_of(label.at);
-        const double scale = metres_per_pixel(view_.camera, canvas_.size(), label.at);
-        const double clearance = label.clearance / scale + px(is_selected ? 10 : 4);
-        words.push_back(word);
-        requests.push_back({at, mask.letters.width + px(2), double(mask.letters.height), clearance,
-                            is_selected ? 1000 : label.priority});
-        const double half = 0.6 * label.clearance / scale + px(1);
-        taken.push_back({at.x - half, at.y - half, 2 * half, 2 * half});
-    }
-    const ScreenRect inside{2, 2, canvas_.size().width - 4.0, canvas_.size().height - 4.0};
-    const auto placed = place_labels(requests, inside, std::move(taken));
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-        if (!placed[i]) continue;
-        paint_leader(requests[i], *placed[i]);
-        put(words[i], placed[i]->x + px(1), placed[i]->y);
-    }
 }
 
 }  // namespace covaria::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "viz/scene/measurement.h"
 #include "viz/vtk/canvas.h"
@@ -50,7 +51,23 @@ private:
     void paint_colour_bar(double title_top);
     void paint_triad_letters();
     void paint_selection();
+    // scene_labels.cpp
+    struct PlannedLabel {
+        Word word;
+        LabelRequest request;             ///< without its size
+        std::vector<PlannedLabel> parts;  ///< of what joins several
+    };
     void paint_labels();
+    PlannedLabel planned(const SceneLabel& label) const;
+    /// Labels of one sort whose anchors cannot be told apart are one: "axis 5, axis 6".
+    std::vector<PlannedLabel> joined(const std::vector<PlannedLabel>& labels) const;
+    /// Those that have no room.
+    std::vector<PlannedLabel> paint_where_free(const std::vector<PlannedLabel>& labels,
+                                               const std::vector<ScreenRect>& anchors,
+                                               const std::vector<ScreenRect>& drawn);
+    std::vector<ScreenRect> what_labels_avoid() const;
+    void add_tube(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
+                  std::vector<ScreenRect>& drawn) const;
     void paint_leader(const LabelRequest& request, const ScreenRect& rect);
     // measure_mark.cpp
     void paint_measure();

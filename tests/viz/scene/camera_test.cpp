@@ -223,5 +223,14 @@ TEST(LabelPlacement, HigherPriorityGoesFirst) {
     EXPECT_FALSE(placed[0].has_value());
 }
 
+TEST(LabelPlacement, CoversWhatIsDrawnOnlyWithoutOtherRoom) {
+    const std::vector<LabelRequest> requests{{{75, 75}, 40, 14, 4, 1}};
+    const std::vector<ScreenRect> right{{70, 0, 80, 150}};
+    const auto beside = place_labels(requests, {0, 0, 150, 150}, {}, right);
+    ASSERT_TRUE(beside[0]);
+    EXPECT_FALSE(beside[0]->overlaps(right[0]));
+    EXPECT_TRUE(place_labels(requests, {0, 0, 150, 150}, {}, {{0, 0, 150, 150}})[0]);
+}
+
 }  // namespace
 }  // namespace covaria::camera_test

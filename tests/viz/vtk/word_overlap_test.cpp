@@ -150,6 +150,58 @@ TEST(Words, ALabelWithoutRoomIsLeftOutAndComesWhenZoomed) {
     }
 }
 
+std::vector<std::string> words_of(const Scene& scene, const detail::OverlayView& look, PictureSize size) {
+    detail::TextMasks masks;
+    Image image{size.width, size.height, {}};
+    image.rgba.assign(std::size_t(4) * std::size_t(size.width) * std::size_t(size.height), 255);
+    detail::Overlay overlay(scene, look, image, masks);
+    overlay.paint();
+    std::vector<std::string> texts;
+    for (const auto& word : overlay.words()) texts.push_back(to_unicode(word.text));
+    return texts;
+}
+
+TEST(Words, LabelsAtOnePlaceAreOneLabel) {
+    Scene scene;
+    scene.size = 1.0;
+    for (const char* name : {"axis 5", "axis 6"})
+        scene.labels.push_back({name, Eigen::Vector3d::Zero(), 0.01, Role::quiet_text, 20, name});
+    scene.labels.push_back({"tool", Eigen::Vector3d::Zero(), 0.01, Role::text, 50, "tool"});
+    scene.labels.push_back({"axis 4", Eigen::Vector3d(0.3, 0, 0), 0.01, Role::quiet_text, 20, "axis 4"});
+    detail::OverlayView look;
+    look.camera = view_of({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}}, StandardView::front, {564, 324});
+    auto words = words_of(scene, look, {564, 324});
+    std::ranges::sort(words);
+    EXPECT_EQ(words, (std::vector<std::string>{"axis 4", "axis 5, axis 6", "tool"}));
+    look.selected = "axis 6";  // it stands out
+    words = words_of(scene, look, {564, 324});
+    EXPECT_TRUE(std::ranges::count(words, "axis 5") == 1 && std::ranges::count(words, "axis 6") == 1);
+}
+
+// A tube across the usual places of a label.
+TEST(Words, LabelsKeepOffTubes) {
+    Scene scene;
+    scene.size = 1.0;
+    SceneLink& link = scene.links.emplace_back();
+    link.to = {0.4, 0, 0.4};
+    link.radius = 0.03;
+    scene.labels.push_back({"joint", Eigen::Vector3d::Zero(), 0.01, Role::text, 20, ""});
+    detail::OverlayView look;
+    const PictureSize size{800, 600};
+    look.camera = view_of({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}}, StandardView::front, size);
+    detail::TextMasks masks;
+    Image image{size.width, size.height, {}};
+    image.rgba.assign(std::size_t(4) * 800 * 600, 255);
+    detail::Overlay overlay(scene, look, image, masks);
+    overlay.paint();
+    ASSERT_EQ(overlay.words().size(), 1U);
+    const ScreenRect& rect = overlay.words().front().rect;
+    for (double along = 0.0; along <= 1.0; along += 0.05) {
+        const Pixel at = project(look.camera, size, along * scene.links[0].to);
+        EXPECT_FALSE(rect.overlaps({at.x, at.y, 1e-6, 1e-6})) << along;
+    }
+}
+
 // Numbers so long that few have room: two of them, or none.
 TEST(Words, NoAxisHasASingleNumber) {
     Scene scene;
