@@ -41,8 +41,10 @@ void add_wall_histograms(SceneBuild& build);
 void add_labels(SceneBuild& build);
 /// Axes around everything, in place of those there were; unit of length, scale bar.
 void add_axes(Scene& scene);
+/// The one that is asked for, else the automatic one.
+double magnification_of(const SceneOptions& options, double automatic);
 /// "uncertainty × 2000, ellipsoids p = 95 %".
-std::string magnified_ellipsoids_words(const Scene& scene, double probability, const DocumentLanguage& in);
+std::string magnified_ellipsoids_words(const Scene& scene, const SceneOptions& options);
 /// That not all points show their uncertainty, where that is so.
 void note_what_is_drawn(Scene& scene, std::size_t drawn, std::size_t all, const DocumentLanguage& in);
 /// Of a colour bar, at round numbers.

@@ -121,22 +121,33 @@ void add_cloud(SceneBuild& build, const UncertainPoint& p) {
     if (cloud.size() > 0) build.scene.clouds.push_back(std::move(cloud));
 }
 
-std::string magnification_text(const Scene& scene) {
-    return typeset_number(round_number_text(scene.magnification), scene.numbers);
+std::optional<double> stated_magnification(const SceneOptions& options) {
+    const double stated = options.magnification.value_or(0.0);
+    return stated > 0 && std::isfinite(stated) ? options.magnification : std::nullopt;
 }
 
-std::string caption_of(const Scene& scene, const DocumentLanguage& in) {
+/// An automatic one changes with the results and the set-up: it says so.
+Message magnification_words(const Scene& scene, const SceneOptions& options) {
+    const std::string number = typeset_number(round_number_text(scene.magnification), scene.numbers);
+    return stated_magnification(options) ? Message(number) : tell<"%1 (automatic)">(number);
+}
+
+std::string caption_of(const Scene& scene, const SceneOptions& options) {
     if (scene.ellipsoids.empty() && scene.ellipsoids_before.empty() && scene.clouds.empty()) return {};
     const bool ellipsoids = !scene.ellipsoids.empty() || !scene.ellipsoids_before.empty();
-    return ellipsoids ? magnified_ellipsoids_words(scene, scene.probability, in)
-                      : in.say(tell<"uncertainty × %1">(magnification_text(scene)));
+    return ellipsoids ? magnified_ellipsoids_words(scene, options)
+                      : options.language.say(tell<"uncertainty × %1">(magnification_words(scene, options)));
 }
 
 }  // namespace
 
-std::string magnified_ellipsoids_words(const Scene& scene, double probability, const DocumentLanguage& in) {
-    return in.say(tell<"uncertainty × %1, ellipsoids p = %2">(magnification_text(scene),
-                                                              percent_text(probability, scene.numbers)));
+double magnification_of(const SceneOptions& options, double automatic) {
+    return stated_magnification(options).value_or(automatic);
+}
+
+std::string magnified_ellipsoids_words(const Scene& scene, const SceneOptions& options) {
+    return options.language.say(tell<"uncertainty × %1, ellipsoids p = %2">(
+        magnification_words(scene, options), percent_text(options.probability, scene.numbers)));
 }
 
 void note_what_is_drawn(Scene& scene, std::size_t drawn, std::size_t all, const DocumentLanguage& in) {
@@ -146,9 +157,7 @@ void note_what_is_drawn(Scene& scene, std::size_t drawn, std::size_t all, const 
 void add_uncertainties(SceneBuild& build) {
     const auto points = uncertain_points(build);
     Scene& scene = build.scene;
-    const double given = build.options.magnification.value_or(0.0);
-    scene.magnification =
-        given > 0 && std::isfinite(given) ? given : automatic_magnification(points, scene.size);
+    scene.magnification = magnification_of(build.options, automatic_magnification(points, scene.size));
     const auto draw = [&](const UncertainPoint& p, Role role, const CoverageEllipsoid& ellipsoid,
                           std::vector<SceneEllipsoid>& into) {
         if (build.options.ellipsoids && ellipsoid.rank > 0)
@@ -160,7 +169,7 @@ void add_uncertainties(SceneBuild& build) {
         draw(p, Role::before, p.before, scene.ellipsoids_before);
         if (build.options.clouds) add_cloud(build, p);
     }
-    scene.caption = caption_of(scene, build.options.language);
+    scene.caption = caption_of(scene, build.options);
     if (!scene.caption.empty())
         note_what_is_drawn(scene, points.size(), build.source.layout->uncertain_points,
                            build.options.language);

@@ -124,10 +124,8 @@ void add_ellipsoids(const StudyResult& study, std::size_t triple, const SceneOpt
             coverage_ellipsoid(place.R_WQ * place.covariance * place.R_WQ.transpose(), options.probability));
         drawn.push_back(i);
     }
-    const double given = options.magnification.value_or(0.0);
-    scene.magnification = given > 0 && std::isfinite(given)
-                              ? given
-                              : automatic_magnification(ellipsoids, 5.0 * scene.map->radius);
+    scene.magnification =
+        detail::magnification_of(options, automatic_magnification(ellipsoids, 5.0 * scene.map->radius));
     for (std::size_t k = 0; k < drawn.size(); ++k) {
         if (ellipsoids[k].rank == 0) continue;
         SceneItem item;
@@ -141,7 +139,7 @@ void add_ellipsoids(const StudyResult& study, std::size_t triple, const SceneOpt
     scene.legend.push_back(
         {LegendMark::ellipsoid, Role::output,
          in.say(tell<"coverage ellipsoids, p = %1">(percent_text(options.probability, in.numbers())))});
-    scene.caption = detail::magnified_ellipsoids_words(scene, options.probability, in);
+    scene.caption = detail::magnified_ellipsoids_words(scene, options);
     detail::note_what_is_drawn(scene, drawn.size(), all, in);
 }
 

@@ -196,6 +196,8 @@ TEST(BuildScene, SomeEllipsoidIsSeenHoweverNearTheNextPointIs) {
 TEST(BuildScene, CaptionSaysMagnificationAndProbability) {
     const auto setup = test::stewart_setup(100);
     SceneOptions options;
+    EXPECT_EQ(build_scene(setup.source(), options).caption,
+              "uncertainty × 100 (automatic), ellipsoids p = 95\u00a0%");
     options.magnification = 2000;
     EXPECT_EQ(build_scene(setup.source(), options).caption, "uncertainty × 2000, ellipsoids p = 95\u00a0%");
     options.probability = 0.9973;
