@@ -233,6 +233,7 @@ std::shared_ptr<const PreparedAnalysis> AnalysisMaking::prepared() const {
     read_requirements(entry_, propagated.model()->outputs(), problems);
     if (problems.has_errors()) return nullptr;
     warn_without_uncertainty(propagated.inputs(), problems);
+    LinkedQuantities linked = quantities_of_links(*propagated.model());
     return std::make_shared<const PreparedAnalysis>(
         PreparedAnalysis{.id = entry_.id,
                          .name = entry_.name,
@@ -241,7 +242,8 @@ std::shared_ptr<const PreparedAnalysis> AnalysisMaking::prepared() const {
                          .propagated = made_->propagated,
                          .model = propagated.model(),
                          .inputs = propagated.inputs(),
-                         .linked = linked_inputs(*propagated.model()),
+                         .linked = std::move(linked.inputs),
+                         .linked_points = std::move(linked.points),
                          .options = made_->options,
                          .style = made_->style,
                          .numbers = std::make_shared<const AnalysisNumbers>(project_.snapshot(), entry_.id),

@@ -45,6 +45,7 @@ struct PreparedAnalysis {
     std::shared_ptr<const MeasurementModel> model;
     const InputSet& inputs;                ///< the model's, with the analysis' edits and correlations applied
     std::vector<LinkedInput> linked = {};  ///< inputs taken from other analyses: they are not in `inputs`
+    std::vector<LinkedPoint> linked_points = {};  ///< of them, those that are a point of the layout
     EvaluationOptions options;
     ResultStyle style = {};  ///< that the project states
     std::shared_ptr<const AnalysisNumbers> numbers;

@@ -107,9 +107,11 @@ std::vector<DataTable> ComposedModel::evaluation() const {
 void ComposedModel::place_inputs() {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
         std::vector<Place> places;
-        for (const std::size_t quantity : merged_.quantities[p]) places.push_back({false, quantity});
-        for (const ModelLink& link : parts_[p].links)
-            places[link.input] = {true, first_row_[link.part] + link.output};
+        for (const std::size_t quantity : merged_.quantities[p]) places.push_back({false, quantity, 0});
+        for (std::size_t i = 0; i < parts_[p].links.size(); ++i) {
+            const ModelLink& link = parts_[p].links[i];
+            places[link.input] = {true, first_row_[link.part] + link.output, i};
+        }
         places_.push_back(std::move(places));
     }
 }
@@ -250,20 +252,26 @@ bool ComposedModel::jacobian(std::span<const double> x, Eigen::MatrixXd& jacobia
     return true;
 }
 
+void ComposedModel::place_in_chain(LayoutPoint& point) const {
+    if (!point.inputs) return;
+    std::array<std::size_t, 3> inputs{}, links{};
+    std::size_t linked = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Place& place = places_.back()[(*point.inputs)[k]];
+        linked += place.linked;
+        inputs[k] = place.index;
+        links[k] = place.link;
+    }
+    point.inputs.reset();
+    if (linked == 0) point.inputs = inputs;
+    if (linked == 3) point.links = links;  // no inputs of the chain; their uncertainty comes from upstream
+}
+
 Layout ComposedModel::layout(std::span<const double> x) const {
     std::vector<double> rows(rows_), of_last;
     if (!evaluate_upstream(x, rows, of_last)) return {};
     Layout layout = last().model->layout(of_last);
-    for (LayoutPoint& point : layout.points) {
-        if (!point.inputs) continue;
-        for (std::size_t& input : *point.inputs) {
-            if (places_.back()[input].linked) {
-                point.inputs.reset();  // no input of the chain; its uncertainty is known upstream
-                break;
-            }
-            input = places_.back()[input].index;
-        }
-    }
+    for (LayoutPoint& point : layout.points) place_in_chain(point);
     return layout;
 }
 

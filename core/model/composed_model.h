@@ -67,6 +67,7 @@ private:
     struct Place {
         bool linked = false;
         std::size_t index = 0;
+        std::size_t link = 0;  ///< its number among the links of the part
     };
     /// A row of upstream outputs that something is linked to.
     struct UsedOutput {
@@ -78,6 +79,8 @@ private:
     const ChainPart& last() const { return parts_.back(); }
     void place_inputs();
     void find_used_outputs();
+    /// A point of the last part's layout, with its inputs as they are in the chain.
+    void place_in_chain(LayoutPoint& point) const;
     /// Of the last part, those that its set-up states otherwise than they are: `x` are its inputs.
     std::size_t count_restated_links(std::span<const double> x) const;
     void gather(std::size_t part, std::span<const double> x, std::span<const double> rows,

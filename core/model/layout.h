@@ -46,6 +46,8 @@ struct LayoutPoint {
     std::optional<std::array<std::size_t, 3>> outputs = {};
     Eigen::Matrix3d R_WQ =
         Eigen::Matrix3d::Identity();  ///< axes in which those three coordinates are expressed
+    /// In a chain, inputs that are taken from other analyses: the numbers of their links.
+    std::optional<std::array<std::size_t, 3>> links = {};
 };
 
 enum class LinkKind { leg, robot_link, bar, joint_axis, sight_line, dimension, field_of_view, edge };

@@ -295,23 +295,50 @@ void add_used_analyses(const Project& project, const AnalysisEntry& analysis, Pr
     }
 }
 
-std::vector<LinkedInput> linked_inputs(const MeasurementModel& of_chain) {
+namespace {
+
+/// Those of the layout, each once.
+std::vector<LinkedPoint> linked_points(const ComposedModel& chain, const Eigen::MatrixXd& covariance) {
+    if (covariance.rows() != static_cast<Eigen::Index>(chain.parts().back().links.size())) return {};
+    std::vector<double> x;
+    for (std::size_t i = 0; i < chain.inputs().quantities.size(); ++i)
+        x.push_back(estimate_of(chain.inputs(), i));
+    std::map<std::array<std::size_t, 3>, LinkedPoint> points;
+    for (const LayoutPoint& point : chain.layout(x).points) {
+        if (!point.links) continue;
+        LinkedPoint& linked = points[*point.links];
+        linked.links = *point.links;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                linked.covariance(i, j) =
+                    covariance(static_cast<Eigen::Index>(linked.links[static_cast<std::size_t>(i)]),
+                               static_cast<Eigen::Index>(linked.links[static_cast<std::size_t>(j)]));
+    }
+    std::vector<LinkedPoint> all;
+    for (const auto& [links, point] : points) all.push_back(point);
+    return all;
+}
+
+}  // namespace
+
+LinkedQuantities quantities_of_links(const MeasurementModel& of_chain) {
     const auto* chain = dynamic_cast<const ComposedModel*>(&of_chain);
     if (!chain) return {};
     const std::unique_ptr<ComposedModel> model = linked_quantities(chain->parts());
     const auto result = evaluate_first_order(*model, model->inputs(), {});
     if (!result) return {};
-    std::vector<LinkedInput> inputs;
+    LinkedQuantities linked;
+    linked.points = linked_points(*chain, result->covariance);
     for (std::size_t i = 0; i < chain->parts().back().links.size(); ++i) {
         const ModelLink& link = chain->parts().back().links[i];
         const ChainPart& from = chain->parts()[link.part];
         const OutputResult& value = result->outputs[i];
-        inputs.push_back({value.quantity.symbol, value.quantity.name, value.quantity.unit, from.id, from.name,
-                          from.model->outputs()[link.output], is_linearised(*from.model),
-                          value.first_order.estimate, value.first_order.standard_uncertainty,
-                          value.first_order.effective_degrees_of_freedom});
+        linked.inputs.push_back({value.quantity.symbol, value.quantity.name, value.quantity.unit, from.id,
+                                 from.name, from.model->outputs()[link.output], is_linearised(*from.model),
+                                 value.first_order.estimate, value.first_order.standard_uncertainty,
+                                 value.first_order.effective_degrees_of_freedom});
     }
-    return inputs;
+    return linked;
 }
 
 }  // namespace covaria

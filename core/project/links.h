@@ -1,6 +1,8 @@
 // Analyses that feed analyses: input quantities whose values are outputs of other analyses.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -23,6 +25,18 @@ struct LinkedInput {
     double estimate = 0.0;
     double standard_uncertainty = 0.0;
     double degrees_of_freedom = 0.0;
+};
+
+/// Three of them that are the coordinates of a point in the layout of the analysis.
+struct LinkedPoint {
+    std::array<std::size_t, 3> links = {};  ///< as LayoutPoint::links
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+/// What an analysis takes from others.
+struct LinkedQuantities {
+    std::vector<LinkedInput> inputs = {};  ///< in the order of the links
+    std::vector<LinkedPoint> points = {};
 };
 
 /// A model with its inputs, edits applied; no model after an error (paths relative to the analysis).
@@ -51,8 +65,8 @@ std::vector<std::string> analyses_taking_from(const Project& project, const std:
 /// numbers.
 void add_used_analyses(const Project& project, const AnalysisEntry& analysis, Project& part);
 
-/// The linked input quantities of the last analysis of a chain, in the order of its links, by the law of
-/// propagation. Empty for a model that is no chain, or has no value at its estimates.
-std::vector<LinkedInput> linked_inputs(const MeasurementModel& model);
+/// Of the last analysis of a chain, by the law of propagation. Empty for a model that is no chain, or has no
+/// value at its estimates.
+LinkedQuantities quantities_of_links(const MeasurementModel& model);
 
 }  // namespace covaria

@@ -16,7 +16,11 @@ std::vector<double> estimates(const InputSet& inputs) {
 Result<Scene> analysis_scene(const PreparedAnalysis& analysis, const UncertaintyResult* result,
                              const SceneOptions& options, const ResultComparison* compared) {
     const Layout layout = analysis.model->layout(estimates(analysis.inputs));
-    SceneSource source{.layout = &layout, .result = result, .title = analysis.name, .compared = compared};
+    SceneSource source{.layout = &layout,
+                       .result = result,
+                       .title = analysis.name,
+                       .compared = compared,
+                       .linked = &analysis.linked_points};
     if (!result || result->trials == 0 || !options.clouds) return build_scene(source, options);
     const auto trials = replay_trials(*analysis.propagated, analysis.options.seed, 0,
                                       std::min<std::uint64_t>(options.cloud_limit, result->trials));

@@ -47,7 +47,7 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     scene.group_title = options.language.say(said_name(scene.group));
     if (!source.layout) return scene;
     for (const Message& note : source.layout->notes) scene.notes.push_back(options.language.say(note));
-    const PointUncertainties uncertainties(source.result);
+    const PointUncertainties uncertainties(source.result, source.linked);
     const PointUncertainties before(source.compared ? source.compared->before.get() : nullptr);
     detail::SceneBuild build{source, options, uncertainties, before, scene};
     detail::add_items(build);

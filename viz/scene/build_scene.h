@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/layout.h"
+#include "core/project/links.h"
 #include "core/result/comparison.h"
 #include "core/result/uncertainty_result.h"
 #include "core/text/display_units.h"
@@ -39,6 +40,7 @@ struct SceneSource {
     const SceneMap* map = nullptr;  ///< of a study
     /// With `result` as what came after: ellipsoids of both are drawn. Null: nothing is compared.
     const ResultComparison* compared = nullptr;
+    const std::vector<LinkedPoint>* linked = nullptr;  ///< points that the analysis takes from others
 };
 
 /// Pure: the same arguments give the same scene. Never fails: what has no value (no result, no uncertainty)

@@ -100,9 +100,10 @@ const Eigen::MatrixXd* trials_of(const SceneBuild& build, const UncertainPoint& 
 
 void add_cloud(SceneBuild& build, const UncertainPoint& p) {
     std::array<std::size_t, 3> rows{};
-    const Eigen::MatrixXd* trials = trials_of(build, p, rows);
     const auto estimates = build.uncertainties.estimates_of(*p.point);
-    if (!trials || !estimates) return;
+    if (!estimates) return;  // of other analyses, which have their own trials
+    const Eigen::MatrixXd* trials = trials_of(build, p, rows);
+    if (!trials) return;
     const auto available = static_cast<std::size_t>(trials->cols());
     const std::size_t wanted = std::min(available, build.options.cloud_limit);
     SceneCloud cloud{*p.drawn, p.role, {}, {}};

@@ -17,7 +17,9 @@ bool in_range(const std::array<std::size_t, 3>& index, const Range& range) {
 
 }  // namespace
 
-PointUncertainties::PointUncertainties(const UncertaintyResult* result) : result_(result) {
+PointUncertainties::PointUncertainties(const UncertaintyResult* result,
+                                       const std::vector<LinkedPoint>* linked)
+    : result_(result), linked_(linked) {
     if (result_) joint_.emplace(*result_);
 }
 
@@ -28,6 +30,8 @@ std::optional<PointUncertainty> PointUncertainties::of(const LayoutPoint& point)
         found = of_outputs(*point.outputs);
     else if (point.inputs && in_range(*point.inputs, result_->inputs->quantities))
         found = of_inputs(*point.inputs);
+    else if (point.links)
+        found = of_links(*point.links);
     if (found && !found->covariance.allFinite()) return std::nullopt;
     return found;
 }
@@ -70,8 +74,19 @@ std::optional<PointUncertainty> PointUncertainties::of_outputs(
 std::optional<PointUncertainty> PointUncertainties::of_inputs(const std::array<std::size_t, 3>& index) const {
     const auto covariance = joint_->of({{PointCoordinates::Kind::inputs, index}});
     if (!covariance) return std::nullopt;
+    return of_covariance(*covariance);
+}
+
+std::optional<PointUncertainty> PointUncertainties::of_links(const std::array<std::size_t, 3>& links) const {
+    if (!linked_) return std::nullopt;
+    const auto point = std::ranges::find(*linked_, links, &LinkedPoint::links);
+    if (point == linked_->end()) return std::nullopt;
+    return of_covariance(point->covariance);
+}
+
+PointUncertainty PointUncertainties::of_covariance(const Eigen::Matrix3d& covariance) const {
     PointUncertainty found;
-    found.covariance = *covariance;
+    found.covariance = covariance;
     found.u = found.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     const double p = std::clamp(result_->coverage_probability, 0.01, 0.999999);
     found.U = found.u * t_quantile((1 + p) / 2, infinity);

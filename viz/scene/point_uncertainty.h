@@ -2,9 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "core/model/layout.h"
+#include "core/project/links.h"
 #include "core/result/comparison.h"
 #include "core/result/joint_covariance.h"
 #include "core/result/uncertainty_result.h"
@@ -21,7 +24,9 @@ struct PointUncertainty {
 /// Reads many points of one result.
 class PointUncertainties {
 public:
-    explicit PointUncertainties(const UncertaintyResult* result);  ///< may be null
+    /// Both may be null. `linked`: points whose coordinates the analysis takes from others.
+    explicit PointUncertainties(const UncertaintyResult* result,
+                                const std::vector<LinkedPoint>* linked = nullptr);
     /// Empty where the point has no quantities, or their uncertainty is unknown or not finite.
     std::optional<PointUncertainty> of(const LayoutPoint& point) const;
     /// Estimates of the point's three quantities.
@@ -30,7 +35,10 @@ public:
 private:
     std::optional<PointUncertainty> of_outputs(const std::array<std::size_t, 3>& index) const;
     std::optional<PointUncertainty> of_inputs(const std::array<std::size_t, 3>& index) const;
+    std::optional<PointUncertainty> of_links(const std::array<std::size_t, 3>& links) const;
+    PointUncertainty of_covariance(const Eigen::Matrix3d& covariance) const;
     const UncertaintyResult* result_;
+    const std::vector<LinkedPoint>* linked_;
     std::optional<JointCovariance> joint_;
 };
 

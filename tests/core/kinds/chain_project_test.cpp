@@ -2,6 +2,8 @@
 // written by hand: models called one after the other, matrices multiplied.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -11,6 +13,7 @@
 #include "core/project/entry_graph.h"
 #include "core/project/links.h"
 #include "core/project/project_file.h"
+#include "core/propagation/engine.h"
 #include "tests/core/made.h"
 
 namespace covaria::chain_project_test {
@@ -279,6 +282,38 @@ TEST(LinkedEvaluation, SaysWhatTheSetUpStatesOtherwise) {
     EXPECT_GT(restated_links("chain.covaria", "tool"), 0u);
     EXPECT_EQ(restated_links("er10l-c10.covaria", "zero-pose-identified"), 0u);
     EXPECT_EQ(restated_links("er10l-c10.covaria", "zero-pose-from-poses"), 0u);
+}
+
+// Places of the flange that the robot is identified from: their ellipsoids are those of the analysis before.
+TEST(ChainProject, LinkedPointsOfALayoutHaveTheirCovarianceMatrix) {
+    const Project project = load_project(data_directory() / "projects/chain.covaria").project;
+    Problems problems;
+    const auto identification = made_analysis(project, "identification", problems);
+    const auto flange = made_analysis(project, "flange", problems);
+    ASSERT_TRUE(identification && flange);
+    const auto result = evaluate_first_order(*flange->model, flange->inputs, {});
+    ASSERT_TRUE(result);
+    EXPECT_GE(identification->linked_points.size(), 6u);
+    for (const LinkedPoint& point : identification->linked_points) {
+        std::array<Eigen::Index, 3> rows{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const OutputQuantity& from = identification->linked.at(point.links[k]).output;
+            const auto same = std::ranges::find_if(result->outputs, [&](const OutputResult& output) {
+                return output.quantity.group == from.group && output.quantity.symbol == from.symbol;
+            });
+            ASSERT_NE(same, result->outputs.end());
+            EXPECT_EQ(from.symbol, std::string(1, "xyz"[k]));
+            rows[k] = same - result->outputs.begin();
+        }
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j) {
+                const double expected = result->covariance(rows[i], rows[j]);
+                const double scale =
+                    std::sqrt(result->covariance(rows[i], rows[i]) * result->covariance(rows[j], rows[j]));
+                EXPECT_GT(scale, 0.0);
+                EXPECT_NEAR(point.covariance(Eigen::Index(i), Eigen::Index(j)), expected, 1e-9 * scale);
+            }
+    }
 }
 
 }  // namespace
