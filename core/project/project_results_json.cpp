@@ -1,5 +1,9 @@
 #include "core/project/project_results_json.h"
 
+#include <cmath>
+
+#include "core/text/numbers.h"
+
 namespace covaria {
 
 namespace {
@@ -36,10 +40,12 @@ ProjectResults project_results_from_json(const Json& value, const std::string& p
     ObjectReader reader(value, path, tell<"what the project states for results">(), problems);
     read_units(reader, results.style.units);
     if (const auto digits = reader.number("digits")) {
-        if (*digits == 1.0 || *digits == 2.0)
+        if (*digits >= fewest_digits && *digits <= most_digits && *digits == std::floor(*digits))
             results.style.digits = static_cast<int>(*digits);
         else
-            problems.error(reader.path_of("digits"), tell<"'digits' must be 1 or 2 (JCGM 100 7.2.6)">());
+            problems.error(reader.path_of("digits"),
+                           tell<"'digits' must be a whole number from %1 to %2 (JCGM 100 7.2.6)">(
+                               fewest_digits, most_digits));
     }
     if (const auto k = reader.number("coverageFactor")) {
         if (*k > 0.0)

@@ -41,13 +41,13 @@ std::string cell_text(const TableBlock& block, std::size_t row, std::size_t colu
         const auto other = static_cast<std::size_t>(style.match);
         if (const auto u = shown_number(cells[other], block.table.columns[other]))
             return style.input ? format_estimate(*number, *u)
-                               : format_to_match(*number, *u, head.digits == 1 ? 1 : 2);
+                               : format_to_match(*number, *u, head.digits > 0 ? head.digits : 2);
     }
     if (style.by_spread && row < block.spreads.size()) {
         const auto* quantity = std::get_if<Quantity>(&cell);
         const double spread = block.spreads[row];
         return format_to_match(*number, quantity ? quantity->unit.interval_from_si(spread) : spread,
-                               head.digits == 1 ? 1 : 2);
+                               head.digits > 0 ? head.digits : 2);
     }
     if (head.match >= 0) {
         const auto other = static_cast<std::size_t>(head.match);

@@ -17,7 +17,7 @@ DisplayUnits with_preferred(const DisplayUnits& units, const DisplayUnits& prefe
 
 struct ResultStyle {
     DisplayUnits units = {};         ///< for outputs of their dimensions; others as the model gives them
-    std::optional<int> digits = {};  ///< significant ones of uncertainties, 1 or 2; empty: two
+    std::optional<int> digits = {};  ///< significant ones of uncertainties; empty: two
     bool operator==(const ResultStyle& other) const {
         return same_units(units, other.units) && digits == other.digits;
     }

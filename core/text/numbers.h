@@ -10,6 +10,10 @@
 
 namespace covaria {
 
+/// Significant digits of uncertainties that people may choose: one or two are usual, more where the result
+/// goes into further computations (JCGM 100 7.2.6).
+inline constexpr int fewest_digits = 1, most_digits = 6;
+
 /// Rounded to `digits` significant digits, without exponent where 1e-4 <= |x| < 1e7: "0.066", "1 234.5" has
 /// no spaces.
 std::string format_significant(double value, int digits);

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/text/numbers.h"
 #include "ui/forms/unit_choices.h"
 #include "ui/theme/languages.h"
 #include "ui/theme/strings.h"
@@ -94,7 +95,8 @@ void PreferencesDialog::add_results(QFormLayout& form) {
     connect(units_, &UnitChoices::edited, this, &PreferencesDialog::take);
     digits_ = add_box(form, tr("Digits of U"), "digits",
                       tr("Significant digits of uncertainties; estimates are rounded to match"));
-    add_items(*digits_, {{1, tr("1")}, {2, tr("2")}});
+    for (int digits = fewest_digits; digits <= most_digits; ++digits)
+        digits_->addItem(QString::number(digits), digits);
     numbers_ = add_box(form, tr("Numbers"), "numbers", tr("Of all tables, charts and fields of the window"));
     add_items(*numbers_, {{int(NumberForm::system), tr("As the language writes them")},
                           {int(NumberForm::point), tr("1234.5 (point)")},

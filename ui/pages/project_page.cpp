@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "core/text/numbers.h"
 #include "ui/document/setup_address.h"
 #include "ui/forms/quantity_edit.h"
 #include "ui/forms/unit_choices.h"
@@ -74,7 +75,8 @@ void ProjectPage::add_results(QFormLayout& form) {
         tr("Significant digits of uncertainties in the window and the report; certificates "
            "have two"));
     digits_->addItem(tr("Not stated"), 0);
-    for (const int digits : {1, 2}) digits_->addItem(QString::number(digits), digits);
+    for (int digits = fewest_digits; digits <= most_digits; ++digits)
+        digits_->addItem(QString::number(digits), digits);
     form.addRow(tr("Digits of U"), digits_);
     connect(digits_, &QComboBox::activated, this, [this](int row) {
         const int digits = digits_->itemData(row).toInt();

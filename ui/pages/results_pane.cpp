@@ -93,7 +93,7 @@ void ResultsPane::make_head() {
     output_->setAccessibleName(tr("Output quantity"));
     output_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     digits_ = new QSpinBox;
-    digits_->setRange(1, 6);
+    digits_->setRange(fewest_digits, most_digits);
     digits_->setPrefix(tr("digits of U: "));
     digits_->setAccessibleName(tr("Significant digits of uncertainties"));
     digits_->setToolTip(tr("Significant digits of uncertainties; estimates are rounded to match"));

@@ -7,6 +7,7 @@
 #include <array>
 #include <tuple>
 
+#include "core/text/numbers.h"
 #include "ui/theme/languages.h"
 #include "ui/theme/strings.h"
 
@@ -46,7 +47,7 @@ Preferences Preferences::stored() {
     read.numbers = NumberForm(place_in(forms, settings.value(numbers_key).toString()));
     for (const QString& text : settings.value(units_key).toStringList())
         if (const Result<Unit> unit = Unit::parse(to_std(text))) read.units.choose(*unit);
-    read.digits = stored_number(settings.value(digits_key), 1, 2, read.digits);
+    read.digits = stored_number(settings.value(digits_key), fewest_digits, most_digits, read.digits);
     read.autosave_seconds = stored_number(settings.value(autosave_key), 1, longest_autosave, 1);
     if (settings.value(factor_key).toDouble() == 2.0) read.coverage_factor = 2.0;
     read.trials = std::uint64_t(

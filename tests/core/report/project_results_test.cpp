@@ -60,7 +60,10 @@ TEST(ProjectResults, WhatIsSenselessIsRefusedWithItsPlace) {
     EXPECT_TRUE(refused("{\"units\": [\"furlong\"]}", "/results/units/0"));
     EXPECT_TRUE(refused("{\"units\": [\"%\"]}", "/results/units/0"));
     EXPECT_TRUE(refused("{\"units\": [7]}", "/results/units/0"));
-    EXPECT_TRUE(refused("{\"digits\": 3}", "/results/digits"));
+    EXPECT_TRUE(refused("{\"digits\": 0}", "/results/digits"));
+    EXPECT_TRUE(refused("{\"digits\": 1.5}", "/results/digits"));
+    EXPECT_TRUE(refused("{\"digits\": 7}", "/results/digits"));
+    EXPECT_FALSE(refused("{\"digits\": 3}", "/results/digits"));
     EXPECT_TRUE(refused("{\"coverageFactor\": -2}", "/results/coverageFactor"));
     EXPECT_TRUE(refused("{\"colour\": \"red\"}", "/results/colour"));
 }
@@ -123,6 +126,21 @@ TEST(ProjectResults, AnEditOfThemMakesAnewWhatDependsOnThem) {
     const auto with_digits = MadeProject::make(project, with_factor);
     EXPECT_EQ(with_digits->analysis(id)->style.digits, 1);
     EXPECT_TRUE(same_numbers(*with_factor->analysis(id), *with_digits->analysis(id)));
+}
+
+TEST(ProjectResults, TheReportHasAsManyDigitsAsTheyState) {
+    Project project = shipped();
+    project.results.style.digits = 4;
+    project.results.style.units.choose(Unit::of("um"));
+    const auto made = MadeProject::make(project);
+    const auto analysis = made->analysis(project.analyses[0].id);
+    const auto result = evaluated(project);
+    const std::string report = to_markdown(build_report(*made, {{analysis, result}}));
+    const OutputResult& y = result->outputs[0];
+    const double U = y.quantity.unit.interval_from_si(y.expanded_uncertainty);
+    for (const std::string& text :
+         {format_significant(U, 4), format_to_match(y.quantity.unit.from_si(y.estimate), U, 4)})
+        EXPECT_NE(report.find("| " + text + " |"), std::string::npos) << text;
 }
 
 }  // namespace
