@@ -351,7 +351,7 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
         .not_in_files();
     table.add("U/target", [rows](std::size_t row) { return (*rows)[row].part; })
         .window("U / target", "Expanded uncertainty as a part of its target: above 1 the target is not met")
-        .round({.decimals = 2})
+        .round({.decimals = 2, .of_limit = true})
         .not_in_files();
     table.add("met", [rows](std::size_t row) { return (*rows)[row].met; })
         .window("Requirement", "Whether the target uncertainty is met and the value is accepted")

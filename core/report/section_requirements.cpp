@@ -19,13 +19,29 @@ namespace words = certificate_words;
 
 using Verdicts = std::vector<RequirementResult>;
 
+/// So many that no U that exceeds its target is written as the target is; 2: as everywhere.
+int digits_of_targets(const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
+    const int everywhere = evaluated.analysis->style.digits.value_or(2);
+    int digits = everywhere;
+    for (const RequirementResult& r : verdicts) {
+        if (!r.target_uncertainty || r.meets_target) continue;
+        const OutputResult& output = evaluated.result->outputs[r.output];
+        const Unit& unit = output.quantity.unit;
+        const double U = unit.interval_from_si(output.expanded_uncertainty),
+                     target = unit.interval_from_si(*r.target_uncertainty);
+        while (digits < most_digits && format_significant(U, digits) == format_significant(target, digits))
+            ++digits;
+    }
+    return digits == everywhere ? 2 : std::max(digits, 3);
+}
+
 void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated,
                  const DocumentLanguage& in) {
     TableBuilder table("requirements-" + evaluated.analysis->id, tell<"Target uncertainties">(), in);
     table.text(tell<"Group">());
     table.text(tell<"Quantity">(), true);
     table.text(tell<"Unit">());
-    table.number("U", 2);
+    table.number("U", digits_of_targets(verdicts, evaluated));
     table.number(tell<"Target">());
     table.text(tell<"Verdict">());
     bool any = false;

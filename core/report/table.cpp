@@ -78,6 +78,7 @@ std::optional<double> matched_to(const Table& table, const Column& column, std::
 std::string format_by(const NumberRule& rule, double value, std::optional<double> other) {
     if (rule.degrees_of_freedom) return format_degrees_of_freedom(value);
     if (rule.percent) value *= 100.0;
+    if (rule.of_limit) return format_part_of_limit(value, rule.decimals);
     if (rule.decimals >= 0) return format_decimals(value, rule.decimals);
     if (other) {
         return rule.input ? format_estimate(value, *other)

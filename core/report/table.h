@@ -46,7 +46,8 @@ struct NumberRule {
     bool input = false;      ///< matched only where it was computed: a typed estimate keeps its digits
     bool typed = false;      ///< every digit that was typed
     bool degrees_of_freedom = false;
-    bool percent = false;  ///< a part of one, shown in per cent
+    bool percent = false;   ///< a part of one, shown in per cent
+    bool of_limit = false;  ///< a part of a limit: what exceeds it is not written as 1
 };
 
 struct Column {

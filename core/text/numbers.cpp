@@ -117,6 +117,12 @@ int decimals_for(double uncertainty, int digits) {
     return digits - 1 - rounded_exponent(uncertainty, digits);
 }
 
+std::string format_part_of_limit(double part, int decimals) {
+    constexpr int most_decimals = 15;
+    while (part > 1.0 && decimals < most_decimals && part - 1.0 < 0.5 * std::pow(10.0, -decimals)) ++decimals;
+    return format_decimals(part, decimals);
+}
+
 std::string format_to_match(double value, double uncertainty, int digits) {
     if (!std::isfinite(uncertainty) || uncertainty == 0.0) return format_trimmed(value, unmatched_digits);
     const int decimals = decimals_for(uncertainty, digits);

@@ -23,6 +23,9 @@ std::string format_decimals(double value, int decimals);
 std::string format_trimmed(double value, int digits);
 /// Decimals that show `uncertainty` to `digits` significant digits.
 int decimals_for(double uncertainty, int digits = 2);
+/// What is a part of a limit, with so many decimals; more where what exceeds the limit would be written as 1:
+/// "1.003".
+std::string format_part_of_limit(double part, int decimals);
 /// Value rounded to match its uncertainty: "1 174.91" style without spaces.
 std::string format_to_match(double value, double uncertainty, int digits = 2);
 /// Every digit of a value that was typed ("10.000172"): all of them where there are at most 13, else (a

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/project/stated_requirements.h"
+#include "core/report/result_columns.h"
 #include "core/report/table_text.h"
 #include "core/result/representation.h"
 #include "core/text/symbol.h"
@@ -142,6 +143,27 @@ TEST(Report, RequirementsAreJudged) {
     EXPECT_EQ(cell_text(*verdicts, 0, 5), "not met");
     EXPECT_EQ(cell_text(*verdicts, 1, 4), "0.5");
     EXPECT_EQ(cell_text(*verdicts, 1, 5), "met");
+}
+
+TEST(Report, WhatExceedsItsTargetIsNotWrittenAsTheTarget) {
+    const UncertaintyResult result = test::sample_result();
+    Project project = test::sample_project();
+    const OutputResult* x = nullptr;
+    for (const OutputResult& output : result.outputs)
+        if (!x && output.quantity.symbol == "x") x = &output;
+    ASSERT_NE(x, nullptr);
+    const Unit mm = Unit::of("mm");
+    const double U = mm.interval_from_si(x->expanded_uncertainty);
+    project.analyses.front().requirements = {{x->quantity.group, "x", Quantity{U / 1.003, mm}, {}, {}}};
+    const ReportDocument document =
+        build_report(*MadeProject::make(project), {test::sample_analysis(result)});
+    const TableBlock* verdicts = table_with_id(document, "requirements-typed");
+    ASSERT_NE(verdicts, nullptr);
+    EXPECT_EQ(cell_text(*verdicts, 0, 5), "not met");
+    EXPECT_NE(cell_text(*verdicts, 0, 3), format_significant(U / 1.003, 2));
+    const auto made = judge(result, project.analyses.front());
+    const Table table = results_table(result, {made.front().output}, made);
+    EXPECT_EQ(to_unicode(cell_shown(table, table["U/target"], 0, {})), "1.003");
 }
 
 TEST(Report, SaysWhatWentWrongInTheRun) {

@@ -86,6 +86,16 @@ TEST(DecimalsFor, FollowsTheRoundedUncertainty) {
     EXPECT_EQ(decimals_for(0.734, 1), 1);
 }
 
+TEST(FormatPartOfLimit, WhatExceedsItIsNotOne) {
+    EXPECT_EQ(format_part_of_limit(0.5, 2), "0.50");
+    EXPECT_EQ(format_part_of_limit(1.0, 2), "1.00");
+    EXPECT_EQ(format_part_of_limit(0.9999, 2), "1.00");
+    EXPECT_EQ(format_part_of_limit(1.003, 2), "1.003");
+    EXPECT_EQ(format_part_of_limit(1.00042, 2), "1.0004");
+    EXPECT_EQ(format_part_of_limit(1.01, 2), "1.01");
+    EXPECT_EQ(format_part_of_limit(2.0, 2), "2.00");
+}
+
 TEST(FormatToMatch, ValueHasTheDecimalsOfItsUncertainty) {
     EXPECT_EQ(format_to_match(1174.9091, 0.3016), "1174.91");
     EXPECT_EQ(format_to_match(-120.0, 0.75), "-120.00");
