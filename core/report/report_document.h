@@ -71,12 +71,13 @@ struct EquationBlock {
 
 /// How the cells of a column are set.
 struct ColumnStyle {
-    bool symbol = false;     ///< texts of the column are symbols ("alpha_7", "b_1x, b_2x")
-    bool bare = false;       ///< quantities without their units, which another column gives
-    int match = -1;          ///< column whose number (an uncertainty) decides the decimals of this one
-    int decimals = -1;       ///< fixed number of decimals; -1: from `match` or the column's digits
-    bool input = false;      ///< matched only where it was computed: a typed estimate keeps its digits
-    bool by_spread = false;  ///< TableBlock::spreads decides its decimals
+    bool symbol = false;           ///< texts of the column are symbols ("alpha_7", "b_1x, b_2x")
+    bool bare = false;             ///< quantities without their units, which another column gives
+    int match = -1;                ///< column whose number (an uncertainty) decides the decimals of this one
+    int decimals = -1;             ///< fixed number of decimals; -1: from `match` or the column's digits
+    bool input = false;            ///< matched only where it was computed: a typed estimate keeps its digits
+    bool by_spread = false;        ///< TableBlock::spreads decides its decimals
+    std::vector<int> by_row = {};  ///< decimals of each row instead; -1: from the rest
 };
 /// Cells are SI numbers or quantities; writers set them with `cell_text` (table_text.h). A row of one cell is
 /// a sub-head that spans the table.

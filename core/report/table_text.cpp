@@ -37,6 +37,8 @@ std::string cell_text(const TableBlock& block, std::size_t row, std::size_t colu
     const ColumnStyle style = style_of(block, column);
     if (!number) return format_cell(cell, head);
     if (style.decimals >= 0) return format_decimals(*number, style.decimals);
+    if (row < style.by_row.size() && style.by_row[row] >= 0)
+        return format_decimals(*number, style.by_row[row]);
     if (style.match >= 0) {
         const auto other = static_cast<std::size_t>(style.match);
         if (const auto u = shown_number(cells[other], block.table.columns[other]))

@@ -33,6 +33,7 @@ struct Further {
     std::size_t min_rows = 0;      ///< of a table
     bool several_lines = false;    ///< of a text
     std::string file_ending = {};  ///< of a text that names a file
+    bool observed = false;         ///< of a column
 };
 
 /// Three columns alike with these keys as titles; '*' in the help is the axis, x, y or z.
@@ -74,6 +75,8 @@ Spec spec_of(std::string key, std::string title, std::string help, Further more)
         spec.min_rows = more.min_rows;
         spec.several_lines = more.several_lines;
         spec.file_ending = std::move(more.file_ending);
+    } else {
+        spec.observed = more.observed;
     }
     return spec;
 }

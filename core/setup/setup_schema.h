@@ -43,6 +43,9 @@ struct ColumnSpec {
     std::vector<Choice> choices = {};
     std::string help = {};
     std::vector<std::string> capabilities = {};  ///< of a reference, as in FieldSpec
+    /// Its numbers are observations, of the quantity and series in columns of these names, where there are
+    /// any: alike ones are written alike (`observed_decimals`).
+    bool observed = false;
 };
 
 struct FieldSpec {

@@ -144,6 +144,16 @@ std::string format_typed(double value) {
     return format_trimmed(value, unmatched_digits);
 }
 
+int common_decimals(const std::vector<double>& observations) {
+    std::size_t most = 0;
+    for (const double value : observations) {
+        const std::string typed = format_typed(value);
+        if (!std::isfinite(value) || !is_typed(value) || typed.find('e') != std::string::npos) return -1;
+        most = std::max(most, decimals_in(typed));
+    }
+    return observations.empty() ? -1 : static_cast<int>(most);
+}
+
 std::string format_estimate(double value, double uncertainty) {
     const std::string typed = format_typed(value);
     if (!(uncertainty > 0.0) || !std::isfinite(uncertainty)) return typed;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/base/data_table.h"
 
@@ -31,6 +32,9 @@ std::string format_to_match(double value, double uncertainty, int digits = 2);
 /// Every digit of a value that was typed ("10.000172"): all of them where there are at most 13, else (a
 /// computed value) seven.
 std::string format_typed(double value);
+/// The decimals of observations of one quantity: those of the one that was typed with the most, so that 4.990
+/// keeps its zero beside 5.012. -1: each is written as it is, for some are computed, or have powers of ten.
+int common_decimals(const std::vector<double>& observations);
 /// Of an input quantity: rounded to match its uncertainty, but a typed one keeps every digit.
 std::string format_estimate(double value, double uncertainty);
 /// Degrees of freedom as they are shown, everywhere alike: with one decimal, by which k can be checked to its

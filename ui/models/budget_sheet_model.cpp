@@ -241,11 +241,14 @@ QString BudgetSheetModel::stated_words(int row, bool typeset) const {
     if (kind == "observations") statement.observations = observed(symbol_of(row));
     // A long list would take the room of what follows from it; where it is edited it is whole.
     const std::size_t count = statement.observations.size();
+    const int decimals = common_decimals(statement.observations);
     const bool is_long = typeset && count > most_listed;
     if (is_long) statement.observations.resize(most_listed - 1);
-    const auto number = [typeset](double value) {
-        return typeset ? grouped_digits(format_typed(value), user_numbers())
-                       : to_std(number_text(value, QLocale()));
+    const auto number = [typeset, decimals](double value) {
+        const std::string alike = decimals < 0 ? std::string() : format_decimals(value, decimals);
+        if (typeset) return grouped_digits(alike.empty() ? format_typed(value) : alike, user_numbers());
+        return alike.empty() ? to_std(number_text(value, QLocale()))
+                             : with_decimal_sign(alike, {.decimal = to_std(QLocale().decimalPoint())});
     };
     const QString words = to_qt(statement_text(statement, unit_of(row), number, core_words));
     return is_long ? words + QStringLiteral(" … (%1)").arg(count) : words;

@@ -51,7 +51,8 @@ SetupTableModel::SetupTableModel(Document& document, SetupAddress address, const
       address_(std::move(address)),
       field_(std::move(field)),
       schema_(schema),
-      table_(read()) {
+      table_(read()),
+      decimals_(decimals_of_table()) {
     recall_rejected();
     refresh_problems();
     refresh_taken();
@@ -105,13 +106,8 @@ QString SetupTableModel::tooltip(const CellPosition& at) const {
 
 namespace {
 
-/// What is read otherwise than it is typed: "5e-07", "50000623", "ohm"; empty for the rest.
-QString shown_text(const ColumnSpec& column, const SetupCell& cell) {
-    if (const double* number = std::get_if<double>(&cell)) {
-        const std::string typed = format_shortest(*number);
-        const bool has_power = typed.find('e') != std::string::npos;
-        return to_qt(grouped_digits(has_power ? format_typed(*number) : typed, user_numbers()));
-    }
+/// A unit as it is read: "Ω" for "ohm"; empty for the rest.
+QString shown_unit(const ColumnSpec& column, const SetupCell& cell) {
     const std::string* text = std::get_if<std::string>(&cell);
     if (!text || text->empty() || !names_unit(column.key)) return {};
     const Result<Unit> unit = Unit::parse(*text);
@@ -119,6 +115,14 @@ QString shown_text(const ColumnSpec& column, const SetupCell& cell) {
 }
 
 }  // namespace
+
+std::string SetupTableModel::written_out(const CellPosition& at, double number) const {
+    const auto row = static_cast<std::size_t>(at.first), column = static_cast<std::size_t>(at.second);
+    const bool observed = column < decimals_.size() && row < decimals_[column].size();
+    if (observed && decimals_[column][row] >= 0) return format_decimals(number, decimals_[column][row]);
+    std::string typed = format_shortest(number);
+    return typed.find('e') != std::string::npos ? format_typed(number) : typed;
+}
 
 QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
@@ -129,8 +133,10 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
     const auto rejected = rejected_.find(at);
     switch (role) {
         case Qt::DisplayRole:
-            if (rejected == rejected_.end() && !shown_text(spec, cell).isEmpty())
-                return shown_text(spec, cell);
+            if (const double* number = std::get_if<double>(&cell); number && rejected == rejected_.end())
+                return to_qt(grouped_digits(written_out(at, *number), user_numbers()));
+            if (const QString unit = shown_unit(spec, cell); rejected == rejected_.end() && !unit.isEmpty())
+                return unit;
             [[fallthrough]];
         case Qt::EditRole:
             return rejected != rejected_.end() ? rejected->second.text : cell_text(spec, cell, QLocale());

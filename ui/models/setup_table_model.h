@@ -84,6 +84,8 @@ private:
     void refresh_problems();
     void refresh_taken();
     SetupTable read() const;
+    std::vector<std::vector<int>> decimals_of_table() const;
+    std::string written_out(const CellPosition& at, double number) const;
     bool write(const QString& text, const std::function<void(SetupTable&)>& change,
                const QString& merge_key = {});
     void set_cell(SetupTable& table, const CellPosition& at, const QString& text, Marks& marks) const;
@@ -100,6 +102,7 @@ private:
     std::string field_;
     const SetupSchema* schema_;
     SetupTable table_;
+    std::vector<std::vector<int>> decimals_;  ///< of observations, by column and row
     Marks rejected_;
     UnreadTexts::Texts seen_;  ///< of the document, when they were the same as `rejected_`
     std::map<CellPosition, QString> problems_;

@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/text/symbol.h"
+
 #include "ui/document/quantity_text.h"
+#include "core/text/symbol.h"
 #include "ui/document/setup_cells.h"
 #include "ui/document/taken_rows.h"
 #include "ui/models/setup_table_model.h"
@@ -32,13 +33,23 @@ SetupTable SetupTableModel::read() const {
                  : SetupTable{default_units(*field()), {}, {}};  // the entry is gone
 }
 
+std::vector<std::vector<int>> SetupTableModel::decimals_of_table() const {
+    std::vector<std::vector<int>> decimals;
+    for (std::size_t c = 0; field() && c < field()->columns.size(); ++c)
+        decimals.push_back(observed_decimals(*field(), table_, c));
+    return decimals;
+}
+
 void SetupTableModel::refresh() {
     const SetupTable next = read();
     if (next == table_) return;
     const bool heads = next.units != table_.units;
-    const bool everything = heads || next.csv_file != table_.csv_file;
+    bool everything = heads || next.csv_file != table_.csv_file;
     change_rows(next);
     table_ = next;
+    auto decimals = decimals_of_table();  // one cell can change those of the cells beside it
+    everything = everything || decimals != decimals_;
+    decimals_ = std::move(decimals);
     // A text goes when something else comes into its cell; in another unit the cell is the same.
     for (auto& [at, mark] : rejected_)
         if (heads) mark.instead_of = written(at);

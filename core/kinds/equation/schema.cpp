@@ -90,7 +90,8 @@ Columns<Observation> observation_columns() {
              "Number of the simultaneous observation; empty: the quantity was observed by itself.", maybe)
         .add(&Row::series, "series", "series",
              "Name of an earlier series of the same procedure, for a pooled standard deviation.", maybe)
-        .add(&Row::value, "value", "value", "Observed value, in the unit of the quantity.");
+        .add(&Row::value, "value", "value", "Observed value, in the unit of the quantity.",
+             {.observed = true});
 }
 
 void add_equations(Fields<Stated>& fields) {

@@ -17,7 +17,8 @@ using Summary = StatedGroups::Summary;
 Columns<Observation> observation_columns() {
     return Columns<Observation>()
         .add(&Observation::group, "group", "group", "Day, instrument or operator.")
-        .add(&Observation::value, "value", "value", "Observed value, in the unit of the quantity.");
+        .add(&Observation::value, "value", "value", "Observed value, in the unit of the quantity.",
+             {.observed = true});
 }
 
 Columns<Summary> summary_columns() {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/setup/message_text.h"
+#include "core/setup/observed_decimals.h"
 #include "core/setup/setup_schema.h"
 
 namespace covaria::setup_test {
@@ -164,6 +165,20 @@ TEST(Words, NearestName) {
     EXPECT_EQ(did_you_mean("angels", names), " (did you mean 'angles'?)");
     EXPECT_EQ(listed({"a"}), "'a'");
     EXPECT_EQ(listed({"a", "b", "c"}), "'a', 'b' and 'c'");
+}
+
+TEST(ObservedDecimals, AreThoseOfTheSeries) {
+    FieldSpec field{"observations", "Observations", FieldKind::table, "As read."};
+    field.columns = {{"quantity", "quantity", FieldKind::text}, {"value", "value"}};
+    const auto row = [](const char* quantity, double value) {
+        return std::vector<SetupCell>{std::string(quantity), value};
+    };
+    SetupTable table;
+    table.rows = {row("V", 4.99), row("V", 5.012), row("I", 0.5), row("I", 2.0)};
+    EXPECT_TRUE(observed_decimals(field, table, 1).empty()) << "figures of different kinds";
+    field.columns[1].observed = true;
+    EXPECT_EQ(observed_decimals(field, table, 1), (std::vector<int>{3, 3, 1, 1}));
+    EXPECT_TRUE(observed_decimals(field, table, 0).empty());
 }
 
 TEST(Words, Numbers) {

@@ -148,6 +148,15 @@ TEST(FormatTyped, KeepsEveryDigitThatWasTyped) {
     EXPECT_EQ(format_estimate(10.000172, 1e-6), "10.0001720");
 }
 
+TEST(CommonDecimals, AreThoseOfTheObservationWithTheMost) {
+    EXPECT_EQ(common_decimals({4.99, 5.012, 5.0}), 3);
+    EXPECT_EQ(common_decimals({210, 220}), 0);
+    EXPECT_EQ(common_decimals({-0.5, 12.25}), 2);
+    EXPECT_EQ(common_decimals({}), -1);
+    EXPECT_EQ(common_decimals({1.0 / 3.0, 0.5}), -1) << "computed";
+    EXPECT_EQ(common_decimals({2.5e-6, 3e-6}), -1) << "with powers of ten";
+}
+
 TEST(FormatExact, ReadsBackToTheSameNumber) {
     for (const double value :
          {0.1, 1.0 / 3.0, 1174.9091234567891, 5e-324, -0.0, 1e300, 123456789012345680.0}) {

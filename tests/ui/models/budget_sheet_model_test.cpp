@@ -217,6 +217,23 @@ TEST_F(BudgetSheetModelTest, TheSetUpReadsAValueWithItsUnitToo) {
     EXPECT_FALSE(problem(0, Section::estimate).isEmpty());
 }
 
+/// 4.990 was typed: its zero says how well it was read.
+TEST_F(BudgetSheetModelTest, ObservationsKeepTheirZeros) {
+    type(0, Section::symbol, "l_S");
+    type(0, Section::unit, "mm");
+    type(0, Section::stated, "4.990; 5.012; 5.000");
+    EXPECT_EQ(text(0, Section::stated), QStringLiteral("observations 4.990; 5.012; 5.000"));
+    EXPECT_EQ(model->index(0, Section::stated).data(Qt::EditRole).toString(),
+              QStringLiteral("observations 4.990; 5.012; 5.000"));
+    const SetupAddress address{SetupOwner::analysis, "budget"};
+    SetupTableModel table{document, address, find_schema(document.project(), address), "observations"};
+    const int value = int(SetupSchema::column(*table.field(), "value"));
+    EXPECT_EQ(table.index(0, value).data().toString(), QStringLiteral("4.990"));
+    table.setData(table.index(0, value), QStringLiteral("4.9901"));
+    EXPECT_EQ(table.index(1, value).data().toString(), QStringLiteral("5.0120"))
+        << "the column has the decimals of the one with the most";
+}
+
 /// "4.0 kg" does so as an estimate.
 TEST_F(BudgetSheetModelTest, AListGivesItsRowTheUnit) {
     type(0, Section::symbol, "a");
