@@ -198,6 +198,12 @@ private:
         TableBlock part = table;
         part.table.rows.assign(rows.begin() + static_cast<std::ptrdiff_t>(begin),
                                rows.begin() + static_cast<std::ptrdiff_t>(end));
+        const auto drop = [begin](auto& of_rows) {  // what goes with the rows that are left out before
+            const auto first = static_cast<std::ptrdiff_t>(std::min(begin, of_rows.size()));
+            of_rows.erase(of_rows.begin(), of_rows.begin() + first);
+        };
+        drop(part.spreads);
+        for (ColumnStyle& style : part.styles) drop(style.by_row);
         part.table.notes.push_back(in_.say(
             rows_note(rows_in(rows), begin, rows_in(part.table.rows), said_name(group_), elsewhere_)));
         out_.body.push_back(std::move(part));

@@ -141,6 +141,29 @@ TEST(ReportExtent, TheRowsShownAreOfTheGroupWithTheLargestUncertainties) {
     }
 }
 
+TEST(ReportExtent, WhatDecidesTheDecimalsOfARowStaysWithIt) {
+    Extent extent;
+    extent.rows = 6;
+    TableBlock table;
+    table.table.columns.resize(2);
+    table.styles.resize(2);
+    for (const char* group : {"a", "b"}) {
+        table.table.rows.push_back({std::string(group)});
+        table.spreads.push_back(0.0);
+        table.styles[1].by_row.push_back(-1);
+        for (int row = 0; row < 20; ++row) {
+            table.table.rows.push_back({1.0, 2.0});
+            table.spreads.push_back(group[0] == 'a' ? 0.1 : 0.01);
+            table.styles[1].by_row.push_back(group[0] == 'a' ? 1 : 2);
+        }
+    }
+    const ShortenedChapter part = shorten({table}, extent, "b", Elsewhere::files, {});
+    const auto& shown = std::get<TableBlock>(part.body.front());
+    ASSERT_EQ(std::get<std::string>(shown.table.rows.at(0).at(0)), "b");
+    EXPECT_EQ(shown.spreads.at(1), 0.01);
+    EXPECT_EQ(shown.styles.at(1).by_row.at(1), 2);
+}
+
 TEST(ReportExtent, ATableThatIsCutSaysSoAndNoOther) {
     Extent extent;
     extent.rows = 6;
