@@ -154,7 +154,8 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
     add("u", [](L l) { return interval(l.component.standard_uncertainty, l.component.unit); })
         .print_symbol("u(x_i)")
         .window("u", "Standard uncertainty of the component")
-        .digits(3);
+        .digits(3)
+        .of_row({"estimate", "u"});
     add("distribution", [](L l) -> Cell { return l.component.distribution; })
         .print("Distribution")
         .window("Distribution")

@@ -130,7 +130,8 @@ private:
                 return Measured{row_uncertainty(l), Scale::interval, l.quantity().unit, {}};
             })
             .print_symbol("u(x_i)")
-            .digits(3);
+            .digits(3)
+            .of_row({"estimate", "u"});
     }
 
     /// What print says in one row, of the quantity or of a part of it.

@@ -77,6 +77,7 @@ struct ColumnStyle {
     int decimals = -1;             ///< fixed number of decimals; -1: from `match` or the column's digits
     bool input = false;            ///< matched only where it was computed: a typed estimate keeps its digits
     bool by_spread = false;        ///< TableBlock::spreads decides its decimals
+    std::vector<int> row = {};     ///< columns of its row, its own among them, that have one power of ten
     std::vector<int> by_row = {};  ///< decimals of each row instead; -1: from the rest
 };
 /// Cells are SI numbers or quantities; writers set them with `cell_text` (table_text.h). A row of one cell is

@@ -45,7 +45,17 @@ int TableBuilder::fixed(const Message& header, int decimals) {
 
 namespace {
 const char* const key_of_spread = "rounding";  // in the table of results
+
+/// Places of those keys that there are.
+std::vector<int> columns_of(const std::vector<std::string>& keys, const std::vector<std::string>& some) {
+    std::vector<int> columns;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        if (std::find(some.begin(), some.end(), keys[i]) != some.end())
+            columns.push_back(static_cast<int>(i));
+    return columns;
 }
+
+}  // namespace
 
 void TableBuilder::columns(const Table& table, const std::vector<std::string>& keys) {
     for (const std::string& key : keys) {
@@ -56,7 +66,7 @@ void TableBuilder::columns(const Table& table, const std::vector<std::string>& k
             c.is_symbol ? c.head : fill_placeholders<std::string>(in_.say_declared(c.head), unit);
         add({head, {}, c.is_symbol, c.rule.digits},
             {c.symbols, is_numeric(c), match == keys.end() ? -1 : static_cast<int>(match - keys.begin()),
-             c.rule.decimals, c.rule.input, c.rule.match == key_of_spread});
+             c.rule.decimals, c.rule.input, c.rule.match == key_of_spread, columns_of(keys, c.rule.row)});
     }
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <set>
 
 #include "core/base/own_names.h"
 #include "core/propagation/requirements.h"
@@ -105,10 +106,29 @@ public:
         table_.add("U by", words(expanded_key(result_)));
         table_.add("remark", words(represents_measurand(result_) ? "" : std::string(does_not_represent)));
         add_contributors(table_, result_, outputs_, language_);
+        share_powers();
         return std::move(table_);
     }
 
 private:
+    /// The result line is read across: an estimate, its uncertainties and limits have one power of ten.
+    void share_powers() {
+        static const std::set<std::string, std::less<>> line{"estimate",
+                                                             "u",
+                                                             "U",
+                                                             "interval low",
+                                                             "interval high",
+                                                             "shortest low",
+                                                             "shortest high",
+                                                             "stated low",
+                                                             "stated high",
+                                                             "estimate first order",
+                                                             "u first order",
+                                                             "U first order"};
+        for (Column& column : table_.columns)
+            if (line.contains(column.key)) column.of_row({"estimate", "u", "U"});
+    }
+
     using Cells = std::function<Cell(std::size_t)>;
 
     Cells of_output(std::function<Cell(const OutputResult&)> get) const {

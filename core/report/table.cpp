@@ -2,6 +2,8 @@
 #include "core/report/table.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace covaria {
@@ -75,16 +77,55 @@ std::optional<double> matched_to(const Table& table, const Column& column, std::
     return column.rule.match.empty() ? std::nullopt : number_in(table.cell(row, column.rule.match), units);
 }
 
-std::string format_by(const NumberRule& rule, double value, std::optional<double> other) {
+namespace {
+
+/// Of the numbers of a row that are in the unit of this one; nothing where its column shares no power of ten.
+std::optional<double> largest_of_row(const Table& table, const Column& column, std::size_t row,
+                                     const DisplayUnits& units) {
+    if (column.rule.row.empty()) return std::nullopt;
+    const Unit unit = std::get<Measured>(column.cell(row)).in(units).unit;
+    double largest = 0.0;
+    for (const std::string& key : column.rule.row) {
+        const Cell cell = table.cell(row, key);
+        const auto* number = std::get_if<Measured>(&cell);
+        const Quantity shown = number ? number->in(units) : Quantity{};
+        if (number && shown.unit == unit && std::isfinite(shown.value))
+            largest = std::max(largest, std::abs(shown.value));
+    }
+    return largest;
+}
+
+/// Of a column whose head has the unit of all its numbers.
+NumberForm form_of(const Table& table, const Column& column, const DisplayUnits& units) {
+    if (!column.unit || column.rule.digits == 0 || !column.rule.match.empty()) return NumberForm::each;
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+    for (std::size_t row = 0; row < table.rows; ++row) {
+        const double size = std::abs(number_in(column.cell(row), units).value_or(0.0));
+        if (!(size > 0.0) || !std::isfinite(size)) continue;
+        smallest = std::min(smallest, size);
+        largest = std::max(largest, size);
+    }
+    return largest > 0.0 ? form_of_column(smallest, largest) : NumberForm::each;
+}
+
+}  // namespace
+
+std::string format_by(const NumberRule& rule, double value, const NumberPlace& place) {
+    const std::optional<double>& other = place.other;
     if (rule.degrees_of_freedom) return format_degrees_of_freedom(value);
     if (rule.percent) value *= 100.0;
     if (rule.of_limit) return format_part_of_limit(value, rule.decimals);
     if (rule.decimals >= 0) return format_decimals(value, rule.decimals);
+    const bool matches = other && !rule.input && std::isfinite(*other) && *other != 0.0;
+    if (place.largest && matches)
+        return format_in_row(value, decimals_for(*other, rule.digits > 0 ? rule.digits : 2), *place.largest);
+    if (place.largest && !other && rule.digits > 0 && std::isfinite(value) && value != 0.0)
+        return format_in_row(value, decimals_for(value, rule.digits), *place.largest);
     if (other) {
         return rule.input ? format_estimate(value, *other)
                           : format_to_match(value, *other, rule.digits > 0 ? rule.digits : 2);
     }
-    return rule.digits > 0 ? format_significant(value, rule.digits) : format_typed(value);
+    return rule.digits > 0 ? format_significant(value, rule.digits, place.column) : format_typed(value);
 }
 
 Text head_shown(const Column& column, const TableView& view) {
@@ -103,8 +144,10 @@ Text cell_shown(const Table& table, const Column& column, std::size_t row, const
         if (measured.per == Unit{}) number = without_residue(*number, measured.in(view.units).unit);
         NumberRule rule = column.rule;
         if (view.digits > 0 && !rule.typed) rule.digits = view.digits;
-        return grouped_digits(format_by(rule, *number, matched_to(table, column, row, view.units)),
-                              view.language.numbers());
+        const NumberPlace place{matched_to(table, column, row, view.units),
+                                largest_of_row(table, column, row, view.units),
+                                form_of(table, column, view.units)};
+        return grouped_digits(format_by(rule, *number, place), view.language.numbers());
     }
     if (const auto* unit = std::get_if<Unit>(&cell)) return view.units.of(*unit).display();
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return symbols_text(joined(*symbols));

@@ -43,8 +43,10 @@ struct NumberRule {
     int digits = 0;          ///< significant ones in print
     int decimals = -1;       ///< fixed instead
     std::string match = {};  ///< key of the column whose number (an uncertainty) decides the decimals
-    bool input = false;      ///< matched only where it was computed: a typed estimate keeps its digits
-    bool typed = false;      ///< every digit that was typed
+    /// Keys of columns of its row, its own among them: in one unit they have one power of ten.
+    std::vector<std::string> row = {};
+    bool input = false;  ///< matched only where it was computed: a typed estimate keeps its digits
+    bool typed = false;  ///< every digit that was typed
     bool degrees_of_freedom = false;
     bool percent = false;   ///< a part of one, shown in per cent
     bool of_limit = false;  ///< a part of a limit: what exceeds it is not written as 1
@@ -74,6 +76,7 @@ struct Column {
     Column& round(NumberRule by) { return rule = std::move(by), *this; }
     Column& digits(int significant) { return rule.digits = significant, *this; }
     Column& match(std::string to) { return rule.match = std::move(to), *this; }
+    Column& of_row(std::vector<std::string> keys) { return rule.row = std::move(keys), *this; }
     Column& in(std::optional<Unit> common) { return unit = std::move(common), *this; }
     Column& of_symbols() { return symbols = true, *this; }
     Column& of_own_words(std::vector<std::string> others = {}) {
@@ -113,8 +116,14 @@ Text head_shown(const Column& column, const TableView& view);
 Text head_shown(const Text& title, const Column& column, const TableView& view);
 /// Rounded, typeset; the program's words in the view's language.
 Text cell_shown(const Table& table, const Column& column, std::size_t row, const TableView& view);
-/// By its rule, plain: `other` is the uncertainty that it is matched to.
-std::string format_by(const NumberRule& rule, double value, std::optional<double> other);
+/// What else decides how a number is written.
+struct NumberPlace {
+    std::optional<double> other = {};    ///< the uncertainty that it is matched to
+    std::optional<double> largest = {};  ///< in size, of its row
+    NumberForm column = NumberForm::each;
+};
+/// By its rule, plain.
+std::string format_by(const NumberRule& rule, double value, const NumberPlace& place = {});
 /// A number as a view shows it; nothing for other cells.
 std::optional<double> number_in(const Cell& cell, const DisplayUnits& units = {});
 bool is_numeric(const Column& column);

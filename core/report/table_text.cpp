@@ -1,6 +1,10 @@
 // Cells and heads of a report's tables as text; shared by all writers so that they agree.
 #include "core/report/table_text.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "core/text/numbers.h"
 
 namespace covaria {
@@ -8,6 +12,53 @@ namespace {
 
 std::string unit_suffix(const TableColumn& column) {
     return column.unit.text() == "1" ? "" : " (" + column.unit.display() + ")";
+}
+
+/// Of a number that is shown in its own unit, or in that of its column.
+const Unit& unit_of(const TableCell& cell, const TableColumn& column) {
+    const auto* quantity = std::get_if<Quantity>(&cell);
+    return quantity ? quantity->unit : column.unit;
+}
+
+/// Of the numbers of a row that are in the unit of this one; nothing where it shares no power of ten.
+std::optional<double> largest_of_row(const TableBlock& block, const ColumnStyle& style, std::size_t row,
+                                     std::size_t column) {
+    if (style.row.empty()) return std::nullopt;
+    const auto& cells = block.table.rows[row];
+    double largest = 0.0;
+    for (const int other : style.row) {
+        const auto at = static_cast<std::size_t>(other);
+        if (at >= cells.size()) continue;
+        const TableColumn& head = block.table.columns[at];
+        const auto number = shown_number(cells[at], head);
+        if (number && std::isfinite(*number) &&
+            unit_of(cells[at], head) == unit_of(cells[column], block.table.columns[column]))
+            largest = std::max(largest, std::abs(*number));
+    }
+    return largest;
+}
+
+/// Of all numbers of a column in the unit of this one, which are read against each other.
+NumberForm form_of(const TableBlock& block, std::size_t row, std::size_t column) {
+    constexpr std::size_t most_rows = 1000;  // of a longer table nobody sees the whole
+    if (block.table.rows.size() > most_rows) return NumberForm::each;
+    const TableColumn& head = block.table.columns[column];
+    const Unit& unit = unit_of(block.table.rows[row][column], head);
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+    for (const auto& cells : block.table.rows) {
+        const auto number = column < cells.size() ? shown_number(cells[column], head) : std::nullopt;
+        const double size = std::abs(number.value_or(0.0));
+        if (!(size > 0.0) || !std::isfinite(size) || !(unit_of(cells[column], head) == unit)) continue;
+        smallest = std::min(smallest, size);
+        largest = std::max(largest, size);
+    }
+    return largest > 0.0 ? form_of_column(smallest, largest) : NumberForm::each;
+}
+
+std::string matched(double number, double uncertainty, int digits, std::optional<double> largest) {
+    if (!largest || !std::isfinite(uncertainty) || uncertainty == 0.0)
+        return format_to_match(number, uncertainty, digits);
+    return format_in_row(number, decimals_for(uncertainty, digits), *largest);
 }
 
 }  // namespace
@@ -39,17 +90,18 @@ std::string cell_text(const TableBlock& block, std::size_t row, std::size_t colu
     if (style.decimals >= 0) return format_decimals(*number, style.decimals);
     if (row < style.by_row.size() && style.by_row[row] >= 0)
         return format_decimals(*number, style.by_row[row]);
+    const std::optional<double> largest = largest_of_row(block, style, row, column);
     if (style.match >= 0) {
         const auto other = static_cast<std::size_t>(style.match);
         if (const auto u = shown_number(cells[other], block.table.columns[other]))
             return style.input ? format_estimate(*number, *u)
-                               : format_to_match(*number, *u, head.digits > 0 ? head.digits : 2);
+                               : matched(*number, *u, head.digits > 0 ? head.digits : 2, largest);
     }
     if (style.by_spread && row < block.spreads.size()) {
         const auto* quantity = std::get_if<Quantity>(&cell);
         const double spread = block.spreads[row];
-        return format_to_match(*number, quantity ? quantity->unit.interval_from_si(spread) : spread,
-                               head.digits > 0 ? head.digits : 2);
+        return matched(*number, quantity ? quantity->unit.interval_from_si(spread) : spread,
+                       head.digits > 0 ? head.digits : 2, largest);
     }
     if (head.match >= 0) {
         const auto other = static_cast<std::size_t>(head.match);
@@ -57,6 +109,14 @@ std::string cell_text(const TableBlock& block, std::size_t row, std::size_t colu
             other < cells.size() ? shown_number(cells[other], block.table.columns[other]) : std::nullopt;
         const auto* own = std::get_if<Quantity>(&cell);
         if (u) return format_to_match(*number, *u) + (own ? unit_of_cell(*own, head) : std::string());
+    }
+    if (head.digits > 0 && head.decimals < 0) {
+        const auto* quantity = std::get_if<Quantity>(&cell);
+        const double shown = without_residue(*number, style.bare ? Unit{} : unit_of(cell, head));
+        const bool in_row = largest && std::isfinite(shown) && shown != 0.0;
+        return (in_row ? format_in_row(shown, decimals_for(shown, head.digits), *largest)
+                       : format_significant(shown, head.digits, form_of(block, row, column))) +
+               (quantity && !style.bare ? unit_of_cell(*quantity, head) : std::string());
     }
     if (style.bare) {
         TableColumn plain = head;

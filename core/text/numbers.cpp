@@ -90,6 +90,11 @@ std::string with_powers(std::string plain) {
     return plain.replace(e, end - e, "×" + power_of_ten(std::atoi(plain.c_str() + e + 1)));
 }
 
+/// Is written without a power of ten.
+bool is_ordinary(double size) {
+    return size >= 1e-4 && size < 1e7;
+}
+
 }  // namespace
 
 std::string format_decimals(double value, int decimals) {
@@ -104,7 +109,7 @@ std::string format_significant(double value, int digits) {
     if (value == 0.0) return "0";
     const int kept = std::max(digits, 1);
     const double size = std::abs(value);
-    if (size < 1e-4 || size >= 1e7) return scientific(value, kept - 1);
+    if (!is_ordinary(size)) return scientific(value, kept - 1);
     return format_decimals(value, kept - 1 - rounded_exponent(value, kept));
 }
 
@@ -133,6 +138,36 @@ std::string format_to_match(double value, double uncertainty, int digits) {
         return value_digits < 1 ? "0" : scientific(value, value_digits - 1);
     }
     return format_decimals(value, decimals);
+}
+
+std::string format_in_row(double value, int decimals, double largest) {
+    constexpr int most_decimals = 12;
+    const bool with_power = std::isfinite(largest) && largest > 0.0 && !is_ordinary(largest);
+    if (!std::isfinite(value)) return not_finite(value);
+    if (value == 0.0) return with_power ? "0" : format_decimals(value, decimals);
+    const int power = with_power ? rounded_exponent(largest, 3) : 0;
+    if (decimals + power > most_decimals && !is_ordinary(std::abs(value))) {  // only zeros would be seen
+        const int digits = rounded_exponent(value, 1) + decimals + 1;
+        return digits < 1 ? "0" : scientific(value, digits - 1);
+    }
+    if (!with_power) return format_decimals(value, decimals);
+    const std::string sign = power < 0 ? "e-" : "e+", size = std::to_string(std::abs(power));
+    return format_decimals(value * std::pow(10.0, -power), std::max(0, decimals + power)) + sign +
+           (size.size() < 2 ? "0" : "") + size;
+}
+
+NumberForm form_of_column(double smallest, double largest) {
+    constexpr double least_in_decimals = 1e-7;
+    if (is_ordinary(smallest) && is_ordinary(largest)) return NumberForm::each;
+    return is_ordinary(largest) && smallest >= least_in_decimals ? NumberForm::decimals : NumberForm::powers;
+}
+
+std::string format_significant(double value, int digits, NumberForm form) {
+    if (form == NumberForm::each || !std::isfinite(value) || value == 0.0)
+        return format_significant(value, digits);
+    const int kept = std::max(digits, 1);
+    if (form == NumberForm::powers) return scientific(value, kept - 1);
+    return format_decimals(value, kept - 1 - rounded_exponent(value, kept));
 }
 
 std::string format_typed(double value) {

@@ -29,6 +29,14 @@ int decimals_for(double uncertainty, int digits = 2);
 std::string format_part_of_limit(double part, int decimals);
 /// Value rounded to match its uncertainty: "1 174.91" style without spaces.
 std::string format_to_match(double value, double uncertainty, int digits = 2);
+/// As one of the numbers of a row, of which `largest` is the largest: all have its power of ten, or none has
+/// one where it is of ordinary size. With the decimals that an uncertainty leaves.
+std::string format_in_row(double value, int decimals, double largest);
+/// How all numbers of a column are written: each as it is, without or with powers of ten.
+enum class NumberForm { each, decimals, powers };
+/// Of a column whose numbers have these sizes; `smallest` > 0.
+NumberForm form_of_column(double smallest, double largest);
+std::string format_significant(double value, int digits, NumberForm form);
 /// Every digit of a value that was typed ("10.000172"): all of them where there are at most 13, else (a
 /// computed value) seven.
 std::string format_typed(double value);

@@ -93,6 +93,43 @@ TEST(Report, ValuesMatchTheirExpandedUncertainty) {
     EXPECT_EQ(cell_text(*results, 4, 2), "5.00");  // U = 0.10 deg
 }
 
+TEST(Report, NumbersOfARowHaveOnePowerOfTenAndThoseOfAColumnOneForm) {
+    const Unit mm = Unit::of("mm");
+    TableBlock block;
+    block.table.columns.resize(3);
+    for (TableColumn& column : block.table.columns) column.digits = 2;
+    block.styles.resize(3);
+    block.styles[0] = {.bare = true, .match = 1, .row = {0, 1}};
+    block.styles[1] = {.bare = true, .row = {0, 1}};
+    block.styles[2] = {.bare = true};
+    const auto add = [&](double y, double u, double s) {
+        block.table.rows.push_back({Quantity{y, mm}, Quantity{u, mm}, Quantity{s, mm}});
+    };
+    add(50.000838, 8.4e-5, 0.0012);
+    add(1.234e-5, 1.2e-6, 3.4e-5);
+    EXPECT_EQ(cell_text(block, 0, 0), "50.000838");
+    EXPECT_EQ(cell_text(block, 0, 1), "0.000084");
+    EXPECT_EQ(cell_text(block, 1, 0), "1.23e-05");
+    EXPECT_EQ(cell_text(block, 1, 1), "0.12e-05");
+    EXPECT_EQ(cell_text(block, 0, 2), "0.0012");
+    EXPECT_EQ(cell_text(block, 1, 2), "0.000034");
+}
+
+TEST(Report, TheResultLineHasOnePowerOfTenInTheWindow) {
+    UncertaintyResult result = test::sample_result();
+    OutputResult& output = result.outputs.front();
+    output.quantity.unit = Unit::of("m");
+    output.monte_carlo.reset();
+    output.estimate = 1.2345e-5;
+    output.standard_uncertainty = 1e-7;
+    output.expanded_uncertainty = 2e-7;
+    const Table table = results_table(result, {0});
+    const auto shown = [&](const char* key) { return to_unicode(cell_shown(table, table[key], 0, {})); };
+    EXPECT_EQ(shown("estimate"), "1.235×10⁻⁵");
+    EXPECT_EQ(shown("u"), "0.010×10⁻⁵");
+    EXPECT_EQ(shown("U"), "0.020×10⁻⁵");
+}
+
 TEST(Report, BudgetsAreShownInFullForTheGroupWithTheLargestUncertainties) {
     const ReportDocument document = test::sample_report();
     int budgets = 0;

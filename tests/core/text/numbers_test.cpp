@@ -148,6 +148,29 @@ TEST(FormatTyped, KeepsEveryDigitThatWasTyped) {
     EXPECT_EQ(format_estimate(10.000172, 1e-6), "10.0001720");
 }
 
+TEST(FormatInRow, AllNumbersHaveThePowerOfTheLargest) {
+    EXPECT_EQ(format_in_row(50.000838, 6, 50.000838), "50.000838");
+    EXPECT_EQ(format_in_row(8.4e-5, 6, 50.000838), "0.000084");
+    EXPECT_EQ(format_in_row(1.2345e-5, 8, 1.2345e-5), "1.235e-05");
+    EXPECT_EQ(format_in_row(1.2e-7, 8, 1.2345e-5), "0.012e-05");
+    EXPECT_EQ(format_in_row(-2.1e11, -8, 2.1e11), "-2.100e+11");
+    EXPECT_EQ(format_in_row(1e9, -8, 2.1e11), "0.010e+11");
+    EXPECT_EQ(format_in_row(0.0, 3, 1.0), "0.000");
+    EXPECT_EQ(format_in_row(0.0, 7, 1.2e-6), "0");
+    EXPECT_EQ(format_in_row(1.2e-15, 16, 5.0), "1.2e-15") << "only zeros would be seen";
+    EXPECT_EQ(format_in_row(inf, 3, 1.0), "∞");
+}
+
+TEST(NumberForm, IsOneForAColumn) {
+    EXPECT_EQ(form_of_column(0.01, 120.0), NumberForm::each);
+    EXPECT_EQ(form_of_column(3e-5, 0.0012), NumberForm::decimals);
+    EXPECT_EQ(form_of_column(3e-9, 0.0012), NumberForm::powers);
+    EXPECT_EQ(form_of_column(0.5, 2e9), NumberForm::powers);
+    EXPECT_EQ(format_significant(3.21e-5, 2, NumberForm::decimals), "0.000032");
+    EXPECT_EQ(format_significant(0.0012, 2, NumberForm::powers), "1.2e-03");
+    EXPECT_EQ(format_significant(0.0, 2, NumberForm::powers), "0");
+}
+
 TEST(CommonDecimals, AreThoseOfTheObservationWithTheMost) {
     EXPECT_EQ(common_decimals({4.99, 5.012, 5.0}), 3);
     EXPECT_EQ(common_decimals({210, 220}), 0);

@@ -87,7 +87,7 @@ TEST_F(BudgetSheetModelTest, IsTypedFromNothing) {
     type(1, Section::estimate, "215 nm");
     type(1, Section::stated, "U = 0.0194 um, k = 2");
     evaluate();
-    EXPECT_EQ(text(0, Section::u), QStringLiteral("2.5×10⁻⁵"));
+    EXPECT_EQ(text(0, Section::u), QString::fromUtf8("0.000\u202f025")) << "as 50.000 623";
     EXPECT_EQ(text(1, Section::u), QStringLiteral("9.7"));
     EXPECT_EQ(text(1, Section::distribution), QStringLiteral("normal"));
     EXPECT_EQ(text(1, Section::type), QStringLiteral("B"));
