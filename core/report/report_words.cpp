@@ -9,6 +9,7 @@
 #include "core/base/placeholders.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
+#include "core/report/table_text.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
@@ -184,7 +185,7 @@ TableBlock said_table(DataTable table, const DocumentLanguage& in) {
         for (TableCell& cell : row)
             if (const auto* words = std::get_if<Message>(&cell)) cell = TableCell(in.say(*words));
     drop_rounding_errors(table);
-    return {std::move(table), {}, in.numbers()};
+    return read_table(std::move(table), in.numbers());
 }
 
 Message contributor_title(const ContributorResult& result) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/text/numbers.h"
 
@@ -61,7 +63,45 @@ std::string matched(double number, double uncertainty, int digits, std::optional
     return format_in_row(number, decimals_for(uncertainty, digits), *largest);
 }
 
+/// That of all its numbers, where each has it by itself; nothing for numbers in the unit of the head.
+std::optional<Unit> unit_of_cells(const DataTable& table, std::size_t column) {
+    std::optional<Unit> unit;
+    for (const auto& cells : table.rows) {
+        if (column >= cells.size() || std::holds_alternative<std::monostate>(cells[column])) continue;
+        const auto* quantity = std::get_if<Quantity>(&cells[column]);
+        if (!quantity || (unit && !(quantity->unit == *unit))) return std::nullopt;
+        unit = quantity->unit;
+    }
+    return unit;
+}
+
+/// Of a column of one kind of quantity, to which nothing else gives them; -1: of each number by itself.
+int decimals_of_column(const DataTable& table, std::size_t column) {
+    constexpr int most_decimals = 6;
+    const TableColumn& head = table.columns[column];
+    if (head.unit == Unit{} || head.digits > 0 || head.decimals >= 0 || head.match >= 0) return -1;
+    std::vector<double> numbers;
+    for (const auto& cells : table.rows) {
+        const auto number = column < cells.size() ? shown_number(cells[column], head) : std::nullopt;
+        if (number && !(unit_of(cells[column], head) == head.unit)) return -1;
+        if (number) numbers.push_back(without_residue(*number, head.unit));
+    }
+    const int decimals = common_decimals(numbers);
+    return decimals <= most_decimals ? decimals : -1;
+}
+
 }  // namespace
+
+TableBlock read_table(DataTable table, const NumberLocale& locale) {
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+        if (const auto unit = unit_of_cells(table, c); unit && table.columns[c].unit == Unit{})
+            table.columns[c].unit = *unit;
+    TableBlock block{std::move(table), {}, locale};
+    block.styles.resize(block.table.columns.size());
+    for (std::size_t c = 0; c < block.styles.size(); ++c)
+        block.styles[c].decimals = decimals_of_column(block.table, c);
+    return block;
+}
 
 ColumnStyle style_of(const TableBlock& block, std::size_t column) {
     return column < block.styles.size() ? block.styles[column] : ColumnStyle{};

@@ -9,6 +9,10 @@
 
 namespace covaria {
 
+/// A table of a model, an asset or a design as it is read: the head of a column has the unit that all its
+/// cells have, and what stands there as it was typed has the decimals of the number with the most.
+TableBlock read_table(DataTable table, const NumberLocale& locale);
+
 ColumnStyle style_of(const TableBlock& block, std::size_t column);
 /// A row of a single text: sub-head across the table.
 bool is_subhead(const TableBlock& block, std::size_t row);

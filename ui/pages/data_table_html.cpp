@@ -34,8 +34,9 @@ QString shown(const TableBlock& block, std::size_t row, std::size_t column) {
         .replace(QChar(0x202f), QChar(QChar::Nbsp));
 }
 
-QString html_of(const DataTable& table) {
-    const TableBlock block{table, {}, user_numbers()};
+QString html_of(const DataTable& as_made) {
+    const TableBlock block = read_table(as_made, user_numbers());
+    const DataTable& table = block.table;
     std::vector<bool> is_numeric;
     QString html = QStringLiteral("<h4>%1</h4><table cellpadding=\"3\" cellspacing=\"0\"><tr>")
                        .arg(core_text(table.title).toHtmlEscaped());

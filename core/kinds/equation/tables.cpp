@@ -84,7 +84,7 @@ std::vector<DataTable> observation_tables(const std::vector<ObservedQuantity>& o
     table.title = "Type A evaluation of observations";
     table.columns = {{.header = "quantity"},
                      {.header = "n", .is_symbol = true, .decimals = 0},
-                     {.header = "mean"},
+                     {.header = "mean", .match = 4},
                      {.header = "s of one observation", .digits = 3},
                      {.header = "u of the mean", .digits = 3},
                      {.header = "nu", .is_symbol = true, .decimals = 0}};

@@ -130,6 +130,24 @@ TEST(Report, TheResultLineHasOnePowerOfTenInTheWindow) {
     EXPECT_EQ(shown("U"), "0.020×10⁻⁵");
 }
 
+TEST(ReadTable, HasTheUnitInTheHeadAndEvenDecimals) {
+    const Unit mm = Unit::of("mm"), deg = Unit::of("deg");
+    DataTable table{
+        "t", "T", {{.header = "same"}, {.header = "other"}, {.header = "rounded", .digits = 2}}, {}, {}};
+    table.rows = {{Quantity{1.5, mm}, Quantity{1.5, mm}, Quantity{1.234, mm}},
+                  {Quantity{2.0, mm}, Quantity{2.0, deg}, Quantity{0.1234, mm}},
+                  {TableCell{}, Quantity{0.25, mm}, TableCell{}}};
+    const TableBlock block = read_table(table, {});
+    EXPECT_EQ(head_of(block.table.columns[0]), "same (mm)");
+    EXPECT_EQ(cell_text(block, 0, 0), "1.5");
+    EXPECT_EQ(cell_text(block, 1, 0), "2.0");
+    EXPECT_EQ(head_of(block.table.columns[1]), "other");
+    EXPECT_EQ(cell_text(block, 1, 1), "2°");
+    EXPECT_EQ(cell_text(block, 0, 1), "1.5\u00a0mm");
+    EXPECT_EQ(head_of(block.table.columns[2]), "rounded (mm)");
+    EXPECT_EQ(cell_text(block, 1, 2), "0.12");
+}
+
 TEST(Report, BudgetsAreShownInFullForTheGroupWithTheLargestUncertainties) {
     const ReportDocument document = test::sample_report();
     int budgets = 0;
