@@ -43,6 +43,7 @@ public:
 private:
     void add_project() {
         Project project = content_.made.project();
+        project.kept.clear();  // not of what is reported, and nothing that its reader was meant to see
         std::vector<AttachedFile> linked;
         for_linked_tables(project, [&](SetupTable& table, const FieldSpec& field) {
             const std::string name = fs::path(table.csv_file).lexically_normal().generic_string();

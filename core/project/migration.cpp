@@ -1,5 +1,6 @@
 // To change the file format: raise project_schema_version, append a step here, put a sample file of the
-// version before it into tests/data/projects.
+// version before it into tests/data/projects. What a step does with assets and analyses it does with those of
+// kept states too ("kept", since version 2).
 #include "core/project/migration.h"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 
 #include "core/project/certificate.h"
 #include "core/project/design.h"
+#include "core/project/kept_state.h"
 #include "core/project/project_results.h"
 #include "core/project/report_contents.h"
 #include "core/project/saved_view.h"
@@ -111,6 +112,7 @@ struct Project {
     ProjectResults results = {};
     std::vector<AssetEntry> assets = {};
     std::vector<AnalysisEntry> analyses = {};
+    std::vector<KeptState> kept = {};      ///< one of an analysis at most; no result depends on them
     std::filesystem::path directory = {};  ///< where CSV files are looked for; not saved, not compared
 
     const AssetEntry* find_asset(const std::string& id) const;
@@ -118,7 +120,8 @@ struct Project {
     bool operator==(const Project& other) const {
         return title == other.title && notes == other.notes && author == other.author &&
                number == other.number && results == other.results && certificate == other.certificate &&
-               report == other.report && assets == other.assets && analyses == other.analyses;
+               report == other.report && assets == other.assets && analyses == other.analyses &&
+               kept == other.kept;
     }
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/file_io.h"
+#include "core/base/in_quotes.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/certificate_json.h"
 #include "core/project/json_location.h"
@@ -61,11 +62,8 @@ public:
         if (const Json* report = reader.find("report"))
             project.report =
                 report_contents_fields().read(*report, reader.path_of("report"), context_.problems);
-        if (const Json* results = reader.find("results"))
-            project.results =
-                project_results_from_json(*results, reader.path_of("results"), context_.problems);
-        read_entries(reader, "assets", project.assets);
-        read_entries(reader, "analyses", project.analyses);
+        read_evaluated(reader, project);
+        read_kept(reader, project);
         reader.refuse_unknown_keys();
         return project;
     }
@@ -73,6 +71,34 @@ public:
     const std::vector<CsvOrigin>& csv() const { return context_.csv; }
 
 private:
+    /// What a project and a state of it have alike.
+    void read_evaluated(ObjectReader& reader, Project& project) {
+        if (const Json* results = reader.find("results"))
+            project.results =
+                project_results_from_json(*results, reader.path_of("results"), context_.problems);
+        read_entries(reader, "assets", project.assets);
+        read_entries(reader, "analyses", project.analyses);
+    }
+
+    void read_kept(ObjectReader& reader, Project& project) {
+        const Json* list = reader.list("kept");
+        for (std::size_t i = 0; list && i < list->size(); ++i) {
+            const std::string path = reader.path_of("kept") + "/" + std::to_string(i);
+            ObjectReader of_state((*list)[i], path, tell<"a kept state">(), context_.problems);
+            const std::string analysis = of_state.text("analysis", true), at = of_state.text("at", true);
+            Project state;
+            state.directory = context_.directory;
+            read_evaluated(of_state, state);
+            of_state.refuse_unknown_keys();
+            if (find_kept(project.kept, analysis))
+                context_.problems.error(
+                    of_state.path_of("analysis"),
+                    tell<"two states of the analysis %1 are kept; one can be">(in_quotes(analysis)));
+            else
+                project.kept.push_back(state_to_keep(state, analysis, at));
+        }
+    }
+
     template <class Entry>
     void read_entries(ObjectReader& reader, const std::string& key, std::vector<Entry>& entries) {
         const Json* list = reader.list(key);

@@ -49,6 +49,32 @@ void write_analysis(JsonWriter& out, const AnalysisEntry& analysis) {
     out.end();
 }
 
+void write_entries(JsonWriter& out, const Project& project) {
+    out.key("assets");
+    out.begin_list();
+    for (const AssetEntry& asset : project.assets) write_asset(out, asset);
+    out.end();
+    out.key("analyses");
+    out.begin_list();
+    for (const AnalysisEntry& analysis : project.analyses) write_analysis(out, analysis);
+    out.end();
+}
+
+void write_results_of(JsonWriter& out, const Project& project) {
+    if (project.results.empty()) return;
+    out.key("results");
+    write_project_results(out, project.results);
+}
+
+void write_kept(JsonWriter& out, const KeptState& state) {
+    out.begin_object();
+    out.member("analysis", state.analysis);
+    out.member("at", state.at);
+    write_results_of(out, *state.project);
+    write_entries(out, *state.project);
+    out.end();
+}
+
 // What has no influence on numbers is taken away, and CSV rows are put in place of the file's name.
 void keep_numbers(Setup& setup) {
     for (auto& [key, value] : setup.values)
@@ -64,6 +90,7 @@ Project numbers_only(Project project) {
     project.certificate = {};
     project.report = {};
     project.results = {};
+    project.kept.clear();
     std::ranges::sort(project.assets, {}, &AssetEntry::id);
     for (AssetEntry& asset : project.assets) {
         asset.name.clear();
@@ -114,18 +141,14 @@ WrittenProject write_project(const Project& project) {
         out.key("report");
         report_contents_fields().write(out, project.report);
     }
-    if (!project.results.empty()) {
-        out.key("results");
-        write_project_results(out, project.results);
+    write_results_of(out, project);
+    write_entries(out, project);
+    if (!project.kept.empty()) {
+        out.key("kept");
+        out.begin_list();
+        for (const KeptState& state : project.kept) write_kept(out, state);
+        out.end();
     }
-    out.key("assets");
-    out.begin_list();
-    for (const AssetEntry& asset : project.assets) write_asset(out, asset);
-    out.end();
-    out.key("analyses");
-    out.begin_list();
-    for (const AnalysisEntry& analysis : project.analyses) write_analysis(out, analysis);
-    out.end();
     out.end();
     return {out.take(), !out.has_unwritable()};
 }

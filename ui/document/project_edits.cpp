@@ -160,8 +160,9 @@ void remove(Document& document, const SetupAddress& address) {
                        visit_entry(project, address, [](auto& entry, auto& entries) {
                            entries.erase(entries.begin() + (&entry - entries.data()));
                        });
-                       if (address.owner == SetupOwner::analysis)
-                           choose(project.report.without_analyses, address.id, true);
+                       if (address.owner != SetupOwner::analysis) return;
+                       choose(project.report.without_analyses, address.id, true);
+                       discard_kept(project.kept, address.id);
                    });
 }
 

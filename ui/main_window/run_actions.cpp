@@ -68,7 +68,7 @@ void RunActions::update() {
                                  [this](const AnalysisEntry& analysis) {
                                      return runner_.status(to_qt(analysis.id)).state == RunState::running;
                                  }) ||
-                     runner_.studies().is_busy() || runner_.designs().is_busy());
+                     runner_.studies().is_busy() || runner_.designs().is_busy() || runner_.kept().is_busy());
 }
 
 }  // namespace covaria::ui

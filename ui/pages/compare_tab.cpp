@@ -18,9 +18,32 @@
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
+namespace {
+
+/// How the result came about.
+QString words_of(const KeptResult& kept) {
+    if (!kept.trouble.isEmpty()) return kept.trouble;
+    if (!kept.result) return CompareTab::tr("results that are computed again once the analysis has run");
+    AnalysisStatus status;
+    status.stage = ResultStage::complete;
+    status.result = kept.result;
+    return result_words(status);
+}
+
+/// With the day, if that was another one.
+QString time_of(const KeptResult& kept) {
+    const QDateTime at = kept.at();
+    if (!at.isValid()) return to_qt(kept.state.at);
+    const QLocale locale = QLocale::system();
+    return at.date() == QDate::currentDate() ? locale.toString(at.time(), QLocale::ShortFormat)
+                                             : locale.toString(at, QLocale::ShortFormat);
+}
+
+}  // namespace
 
 CompareTab::CompareTab(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
     : QWidget(parent), document_(document), runner_(runner), selection_(selection), kept_(runner.kept()) {
+    kept_.follow(document);
     make_actions();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -131,34 +154,37 @@ void CompareTab::keep() {
                           : tr("The results are kept: the tab Compare shows them beside those to come."));
 }
 
-/// One edit: what is evaluated, as it was; certificate, author and notes of the project stay.
+/// One edit: what is evaluated, as it was.
 void CompareTab::go_back() {
     finish_typing();
-    const KeptState* kept = kept_.find(selection_.analysis());
-    if (!kept) return;
-    document_.apply(tr("Go back to kept state"), [before = kept->project](Project& project) {
-        project.assets = before->assets;
-        project.analyses = before->analyses;
-    });
+    if (const KeptResult* kept = kept_.find(selection_.analysis()))
+        document_.apply(tr("Go back to kept state"),
+                        [before = kept->state](Project& project) { covaria::go_back(project, before); });
+}
+
+bool CompareTab::can_go_back() const {
+    const KeptResult* kept = kept_.find(selection_.analysis());
+    if (!kept) return false;
+    Project before = document_.project();
+    covaria::go_back(before, kept->state);
+    return !(before == document_.project());
 }
 
 void CompareTab::update_actions() {
-    const KeptState* kept = kept_.find(selection_.analysis());
+    const KeptResult* kept = kept_.find(selection_.analysis());
     keep_->setEnabled(kept_.can_keep(selection_.analysis()));
     keep_->setText(kept ? tr("Replace Kept State") : tr("Keep as Before"));
     keep_->setToolTip(kept
                           ? tr("Keeps the present results in place of those kept before, which are forgotten")
                           : tr("Keeps the present results of this analysis, to compare later ones with"));
-    const Project& now = document_.project();
-    go_back_->setEnabled(kept &&
-                         !(kept->project->assets == now.assets && kept->project->analyses == now.analyses));
+    go_back_->setEnabled(can_go_back());
     discard_->setEnabled(kept != nullptr);
 }
 
 QString CompareTab::state_words() const {
     const QString& analysis = selection_.analysis();
     if (analysis.isEmpty()) return tr("Select an analysis to compare its results.");
-    const KeptState* kept = kept_.find(analysis);
+    const KeptResult* kept = kept_.find(analysis);
     const AnalysisStatus& status = runner_.status(analysis);
     if (!kept && !kept_.can_keep(analysis))
         return tr("Run the analysis (F5), then keep its results with “%1”.").arg(keep_->text());
@@ -166,8 +192,7 @@ QString CompareTab::state_words() const {
         return tr("Keep the present results with “%1” and edit: before and after stand here beside each "
                   "other.")
             .arg(keep_->text());
-    QString words = tr("Before: %1, kept at %2. ")
-                        .arg(kept->words, QLocale::system().toString(kept->at.time(), QLocale::ShortFormat));
+    QString words = tr("Before: %1, kept at %2. ").arg(words_of(*kept), time_of(*kept));
     if (!status.result) return words + tr("After: no results.");
     words += tr("After: %1").arg(result_words(status));
     const QString said = reservation(status);
@@ -184,10 +209,11 @@ void CompareTab::refresh() {
     update_actions();
     state_->setText(state_words());
     state_->setToolTip(state_->text());
-    const KeptState* kept = kept_.find(selection_.analysis());
+    const KeptResult* kept = kept_.find(selection_.analysis());
     const AnalysisStatus& status = runner_.status(selection_.analysis());
-    if (kept && status.result && !isVisible()) return;
-    comparison_ = kept && status.result
+    const bool both = kept && kept->result && status.result;
+    if (both && !isVisible()) return;
+    comparison_ = both
                       ? std::make_shared<const ResultComparison>(compare_results(kept->result, status.result))
                       : nullptr;
     state_->setVisible(comparison_ != nullptr);

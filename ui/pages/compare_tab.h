@@ -34,8 +34,6 @@ public:
     void set_units(const DisplayUnits& units);
     void set_digits(int digits);
     const KeptStates& kept() const { return kept_; }
-    /// Another project: nothing is kept of it.
-    void start_over() { kept_.clear(); }
 
 signals:
     void message(const QString& text);
@@ -54,6 +52,7 @@ private:
     void show_chart();
     void keep();
     void go_back();
+    bool can_go_back() const;
     /// Index among the outputs compared of the one that is selected.
     std::optional<std::size_t> selected() const;
 

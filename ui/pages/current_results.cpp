@@ -11,10 +11,9 @@ std::vector<EvaluatedAnalysis> current_results(const Project& project, const Ana
         const AnalysisStatus& status = runner.status(to_qt(analysis.id));
         if (!status.is_current()) continue;
         current.push_back({status.result_of, status.result, status.warnings});
-        if (const KeptState* kept = runner.kept().find(to_qt(analysis.id));
-            kept && kept->result != status.result)
+        if (const ResultPointer before = runner.kept().before(to_qt(analysis.id), status.result))
             current.back().before = std::make_shared<const ResultsBefore>(
-                ResultsBefore{"kept results", compare_results(kept->result, status.result)});
+                ResultsBefore{"kept results", compare_results(before, status.result)});
         for (const Study& study : analysis.studies) {
             const StudyStatus of_study = runner.studies().status(to_qt(analysis.id), to_qt(study.id));
             if (of_study.is_current()) current.back().studies.push_back(of_study.result);

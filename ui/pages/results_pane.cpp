@@ -406,7 +406,6 @@ void ResultsPane::refresh_charts() {
 
 void ResultsPane::start_over() {
     report_->start_over();
-    compare_->start_over();
 }
 
 void ResultsPane::set_dark(bool dark) {

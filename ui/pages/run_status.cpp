@@ -48,6 +48,10 @@ RunStatus::RunStatus(Document& document, AnalysisRunner& runner, Selection& sele
         row->addWidget(widget);
     connect(stop_, &QToolButton::clicked, &runner_, &AnalysisRunner::stop_all);
     connect(&runner_, &AnalysisRunner::progress_changed, this, &RunStatus::show_progress);
+    connect(&runner_.kept(), &KeptStates::progress_changed, this,
+            [this](const QString& id, const RunProgress& progress) {
+                show_bar(tr("%1, kept state: ").arg(name_of(id)) + progress_words(progress), progress);
+            });
     connect(&runner_, &AnalysisRunner::state_changed, this, &RunStatus::show_state);
     connect(&runner_, &AnalysisRunner::idle, this, &RunStatus::show_idle);
     for (InquiryRunner* inquiries :

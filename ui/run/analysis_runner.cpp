@@ -54,7 +54,8 @@ AnalysisRunner::AnalysisRunner(ProjectMaker& maker, RunBackend backend, Executio
       studies_(study_inquiries(), maker, execution),
       designs_(design_inquiries(), maker, execution),
       runs_([this](const RunKey& key) { return begin_run(key.analysis); }, execution),
-      first_order_(execution, LatestJob::Overtaken::delivered) {
+      first_order_(execution, LatestJob::Overtaken::delivered),
+      kept_(*this, backend_, execution) {
     connect(&maker_, &ProjectMaker::forgotten, this, &AnalysisRunner::reset);
     connect(&maker_, &ProjectMaker::made_changed, this, &AnalysisRunner::take_made);
     connect(&maker_, &ProjectMaker::not_made, this, &AnalysisRunner::take_none);
@@ -67,6 +68,8 @@ AnalysisRunner::AnalysisRunner(ProjectMaker& maker, RunBackend backend, Executio
             [this](const RunKey& key, const RunProgress& progress) {
                 emit progress_changed(to_qt(key.analysis), progress);
             });
+    connect(this, &AnalysisRunner::result_changed, &kept_, &KeptStates::want);
+    connect(&kept_, &KeptStates::idle, this, &AnalysisRunner::announce_idle);
     if (maker_.made()) take_made();
 }
 
@@ -239,6 +242,7 @@ void AnalysisRunner::stop(const QString& id) {
 void AnalysisRunner::stop_all() {
     studies_.stop_all();
     designs_.stop_all();
+    kept_.stop();
     wanted_.clear();
     all_wanted_ = false;
     while (!runs_.waiting().empty()) stop(to_qt(runs_.waiting().front().analysis));
@@ -330,6 +334,7 @@ const AnalysisStatus& AnalysisRunner::status(const QString& id) const {
 }
 
 void AnalysisRunner::announce_idle() {
+    kept_.begin();  // if it waited for that
     if (!is_busy()) emit idle();
 }
 

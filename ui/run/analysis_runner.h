@@ -33,6 +33,7 @@ public:
         runs_.set_threads(threads);
         studies_.set_threads(threads);
         designs_.set_threads(threads);
+        kept_.set_threads(threads);
     }
     /// Studies of the same project; they run when asked for.
     StudyRunner& studies() { return studies_; }
@@ -57,7 +58,9 @@ public:
     const AnalysisStatus& status(const QString& id) const;
     /// The project that all this is about.
     const MadeProject::Pointer& made() const { return maker_.made(); }
-    bool is_busy() const { return maker_.is_making() || first_order_.is_busy() || runs_.is_busy(); }
+    bool is_busy() const { return is_computing() || kept_.is_busy(); }
+    /// The project of now is made or evaluated; kept states come after it.
+    bool is_computing() const { return maker_.is_making() || first_order_.is_busy() || runs_.is_busy(); }
     /// Waits until nothing is to be done any more, with an event loop of its own. False after `milliseconds`.
     bool wait_until_idle(int milliseconds);
 
@@ -104,7 +107,7 @@ private:
     DesignRunner designs_;
     RunQueue runs_;
     LatestJob first_order_;
-    KeptStates kept_{*this};
+    KeptStates kept_;
 };
 
 }  // namespace covaria::ui

@@ -1,45 +1,75 @@
-// Results that were kept, each with the project that it is of: what a later state is compared with, and what
-// can be gone back to.
+// Results that were kept, each with the state of the project that it is of: what a later state is compared
+// with, and what can be gone back to. The project holds the states; their results are computed from them
+// where they are not known.
 #pragma once
 
 #include <QDateTime>
 #include <map>
+#include <optional>
 
+#include "core/project/kept_state.h"
 #include "ui/document/project_maker.h"
 #include "ui/run/run_backend.h"
+#include "ui/run/run_queue.h"
 
 namespace covaria::ui {
 
 class AnalysisRunner;
+class Document;
 
-struct KeptState {
-    ResultPointer result;     ///< never null
-    ProjectSnapshot project;  ///< as it was evaluated
-    QString words;            ///< how the result came about
-    QDateTime at;
+struct KeptResult {
+    KeptState state;
+    ResultPointer result = {};  ///< null: not computed yet, or it cannot be
+    QString trouble = {};       ///< why it cannot be
+
+    QDateTime at() const;  ///< local time
 };
 
-/// At most one for each analysis; forgotten with the project.
+/// At most one for each analysis, as the project has them.
 class KeptStates : public QObject {
     Q_OBJECT
 public:
-    explicit KeptStates(AnalysisRunner& runner, QObject* parent = nullptr);
+    KeptStates(const AnalysisRunner& runner, const RunBackend& backend, Execution execution);
+
+    /// The project whose states these are.
+    void follow(Document& document);
 
     /// Only a result that counts is kept: of the project as it is now, with all its trials.
     bool can_keep(const QString& analysis) const;
-    /// Takes the place of what was kept of the analysis before.
+    /// An edit. Takes the place of what was kept of the analysis before.
     void keep(const QString& analysis);
+    /// Likewise.
     void discard(const QString& analysis);
-    void clear();
     /// Null: nothing is kept.
-    const KeptState* find(const QString& analysis) const;
+    const KeptResult* find(const QString& analysis) const;
+    /// What `now` is to be compared with; null where nothing is kept, or not known yet, or it is the same.
+    ResultPointer before(const QString& analysis, const ResultPointer& now) const;
+
+    /// The analysis has a result: what is kept of it is computed, once nothing else is.
+    void want(const QString& analysis);
+    void begin() { runs_.begin(); }  ///< what is wanted
+    /// Nothing is wanted any more, until it is wanted again.
+    void stop();
+    void set_threads(int threads) { runs_.set_threads(threads); }
+    bool is_busy() const { return runs_.is_busy(); }
 
 signals:
     void changed(const QString& analysis);
+    void progress_changed(const QString& analysis, const covaria::ui::RunProgress& progress);
+    void idle();
 
 private:
-    AnalysisRunner& runner_;
-    std::map<QString, KeptState> kept_;
+    void take(const std::vector<KeptState>& states);
+    RunQueue::Run begin_run(const RunKey& key);
+    void deliver(const QString& analysis, const ProjectSnapshot& project,
+                 const std::shared_ptr<Result<UncertaintyResult>>& computed);
+
+    const AnalysisRunner& runner_;
+    const RunBackend& backend_;
+    Document* document_ = nullptr;
+    std::map<QString, KeptResult> kept_;
+    std::optional<KeptResult> fresh_;  ///< on its way into the project
+    RunQueue runs_;                    ///< last member: its thread ends first
 };
 
 }  // namespace covaria::ui

@@ -349,8 +349,7 @@ std::function<Result<Scene>()> ScenePanel::scene_to_build(const AnalysisStatus& 
             return study_scene(*prepared, *study, of_study, wanted);
         };
     const ResultPointer result = shown_result(status);
-    const KeptState* kept = runner_.kept().find(analysis_);
-    const ResultPointer before = kept && kept->result != result ? kept->result : nullptr;
+    const ResultPointer before = runner_.kept().before(analysis_, result);
     return [=, wanted = options(), said = to_std(reservation(status))]() -> Result<Scene> {
         std::optional<ResultComparison> compared;
         if (before && result) compared = compare_results(before, result);

@@ -96,6 +96,15 @@ TEST(Carried, ACsvFileThatHasChangedSinceStandsInTheProject) {
     EXPECT_EQ(fingerprint(back.project), fingerprint(evaluated.made->project()));
 }
 
+TEST(Carried, WhatWasKeptInTheProjectIsNotSentWithIt) {
+    Project project = writers_test::loaded(data_directory() / "projects/stewart-platform.covaria");
+    const Evaluated plain = writers_test::evaluate(project);
+    put_kept(project.kept, state_to_keep(project, project.analyses.front().id, "2026-11-20T09:30:00Z"));
+    const Evaluated evaluated = writers_test::evaluate(project);
+    EXPECT_EQ(find(data_of(evaluated), carried::project)->bytes,
+              find(data_of(plain), carried::project)->bytes);
+}
+
 /// Eight bytes say that it is a PNG file; nobody draws it here.
 TEST(Carried, TheLogoOfTheCertificateLiesBesideTheProject) {
     const fs::path folder = fresh_folder("logo");

@@ -75,9 +75,12 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
     Project project;
     project.analyses.push_back(full_analysis());
     project.report = {{"a"}, {"scene"}, true};
+    project.results.style.digits = 1;
+    put_kept(project.kept, state_to_keep(project, "a", "2026-11-20T09:30:00Z"));
     const Json whole = Json::parse(project_text(project)), written = whole["analyses"][0];
     const std::pair<const char*, Json> objects[] = {
         {"report", whole["report"]},
+        {"keptState", whole["kept"][0]},
         {"link", written["links"][0]},
         {"inputEdit", written["inputs"][0]},
         {"component", written["inputs"][0]["components"][0]},

@@ -111,7 +111,8 @@ TEST_F(CompareSession, WhatWasKeptStandsBesideWhatIsEdited) {
     EXPECT_TRUE(wait_for([&] { return ellipsoids_before() == 0; }));
     EXPECT_EQ(tab().results().model()->rowCount(), 0);
     EXPECT_FALSE(enabled("go_back"));
-    EXPECT_TRUE(window_->document().project() == edited);
+    EXPECT_EQ(window_->document().project().assets, edited.assets);
+    EXPECT_EQ(window_->document().project().analyses, edited.analyses);
 }
 
 /// What goes to print: the document as preview and export build it.
@@ -169,6 +170,80 @@ TEST_F(CompareSession, AnotherProjectForgetsWhatWasKept) {
     open(project_copy(QStringLiteral("lsm-network")));
     EXPECT_FALSE(enabled("discard_kept"));
     EXPECT_EQ(tab().results().model()->rowCount(), 0);
+}
+
+TEST_F(CompareSession, WhatWasKeptIsThereTomorrow) {
+    open_platform();
+    const QString file = window_->document().file();
+    press("keep_before");
+    EXPECT_TRUE(window_->document().is_modified()) << "there is something to save";
+    const double U_before = expanded_uncertainty(0);
+    const std::vector<AssetEntry> assets_before = window_->document().project().assets;
+    type_into("base_u_x", QStringLiteral("0.5 mm"));
+    ASSERT_TRUE(wait_for([&] { return expanded_uncertainty(0) > 1.1 * U_before; }));
+    run();
+    const auto numbers = [this] {
+        std::vector<double> all;
+        for (int row = 0; row < tab().results().model()->rowCount(); ++row)
+            for (const char* head : {"U before", "U after", "Change of U in %"})
+                all.push_back(number(tab().results(), row, QString::fromLatin1(head)));
+        return all;
+    };
+    const std::vector<double> today = numbers();
+    ASSERT_FALSE(today.empty());
+    trigger(QStringLiteral("Save"));
+    EXPECT_FALSE(window_->document().is_modified());
+
+    open(project_copy(QStringLiteral("lsm-network")));
+    EXPECT_FALSE(enabled("discard_kept"));
+    open(file);
+    select(SetupOwner::analysis, "printed");
+    window_->results().tabs().setCurrentWidget(&tab());
+    EXPECT_TRUE(enabled("discard_kept"));
+    EXPECT_FALSE(window_->document().is_modified());
+    run();
+    ASSERT_TRUE(wait_for([&] { return tab().results().model()->rowCount() > 0; }))
+        << to_std(tab().state_words());
+    wait_until_idle();
+    EXPECT_EQ(numbers(), today) << "to the last bit";
+    EXPECT_NE(report_now(*window_).find("Results before and after"), std::string::npos);
+    press("go_back");
+    EXPECT_EQ(window_->document().project().assets, assets_before);
+    ASSERT_TRUE(wait_for([&] { return expanded_uncertainty(0) < 1.1 * U_before; }));
+    run();
+    EXPECT_EQ(expanded_uncertainty(0), U_before);
+    EXPECT_EQ(report_now(*window_).find("Results before and after"), std::string::npos)
+        << "they are the same again";
+}
+
+TEST_F(CompareSession, KeepingAndDiscardingAreTakenBack) {
+    open_platform();
+    const double U_before = expanded_uncertainty(0);
+    press("keep_before");
+    EXPECT_EQ(window_->document().undo_stack().undoText(), QStringLiteral("Keep state"));
+    window_->document().undo();
+    EXPECT_FALSE(enabled("discard_kept"));
+    EXPECT_FALSE(window_->document().is_modified());
+    press("keep_before");
+    type_into("base_u_x", QStringLiteral("0.5 mm"));
+    ASSERT_TRUE(wait_for([&] { return expanded_uncertainty(0) > 1.1 * U_before; }));
+    run();
+    press("discard_kept");
+    EXPECT_EQ(tab().results().model()->rowCount(), 0);
+    window_->document().undo();
+    ASSERT_TRUE(wait_for([&] { return tab().results().model()->rowCount() > 0; })) << "computed again";
+    const Unit& unit = status().result->outputs[0].quantity.unit;
+    EXPECT_EQ(number(tab().results(), 0, QStringLiteral("U before")), unit.interval_from_si(U_before));
+}
+
+TEST_F(CompareSession, WhatIsKeptOfADeletedAnalysisGoesWithIt) {
+    open_platform();
+    press("keep_before");
+    ASSERT_EQ(window_->document().project().kept.size(), 1u);
+    trigger(QStringLiteral("Delete"));
+    EXPECT_TRUE(window_->document().project().kept.empty());
+    window_->document().undo();
+    EXPECT_EQ(window_->document().project().kept.size(), 1u);
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+#include "core/project/kept_state.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/project/linked_files.h"
+#include "core/project/project.h"
+
+namespace covaria {
+namespace {
+
+template <class Entry>
+void link_as(std::vector<Entry>& entries, const std::vector<Entry>& linked) {
+    for (Entry& entry : entries) {
+        const auto same = std::ranges::find(linked, entry.id, &Entry::id);
+        if (same == linked.end()) continue;
+        for (auto& [key, value] : entry.setup.values) {
+            auto* table = std::get_if<SetupTable>(&value);
+            const auto found = same->setup.values.find(key);
+            const auto* now =
+                found == same->setup.values.end() ? nullptr : std::get_if<SetupTable>(&found->second);
+            if (!table || !now || table->rows != now->rows || table->units != now->units) continue;
+            table->csv_file = now->csv_file;
+            table->csv_columns = now->csv_columns;
+        }
+    }
+}
+
+}  // namespace
+
+bool KeptState::operator==(const KeptState& other) const {
+    return analysis == other.analysis && at == other.at &&
+           (project == other.project || *project == *other.project);
+}
+
+KeptState state_to_keep(const Project& project, const std::string& analysis, const std::string& at) {
+    auto kept = std::make_shared<Project>();
+    kept->results = project.results;
+    kept->assets = project.assets;
+    kept->analyses = project.analyses;
+    kept->directory = project.directory;
+    unlink_tables(*kept);
+    return {analysis, at, std::move(kept)};
+}
+
+const KeptState* find_kept(const std::vector<KeptState>& kept, const std::string& analysis) {
+    const auto found = std::ranges::find(kept, analysis, &KeptState::analysis);
+    return found == kept.end() ? nullptr : &*found;
+}
+
+void put_kept(std::vector<KeptState>& kept, KeptState state) {
+    const auto found = std::ranges::find(kept, state.analysis, &KeptState::analysis);
+    if (found == kept.end())
+        kept.push_back(std::move(state));
+    else
+        *found = std::move(state);
+}
+
+void discard_kept(std::vector<KeptState>& kept, const std::string& analysis) {
+    std::erase_if(kept, [&](const KeptState& state) { return state.analysis == analysis; });
+}
+
+void go_back(Project& project, const KeptState& state) {
+    const std::shared_ptr<const Project> before = state.project;  // `state` may be one of the project's
+    auto assets = before->assets;
+    auto analyses = before->analyses;
+    link_as(assets, project.assets);
+    link_as(analyses, project.analyses);
+    project.assets = std::move(assets);
+    project.analyses = std::move(analyses);
+    project.results.coverage_factor = before->results.coverage_factor;
+    std::erase_if(project.kept, [&](const KeptState& kept) { return !project.find_analysis(kept.analysis); });
+}
+
+}  // namespace covaria

@@ -1,0 +1,34 @@
+// States of a project that people kept, to compare later results with and to go back to.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace covaria {
+
+struct Project;
+
+/// Of one analysis: what its results then follow from. They are computed from it, so that both sides of a
+/// comparison are always of one version of the program.
+struct KeptState {
+    std::string analysis;  ///< id
+    std::string at;        ///< when it was kept: ISO 8601
+    /// What influences numbers, and what belongs to it: assets, analyses, how results are stated. Its tables
+    /// are in it, whatever becomes of the files that they were read from. Never null.
+    std::shared_ptr<const Project> project;
+    bool operator==(const KeptState& other) const;
+};
+
+KeptState state_to_keep(const Project& project, const std::string& analysis, const std::string& at);
+/// Null: nothing is kept of the analysis.
+const KeptState* find_kept(const std::vector<KeptState>& kept, const std::string& analysis);
+/// In place of what was kept of its analysis before.
+void put_kept(std::vector<KeptState>& kept, KeptState state);
+void discard_kept(std::vector<KeptState>& kept, const std::string& analysis);
+
+/// What is evaluated becomes what it was; certificate, author, notes and what is kept of the analyses that
+/// are there stay. A table of a file that still has these rows is one of that file again.
+void go_back(Project& project, const KeptState& state);
+
+}  // namespace covaria
