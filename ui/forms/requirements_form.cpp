@@ -14,6 +14,7 @@
 #include "core/text/symbol.h"
 #include "ui/document/component_source.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/finish_typing.h"
 #include "ui/forms/form_labels.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/core_text.h"
@@ -59,10 +60,11 @@ QString percent(double p) {
     return to_qt(probability_text(p, number_locale(QLocale()))).toHtmlEscaped();  // "< 0.01 %"
 }
 
-QString target_words(const UncertaintyResult& result, const RequirementResult& r, double target) {
+QString target_words(const UncertaintyResult& result, const RequirementResult& r, double target,
+                     const DisplayUnits& units) {
     const OutputResult& output = result.outputs[r.output];
     return RequirementsForm::tr("U = %1: the target is %2.")
-        .arg(told_apart(output.quantity.unit, output.expanded_uncertainty, target, 2).first,
+        .arg(told_apart(units.of(output.quantity.unit), output.expanded_uncertainty, target, 2).first,
              r.meets_target ? RequirementsForm::tr("met") : RequirementsForm::tr("not met"));
 }
 
@@ -73,6 +75,7 @@ QString linked(const QString& label, const QString& place) {
 }
 
 QString reduction_words(const UncertaintyResult& result, const ReverseBudget& budget,
+                        const DisplayUnits& units,
                         const std::function<QString(const BudgetComponent&)>& place_of) {
     if (budget.reductions.empty()) return {};
     std::vector<const BudgetComponent*> components;
@@ -87,7 +90,7 @@ QString reduction_words(const UncertaintyResult& result, const ReverseBudget& bu
     for (std::size_t i = 0; i < reductions.size(); ++i) {
         const auto& reduction = *reductions[i];
         const BudgetComponent& c = *components[i];
-        const auto texts = told_apart(c.unit.interval(), reduction.now, *reduction.needed);
+        const auto texts = told_apart(units.of(c.unit).interval(), reduction.now, *reduction.needed);
         list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3: %4 of what is stated</li>")
                     .arg(linked(to_qt(to_html(labels[i])), place_of(c)), texts.first, texts.second,
                          to_qt(percent_text(rounded_down(*reduction.needed / reduction.now, 3),
@@ -118,8 +121,9 @@ QString not_judged_words(const RequirementResult& r) {
     return RequirementsForm::tr("Not judged: %1.").arg(to_qt(r.not_judged));
 }
 
-QString conformity_words(const UncertaintyResult& result, const RequirementResult& r) {
-    const Unit& unit = result.outputs[r.output].quantity.unit;
+QString conformity_words(const UncertaintyResult& result, const RequirementResult& r,
+                         const DisplayUnits& units) {
+    const Unit& unit = units.of(result.outputs[r.output].quantity.unit);
     const bool accepted = r.decision == RequirementResult::Decision::accept;
     QString text = RequirementsForm::tr(
                        "By %5, guard band %1: the result is <b>%2</b>. Probability of conformance %3 %4.")
@@ -223,6 +227,14 @@ void RequirementsForm::change(const std::string& key, const std::function<void(R
             .arg(to_qt(analysis_), to_qt(of->group + "/" + of->symbol), to_qt(key)));
 }
 
+void RequirementsForm::set_units(const DisplayUnits& units) {
+    if (units.chosen() == units_.chosen()) return;
+    finish_typing();  // a number that is being typed is in the unit that the field shows
+    units_ = units;
+    refresh_values();
+    refresh_verdict();
+}
+
 void RequirementsForm::refresh() {
     refresh_outputs();
     refresh_values();
@@ -257,7 +269,8 @@ void RequirementsForm::refresh_values() {
         row.edit->set_place(document_.unread(),
                             {{SetupOwner::analysis, analysis_},
                              "/requirements/" + of->group + "|" + of->symbol + "/" + row.field.key});
-        if (!is_number(row.field)) row.edit->set_unit(row.field.is_interval ? of->unit.interval() : of->unit);
+        const Unit& unit = units_.of(of->unit);
+        if (!is_number(row.field)) row.edit->set_unit(row.field.is_interval ? unit.interval() : unit);
         row.edit->set_quantity(value_of(given ? *given : Requirement{}, row.field));
     }
 }
@@ -290,8 +303,9 @@ void RequirementsForm::refresh_verdict() {
                 continue;
             }
             if (r.target_uncertainty)
-                words << target_words(*status.result, r, *r.target_uncertainty) + reductions(status, r);
-            if (r.lower_limit || r.upper_limit) words << conformity_words(*status.result, r);
+                words << target_words(*status.result, r, *r.target_uncertainty, units_) +
+                             reductions(status, r);
+            if (r.lower_limit || r.upper_limit) words << conformity_words(*status.result, r, units_);
         }
     if (!words.isEmpty() && status.stage == ResultStage::first_order &&
         status.prepared->options.method != Method::first_order)
@@ -309,7 +323,8 @@ QString RequirementsForm::reductions(const AnalysisStatus& status, const Require
     const auto place_of = [&](const BudgetComponent& component) {
         return place_of_component(document_.project(), *status.prepared, component);
     };
-    if (sought == sought_) return found_ ? reduction_words(*status.result, *found_, place_of) : QString();
+    if (sought == sought_)
+        return found_ ? reduction_words(*status.result, *found_, units_, place_of) : QString();
     sought_ = sought;
     found_.reset();
     search_.request_stop();

@@ -12,6 +12,7 @@
 
 #include "core/project/requirement_fields.h"
 #include "core/propagation/reverse_budget.h"
+#include "core/text/display_units.h"
 #include "ui/document/document.h"
 #include "ui/forms/quantity_edit.h"
 #include "ui/run/analysis_runner.h"
@@ -25,6 +26,8 @@ public:
     RequirementsForm(Document& document, AnalysisRunner& runner, std::string analysis,
                      QWidget* parent = nullptr);
     ~RequirementsForm() override;
+    /// In which results are shown, and in which a number without a unit is typed.
+    void set_units(const DisplayUnits& units);
     /// "/analyses/0/requirements/1/lowerLimit". False: not of a requirement.
     bool focus_field(const std::string& path);
 
@@ -61,6 +64,7 @@ private:
     Document& document_;
     AnalysisRunner& runner_;
     std::string analysis_;
+    DisplayUnits units_;
     QFormLayout* layout_;
     TypesetComboBox* outputs_;
     QLabel* verdict_;

@@ -400,6 +400,7 @@ void MainWindow::connect_scene() {
     const auto take_units = [this] {
         scene_->set_units(results_->units().units());
         budget_->set_units(results_->units().units());
+        properties_->set_units(results_->units().units());
     };
     connect(&results_->digits(), &QSpinBox::valueChanged, budget_, &BudgetPage::set_digits);
     budget_->set_digits(results_->digits().value());

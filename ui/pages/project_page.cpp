@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
 
@@ -68,6 +69,12 @@ void ProjectPage::add_results(QFormLayout& form) {
         document_.apply(tr("Change units of results"),
                         [this](Project& project) { project.results.style.units = units_->units(); });
     });
+    auto* documents = new QLabel(
+        tr("Reports, certificates and files have these units, and those of the model where none is stated; "
+           "units of the preferences are of the window only."));
+    documents->setObjectName(QStringLiteral("units_of_documents"));
+    documents->setWordWrap(true);
+    form.addRow(documents);
     digits_ = new QComboBox;
     digits_->setObjectName(QStringLiteral("project_digits"));
     digits_->setAccessibleName(tr("Digits of U"));

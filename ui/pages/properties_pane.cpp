@@ -105,6 +105,11 @@ void PropertiesPane::start_help() {
                       shows(page->findChildren<SpreadsheetView*>()));
 }
 
+void PropertiesPane::set_units(const DisplayUnits& units) {
+    units_ = units;
+    if (requirements_) requirements_->set_units(units_);
+}
+
 void PropertiesPane::start_over() {
     const int tab = tabs_->currentIndex();
     rebuild();
@@ -135,6 +140,7 @@ void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
     designs_ = new DesignsForm(document_, runner_, selection_, entry.id);
     tabs_->addTab(scrolled(designs_), tr("Designs"));
     requirements_ = new RequirementsForm(document_, runner_, entry.id);
+    requirements_->set_units(units_);
     connect(requirements_, &RequirementsForm::place_wanted, this, &PropertiesPane::place_wanted);
     set_help_place(*inputs_, QStringLiteral("analysis-inputs"));
     set_help_place(*options_, QStringLiteral("options"));

@@ -41,6 +41,8 @@ public:
     void focus_field(const QString& path);
     SetupForm* setup_form() const { return setup_; }
     QTabWidget* tabs() const { return tabs_; }
+    /// Of requirements and what is said of them.
+    void set_units(const DisplayUnits& units);
     /// Of the set-up, where one begins to fill it in.
     void go_to_first_field();
 
@@ -76,6 +78,7 @@ private:
     StudiesForm* studies_ = nullptr;
     DesignsForm* designs_ = nullptr;
     RequirementsForm* requirements_ = nullptr;
+    DisplayUnits units_;
     bool following_ = false;  ///< the selection's field is being set or followed
 };
 

@@ -4,13 +4,18 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QSpinBox>
 
 #include "core/report/report.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
+#include "ui/forms/requirements_form.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/models/roles.h"
+#include "ui/pages/all_results_tab.h"
+#include "ui/pages/compare_tab.h"
+#include "ui/pages/current_results.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/theme/number_locale.h"
 
@@ -44,6 +49,9 @@ protected:
                 return table().index(row, c).data().toString();
         return {};
     }
+    const std::vector<Requirement>& find_requirements() {
+        return window_->document().project().find_analysis("printed")->requirements;
+    }
     std::string results() {
         return results_json(window_->document().project(), {{status().prepared, status().result}});
     }
@@ -67,6 +75,47 @@ TEST_F(PreferencesSession, UnitsAndDigitsShowAtOnceAndChangeNoResult) {
     make_window();
     EXPECT_EQ(window_->preferences().now().digits, 1);
     EXPECT_EQ(window_->preferences().now().units.of(Unit::of("m")), Unit::of("thou"));
+}
+
+TEST_F(PreferencesSession, UnitsHoldInEveryTableOfTheWindowAndInNoDocument) {
+    run();
+    ResultsPane& results = window_->results();
+    results.tabs().setCurrentWidget(&results.compare_tab());
+    trigger(QStringLiteral("Keep as Before"));
+    show_tab(QStringLiteral("Requirements"));
+    auto* form = window_->properties().findChild<RequirementsForm*>();
+    ASSERT_NE(form, nullptr);
+    ASSERT_TRUE(wait_for([&] { return form->outputs()->count() > 0; }));
+    const std::string project = bytes();
+    auto* target = field<QLineEdit>("targetUncertainty");
+    EXPECT_EQ(target->placeholderText(), QStringLiteral("mm"));
+    choose_preference("lengths", QStringLiteral("thou"));
+    dialog()->close();
+    EXPECT_EQ(bytes(), project) << "nothing is stated";
+    EXPECT_EQ(target->placeholderText(), QStringLiteral("thou"));
+    type_into("targetUncertainty", QStringLiteral("0.001"));
+    ASSERT_FALSE(find_requirements().empty());
+    EXPECT_EQ(find_requirements().front().target_uncertainty, (Quantity{0.001, Unit::of("thou")}));
+    EXPECT_TRUE(wait_for([&] { return form->verdict()->text().contains(QStringLiteral("thou")); }))
+        << to_std(form->verdict()->text());
+    EXPECT_FALSE(form->verdict()->text().contains(QRegularExpression(QStringLiteral("\\bmm\\b"))));
+
+    const auto unit_in = [](const SortableTable& table) {
+        const QAbstractItemModel& model = *table.model();
+        for (int c = 0; c < model.columnCount(); ++c)
+            if (model.headerData(c, Qt::Horizontal, id_role).toString() == QStringLiteral("Unit"))
+                return model.index(0, c).data().toString();
+        return QString();
+    };
+    EXPECT_EQ(unit_in(results.compare_tab().results()), QStringLiteral("thou"));
+    results.tabs().setCurrentWidget(&results.all_results_tab());
+    ASSERT_TRUE(wait_for([&] { return results.all_results_tab().table().model()->rowCount() > 0; }));
+    EXPECT_EQ(unit_in(results.all_results_tab().table()), QStringLiteral("thou"));
+    const std::string report = to_markdown(build_report(
+        *window_->runner().made(), current_results(window_->document().project(), window_->runner())));
+    EXPECT_EQ(report.find("| thou |"), std::string::npos);
+    select(SetupOwner::project, "");
+    EXPECT_TRUE(field<QLabel>("units_of_documents")->text().contains(QStringLiteral("preferences")));
 }
 
 TEST_F(PreferencesSession, TheFormOfNumbersIsOneInTablesFieldsAndCharts) {
