@@ -109,6 +109,30 @@ TEST_F(DesignSession, AVariableIsSearchedTakenOverAsOneEditAndTakenBack) {
     EXPECT_TRUE(wait_for([this] { return design_status().is_current(); })) << "what was found counts again";
 }
 
+TEST_F(DesignSession, WhatWasKeptBeforeTakingOverIsComparedAndComesBack) {
+    open_project("lsm-network", "recommended");
+    press(window_->properties(), "add_design");
+    ASSERT_TRUE(field<TargetBox>("variable_0_target")->choose(QStringLiteral("Targets, B: y")));
+    type_into("variable_0_from", QStringLiteral("-1 m"));
+    type_into("variable_0_to", QStringLiteral("1"));
+    type_into("design_most_evaluations", QStringLiteral("60"));
+    trigger(QStringLiteral("Run This Analysis"));
+    ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
+    trigger(QStringLiteral("Keep as Before"));
+    const Project kept = window_->document().project();
+    ASSERT_EQ(kept.kept.size(), 1u);
+    press(tab(), "run_design_tab");
+    ASSERT_TRUE(wait_for([this] { return design_status().is_current(); }));
+    press(tab(), "take_over_design");
+    EXPECT_EQ(window_->document().project().kept, kept.kept) << "the kept state stays";
+    EXPECT_FALSE(analysis().setup == kept.find_analysis("recommended")->setup);
+    trigger(QStringLiteral("Run This Analysis"));
+    ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
+    EXPECT_TRUE(window_->runner().kept().before(window_->selection().analysis(), status().result));
+    trigger(QStringLiteral("Go Back to Kept State"));
+    EXPECT_TRUE(window_->document().project() == kept);
+}
+
 TEST_F(DesignSession, RowsAreChosenAndShownWithWhatEachIsWorth) {
     open_project("ballbar-design", "points");
     ASSERT_EQ(window_->selection().design(), QStringLiteral("twelve"));
