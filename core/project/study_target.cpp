@@ -150,6 +150,7 @@ private:
             return no(tell<"the table '%1' is empty">(Message::declared(field.title)));
         target_.column = index;
         target_.whole = spec.kind == FieldKind::integer;
+        target_.measured = field.measured || (field.states_quantities && spec.key == "value");
         target_.unit = index < table->units.size() ? table->units[index] : spec.unit;
         const std::string name = spec.title.empty() ? spec.key : spec.title;
         return cell ? of_cell(field, *table, name) : of_column(field, *table, name);
@@ -195,6 +196,7 @@ private:
         if (!estimate && tokens_[2] != "components")
             return no(tell<"of an input quantity, \"estimate\" or \"components\" can be varied">());
         target_.kind = estimate ? StudyTarget::Kind::estimate : StudyTarget::Kind::components;
+        target_.measured = estimate;
         target_.key = tokens_[1];
         const Text symbol = symbol_text(tokens_[1]);
         target_.title = estimate ? TypesetMessage::of<"%1: estimate">(symbol)

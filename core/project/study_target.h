@@ -24,6 +24,7 @@ struct StudyTarget {
     std::size_t column = 0;     ///< of the table's schema; coordinate 0 ... 5 of a pose
     std::size_t index = 0;      ///< of the quantity or component
     bool whole = false;         ///< a whole number
+    bool measured = false;      ///< read, observed or calibrated: nobody can choose it
     Unit unit = {};             ///< in which the project gives the number
     TypesetMessage title = {};  ///< "Targets, B: x"
     double current = 0.0;       ///< in `unit`; of a column that of its first row with a number

@@ -34,6 +34,7 @@ struct Further {
     bool several_lines = false;    ///< of a text
     std::string file_ending = {};  ///< of a text that names a file
     bool observed = false;         ///< of a column
+    bool measured = false;         ///< of a table
 };
 
 /// Three columns alike with these keys as titles; '*' in the help is the axis, x, y or z.
@@ -75,6 +76,7 @@ Spec spec_of(std::string key, std::string title, std::string help, Further more)
         spec.min_rows = more.min_rows;
         spec.several_lines = more.several_lines;
         spec.file_ending = std::move(more.file_ending);
+        spec.measured = more.measured;
     } else {
         spec.observed = more.observed;
     }

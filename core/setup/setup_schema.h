@@ -69,6 +69,8 @@ struct FieldSpec {
     bool states_quantities = false;
     /// Of a table: its rows are observations, in columns quantity, number, series and value.
     bool observes_quantities = false;
+    /// Of a table: its rows are what was read, observed or calibrated, which nobody can choose.
+    bool measured = false;
     bool several_lines = false;  ///< of a text: a list of lines in files; problems name the line ("/text/2")
     /// Of a text that names a file beside the project: how such names end ("stl"); empty: it names none.
     std::string file_ending = {};

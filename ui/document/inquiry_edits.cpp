@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/kinds/registries.h"
 #include "core/project/study_target.h"
 #include "ui/document/setup_address.h"
 #include "ui/theme/strings.h"
@@ -105,15 +106,44 @@ Study new_study(const Project& project, const AnalysisEntry& analysis) {
     return study;
 }
 
+namespace {
+
+/// What is chosen most: where an instrument stands; last what nobody can choose.
+int rank_as_variable(const Project& project, const StudyTargetChoice& choice) {
+    const StudyTarget& target = choice.target;
+    if (target.measured) return 3;
+    if (target.kind == StudyTarget::Kind::column) return 2;  // all rows by one factor
+    if (target.kind != StudyTarget::Kind::pose) return 1;
+    if (target.asset == StudyTarget::analysis) return 0;
+    const AssetDescriptor* kind = find_asset_kind(project.assets[target.asset].kind);
+    return kind && kind->category == AssetCategory::instrument ? 0 : 1;
+}
+
+}  // namespace
+
+std::optional<DesignVariable> next_variable(const Project& project, const AnalysisEntry& analysis,
+                                            const std::vector<DesignVariable>& before) {
+    std::optional<DesignVariable> next;
+    int best = 0;
+    for (const StudyTargetChoice& choice : study_targets(project, analysis, nullptr)) {
+        const auto is_it = [&](const DesignVariable& variable) {
+            return variable.number.asset == choice.axis.asset && variable.number.target == choice.axis.target;
+        };
+        if (choice.target.whole || std::ranges::any_of(before, is_it)) continue;
+        const int rank = rank_as_variable(project, choice);
+        if (next && rank >= best) continue;
+        next = DesignVariable{choice.axis, 0.0};
+        best = rank;
+    }
+    if (!next) return next;
+    next->number.values = 2;
+    next->number.spacing = StudySpacing::linear;
+    return next;
+}
+
 Design new_design(const Project& project, const AnalysisEntry& analysis) {
     Design design;
-    for (const StudyTargetChoice& choice : study_targets(project, analysis, nullptr)) {
-        if (choice.target.whole) continue;
-        design.variables.push_back({choice.axis, 0.0});
-        design.variables.back().number.values = 2;
-        design.variables.back().number.spacing = StudySpacing::linear;
-        break;
-    }
+    if (auto first = next_variable(project, analysis, {})) design.variables.push_back(std::move(*first));
     return design;
 }
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "ui/document/document.h"
 
@@ -45,7 +47,12 @@ const InquiryList<Design>& design_list();
 
 /// What is offered first: it varies the first number that the analysis offers.
 Study new_study(const Project& project, const AnalysisEntry& analysis);
-/// Likewise, between half and twice its present value or as far as makes sense.
+/// The first number that can be chosen, besides those that are already: where an instrument stands before
+/// other numbers, and what was measured only where there is nothing else. Between half and one and a half
+/// times its present value or as far as makes sense. None: there is no further number.
+std::optional<DesignVariable> next_variable(const Project& project, const AnalysisEntry& analysis,
+                                            const std::vector<DesignVariable>& before);
+/// It chooses the first of those.
 Design new_design(const Project& project, const AnalysisEntry& analysis);
 
 }  // namespace covaria::ui

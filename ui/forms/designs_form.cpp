@@ -397,15 +397,8 @@ void DesignsForm::add_variable_edit() {
 void DesignsForm::add_variable() {
     const Design* shown = design();
     if (!entry() || !shown) return;
-    for (const StudyTargetChoice& choice : study_targets(document_.project(), *entry(), nullptr)) {
-        const bool used = std::ranges::any_of(shown->variables, [&](const DesignVariable& variable) {
-            return variable.number.asset == choice.axis.asset && variable.number.target == choice.axis.target;
-        });
-        if (used || choice.target.whole) continue;
-        DesignVariable variable{choice.axis, 0.0};
-        variable.number.values = 2;
-        return change([&variable](Design& d) { d.variables.push_back(variable); });
-    }
+    if (const auto next = next_variable(document_.project(), *entry(), shown->variables))
+        change([&next](Design& d) { d.variables.push_back(*next); });
 }
 
 void DesignsForm::refresh_variables(const Design& shown) {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-
-#include "ui/document/quantity_text.h"
+#include "core/setup/observed_decimals.h"
 #include "core/text/symbol.h"
+#include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
 #include "ui/document/taken_rows.h"
 #include "ui/models/setup_table_model.h"

@@ -89,7 +89,7 @@ void add_points(Fields<StatedTcp>& fields) {
         .table(&StatedTcp::measured, "measured_points", "Measured points",
                "Points as measured, each with the axis of its rotation and the commanded angle, "
                "typed or from a CSV file.",
-               measured_columns())
+               measured_columns(), {.measured = true})
         .table(&StatedTcp::places, "points", "Points",
                "Places of the ball that are measured, typed or from a CSV file.", place_columns(),
                {.min_rows = 1});

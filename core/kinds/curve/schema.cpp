@@ -56,7 +56,7 @@ void add_points(Fields<CurveSetup>& fields) {
         .section("Points")
         .table(&CurveSetup::stated_points, "points", "Points",
                "Points of the calibration, typed, pasted or from a CSV file.", point_columns(),
-               {.min_rows = 2});
+               {.min_rows = 2, .measured = true});
 }
 
 void add_curve(Fields<CurveSetup>& fields) {
@@ -85,7 +85,7 @@ void add_use(Fields<CurveSetup>& fields) {
                {.optional = true})
         .table(&CurveSetup::observations, "inverse", "Inverse use",
                "Observed values of y whose x is wanted, with its uncertainty.", inverse_columns(),
-               {.optional = true});
+               {.optional = true, .measured = true});
 }
 
 }  // namespace

@@ -125,7 +125,8 @@ void add_quantities(Fields<Stated>& fields) {
                         "Observations of several quantities with the same numbers were made together: their "
                         "means are then correlated (JCGM 100 5.2.3).",
                 .optional = true,
-                .observes_quantities = true},
+                .observes_quantities = true,
+                .measured = true},
                observation_columns())
         .choice(&Stated::normal_means, "type_a", "Means of observations",
                 "Distribution of a mean in Monte Carlo trials: Student t with the degrees of freedom of "

@@ -122,10 +122,10 @@ void add_data(Fields<StatedSensor>& fields) {
         .table(&StatedSensor::readings, "readings", "Readings",
                "Indicated values of all channels at each step, the unloaded value not subtracted; "
                "typed or from a CSV file, whose columns may have other names.",
-               reading_columns(), {.optional = true})
+               reading_columns(), {.optional = true, .measured = true})
         .table(&StatedSensor::summary, "summary", "Summary",
                "What an evaluation states of each channel, like Tables 1 and 3 of the paper.",
-               summary_columns(), {.optional = true})
+               summary_columns(), {.optional = true, .measured = true})
         .table(&StatedSensor::interference, "interference", "Interference",
                "Outputs at rated loads on other axes, like Table 2 of the paper; which index is the "
                "load is chosen below.",
@@ -133,7 +133,7 @@ void add_data(Fields<StatedSensor>& fields) {
                    .choice(&Interference::axis, "axis", "axis", "Row of the table.", axis_choices())
                    .each(&Interference::figures,
                          axis_columns(volt_ratio, "Column of the table; empty on the diagonal.")),
-               {.optional = true})
+               {.optional = true, .measured = true})
         .add(&StatedSensor::has_signs, "has_signs", "Interference has signs",
              "Whether the signs are printed. Without them interference cannot be compensated.",
              {.default_value = false})
@@ -202,13 +202,13 @@ void add_comparison(Fields<StatedSensor>& fields) {
                Columns<StatedFigures>()
                    .choice(&StatedFigures::axis, "axis", "axis", "Channel.", axis_choices())
                    .each(&StatedFigures::figures, stated_columns()),
-               {.optional = true})
+               {.optional = true, .measured = true})
         .table(&StatedSensor::stated_interference, "stated_interference", "Stated interference in %",
                "Table 4 of the paper: interference by the rated output of the row.",
                Columns<StatedInterference>()
                    .choice(&StatedInterference::axis, "axis", "axis", "Row of the table.", axis_choices())
                    .each(&StatedInterference::figures, stated_interference_columns()),
-               {.optional = true});
+               {.optional = true, .measured = true});
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void add_cases(Fields<LoadsSetup>& fields) {
         .table(&LoadsSetup::readings, "readings", "Readings",
                "Net readings of all channels, the unloaded readings subtracted.",
                case_columns(axis_columns(Unit::of("mV/V"), "Net reading of this channel.")),
-               {.optional = true})
+               {.optional = true, .measured = true})
         .table(&LoadsSetup::loads, "loads", "Loads",
                "Forces and moments that act together; the readings follow from the calibration "
                "matrix. An empty cell is zero.",

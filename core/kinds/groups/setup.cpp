@@ -52,10 +52,10 @@ void add_observations(Fields<StatedGroups>& fields) {
         .table(&StatedGroups::observations, "observations", "Observations",
                "Observations with the day, instrument or operator they belong to, typed, pasted or "
                "from a CSV file.",
-               observation_columns(), {.min_rows = 4})
+               observation_columns(), {.min_rows = 4, .measured = true})
         .table(&StatedGroups::summaries, "groups", "Groups",
                "Mean and experimental standard deviation of the observations of each group.",
-               summary_columns(), {.min_rows = 2})
+               summary_columns(), {.min_rows = 2, .measured = true})
         .add(&StatedGroups::per_group, "per_group", "Observations per group",
              "Number of observations in each group whose row does not say it.",
              {.range = {.low = 2.0, .high = 1e6}, .default_value = Quantity{5.0, Unit{}}})

@@ -120,7 +120,7 @@ void add_readings(Fields<Stated>& fields) {
         .table(&Stated::readings, "readings", "Readings",
                "What the sensors read, one row for a sensor and a target, typed or from a CSV file; "
                "leave empty what was not read.",
-               reading_columns(), {.optional = true})
+               reading_columns(), {.optional = true, .measured = true})
         .shown_where(&Stated::measured, {true}, &Stated::readings);
 }
 

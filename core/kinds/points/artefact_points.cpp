@@ -74,7 +74,7 @@ void add_points(Fields<StatedArtefact>& fields) {
                    .add(&CalibratedPoint::defines, "defines", "defines",
                         "Coordinates that define the frame (\"xyz\", \"yz\"), when they are named by point.",
                         {.optional = true}),
-               {.optional = true});
+               {.optional = true, .measured = true});
     add_evaluation(fields, "Table 1");
     fields
         .table(&StatedArtefact::observations, "observations", "Observations",
@@ -84,7 +84,7 @@ void add_points(Fields<StatedArtefact>& fields) {
                    .add(&MeasuredPoint::point, "point", "point", "Name of a calibrated point.")
                    .add(&MeasuredPoint::run, "run", "run", "Number of the repetition.")
                    .each(&MeasuredPoint::indicated, coordinate_columns("Indicated")),
-               {.optional = true})
+               {.optional = true, .measured = true})
         .table(&StatedArtefact::components, "components", "Components of uncertainty",
                "One row for each coordinate, as Table 1 of the paper prints them.",
                Columns<CoordinateComponents>()

@@ -39,7 +39,7 @@ void add_length_evaluation(Fields<StatedStandard>& fields) {
                    .add(&MeasuredLength::run, "run", "run", "Number of the repetition.")
                    .add(&MeasuredLength::length, "length", "length", "Indicated length.",
                         {.unit = Unit::of("mm")}),
-               {.optional = true})
+               {.optional = true, .measured = true})
         .table(&StatedStandard::components, "components", "Components of uncertainty",
                "One row, as Table 2 of the paper prints it.", component_columns(), {.optional = true})
         .part(&StatedStandard::bias, bias_fields())

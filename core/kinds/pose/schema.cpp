@@ -153,7 +153,7 @@ void add_poses(Fields<PoseSetup>& fields) {
         .table(&PoseSetup::measured, "measured_points", "Measured points",
                "Coordinates in one frame 0 for the base and every pose, typed or from a CSV file; "
                "the mean of the repeats is the estimate.",
-               repeat_columns(), {.optional = true})
+               repeat_columns(), {.optional = true, .measured = true})
         .choice(&PoseSetup::orientation, "orientation", "Orientation stated as",
                 "Numbers in which the result states the orientation of the moving frame. Angles are "
                 "undefined in gimbal lock; rotation vector and quaternion are not.",

@@ -46,7 +46,7 @@ void add_poses(Fields<Stated>& fields) {
         .table(&Stated::measured, "poses", "Measured poses",
                "Readings of the joints and the place of the ball or tool that was measured there; "
                "typed or from a CSV file.",
-               pose_columns(), {.optional = true})
+               pose_columns(), {.optional = true, .measured = true})
         .add(&Stated::pose_count, "pose_count", "Number of poses",
              "Poses of the simulated experiment, spread over the range of all joints, always the same.",
              {.range = {.low = 3.0, .high = 1000.0}, .default_value = Quantity{50.0, Unit()}})

@@ -32,7 +32,7 @@ void add_points(Fields<Stated>& fields) {
         .table(&Stated::points, "points", "Measured points",
                "Points of the ball at the flange in the order in which they were measured, joint by "
                "joint, in the frame of the instrument's world; typed or from a CSV file.",
-               point_columns(), {.optional = true})
+               point_columns(), {.optional = true, .measured = true})
         .shown_where(&Stated::simulated, {false}, &Stated::points);
 }
 

@@ -1,0 +1,51 @@
+// What a new study or design is offered first.
+#include "ui/document/inquiry_edits.h"
+
+#include <gtest/gtest.h>
+
+#include "core/made/load_project.h"
+#include "core/project/study_target.h"
+
+namespace covaria::ui::inquiry_edits_test {
+namespace {
+
+std::string first_variable(const std::string& example, const std::string& analysis) {
+    const LoadedProject loaded = load_project(COVARIA_SOURCE_DIR "/projects/" + example + ".covaria");
+    const Design design = new_design(loaded.project, *loaded.project.find_analysis(analysis));
+    if (design.variables.empty()) return {};
+    const StudyAxis& number = design.variables.front().number;
+    EXPECT_EQ(number.change, StudyChange::value) << "one number, not a factor of a column";
+    return number.asset + number.target;
+}
+
+TEST(NewDesign, AnInstrumentsPlaceIsChosenFirst) {
+    EXPECT_EQ(first_variable("tracker-pose", "tracker-alone"), "tracker/setup/station/position/0");
+    EXPECT_EQ(first_variable("lsm-network", "recommended"), "camera-1/setup/station/position/0");
+}
+
+TEST(NewDesign, NothingThatWasMeasuredIsChosen) {
+    for (const auto& [example, analysis] : {std::pair("ballbar-design", "points"),
+                                            {"er10l-c10", "trajectories"},
+                                            {"er10l-c10", "poses-measured"},
+                                            {"force-moment-sensor", "reading"},
+                                            {"gum/h1-end-gauge", "table"},
+                                            {"gum/h3-thermometer", "residuals"}}) {
+        const LoadedProject loaded =
+            load_project(COVARIA_SOURCE_DIR "/projects/" + std::string(example) + ".covaria");
+        const AnalysisEntry& entry = *loaded.project.find_analysis(analysis);
+        std::vector<DesignVariable> chosen;
+        for (int i = 0; i < 3; ++i) {
+            const auto next = next_variable(loaded.project, entry, chosen);
+            ASSERT_TRUE(next) << example;
+            const auto target = find_study_target(loaded.project, entry, nullptr, next->number);
+            ASSERT_TRUE(target) << next->number.target;
+            EXPECT_FALSE(target->measured) << example << ": " << next->number.target;
+            EXPECT_FALSE(target->whole) << example << ": " << next->number.target;
+            for (const DesignVariable& before : chosen) EXPECT_NE(before.number.target, next->number.target);
+            chosen.push_back(*next);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace covaria::ui::inquiry_edits_test
