@@ -131,7 +131,7 @@ private:
         if (const std::size_t failed = (*ran)->failed(); failed > 0)
             print_message(what + ": warning: " + std::to_string(failed) + " of " +
                           std::to_string((*ran)->points.size()) +
-                          " grid points have no values: " + (*ran)->reasons[1]);
+                          " grid points have no values: " + (*ran)->reasons[1].english());
         if (const std::size_t count = not_representing(**ran).size(); count > 0)
             print_message(what + ": warning: what is given for " + std::to_string(count) + " of " +
                           std::to_string((*ran)->points.size()) + " grid points " + does_not_represent +

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double without_model = 1e3;  ///< violation: worse than anything in space
 
-Judged infeasible(const std::string& reason, double violation = without_model) {
+Judged infeasible(const Message& reason, double violation = without_model) {
     Judged judged;
-    judged.reason = reason.empty() ? "the model cannot be evaluated" : reason;
+    judged.reason = reason.empty() ? tell<"the model cannot be evaluated">() : reason;
     judged.violation = violation;
     return judged;
 }
@@ -77,12 +77,12 @@ Judged CandidateJudge::result_of(const Candidate& candidate) {
 Judged CandidateJudge::judge_one(const Candidate& candidate, Constraints constraints) {
     auto judged = guarded([&]() -> Judged {
         const auto changed = model_of(candidate);
-        if (!changed) return infeasible(changed.error().message.english());
+        if (!changed) return infeasible(changed.error().message);
         Judged of_model = judge_model(*changed, constraints);
         if (constraints == Constraints::kept && of_model.feasible()) price(candidate, of_model);
         return of_model;
     });
-    return judged ? *std::move(judged) : infeasible(judged.error().message.english());
+    return judged ? *std::move(judged) : infeasible(judged.error().message);
 }
 
 /// The objective is the largest ratio until here.
@@ -90,7 +90,7 @@ void CandidateJudge::price(const Candidate& candidate, Judged& judged) const {
     if (design_.design.objective != DesignObjective::cost || !design_.design.choose) return;
     if (judged.objective > 1.0) {
         judged.violation = judged.objective - 1.0;
-        judged.reason = "a target uncertainty is not met";
+        judged.reason = tell<"a target uncertainty is not met">();
     }
     judged.objective = design_.design.choose->price_of(candidate.rows);
 }
@@ -130,18 +130,19 @@ Judged CandidateJudge::judge_model(const ChangedModel& changed, Constraints cons
     for (std::size_t k = 0; k < indices_.size(); ++k) {
         indices.push_back(find_output(model.outputs(), design_.outputs[k].wanted, indices_[k]));
         if (indices.back() == no_output)
-            return infeasible("there is no output quantity '" + design_.outputs[k].wanted.symbol + "' then");
+            return infeasible(
+                tell<"there is no output quantity '%1' then">(design_.outputs[k].wanted.symbol));
     }
     const auto summary =
         evaluate_summary(model, changed.inputs, indices, options_, [](std::uint64_t) { return true; });
-    if (!summary) return infeasible(summary.error().message.english());
+    if (!summary) return infeasible(summary.error().message);
     Judged judged;
     judged.standard.assign(summary->standard_uncertainty.begin(), summary->standard_uncertainty.end());
     for (const double U : summary->expanded_uncertainty) {
-        if (!std::isfinite(U)) return infeasible("an uncertainty has no finite value");
+        if (!std::isfinite(U)) return infeasible(tell<"an uncertainty has no finite value">());
         // Differences that cancel, as between directions that are equal; not a measurement without
         // uncertainty.
-        if (!(U > 0.0)) return infeasible("an uncertainty vanishes: the model is degenerate there");
+        if (!(U > 0.0)) return infeasible(tell<"an uncertainty vanishes: the model is degenerate there">());
         judged.expanded.push_back(U);
     }
     if (!references_.empty())

@@ -19,7 +19,7 @@ struct Judged {
     double objective = std::numeric_limits<double>::infinity();
     std::vector<double> expanded = {};  ///< U of the outputs looked at
     std::vector<double> standard = {};  ///< likewise u
-    std::string reason = {};            ///< why there is no result, or which constraint is violated
+    Message reason = {};                ///< why there is no result, or which constraint is violated
     double violation = 0.0;
     bool cancelled = false;
 

@@ -16,7 +16,7 @@ constexpr std::size_t most_one_for_two = 10'000;  ///< choices that one row in p
 CostSearch::CostSearch(SearchBook& book, std::vector<double> values)
     : book_(book), values_(std::move(values)), choice_(book.design()) {}
 
-void CostSearch::judge(const std::vector<Rows>& choices, const std::string& search) {
+void CostSearch::judge(const std::vector<Rows>& choices, const Message& search) {
     std::vector<Candidate> candidates;
     for (const Rows& rows : choices)
         if (!known_.contains(rows)) candidates.push_back({values_, rows});
@@ -30,14 +30,14 @@ void CostSearch::judge(const std::vector<Rows>& choices, const std::string& sear
     }
 }
 
-const Rows& CostSearch::best_of(const std::vector<Rows>& choices, const std::string& search) {
+const Rows& CostSearch::best_of(const std::vector<Rows>& choices, const Message& search) {
     judge(choices, search);
     return *std::min_element(choices.begin(), choices.end(), [&](const Rows& a, const Rows& b) {
         return known_.at(a).merit < known_.at(b).merit;
     });
 }
 
-bool CostSearch::take_if_better(const std::vector<Rows>& choices, const std::string& search, Rows& rows) {
+bool CostSearch::take_if_better(const std::vector<Rows>& choices, const Message& search, Rows& rows) {
     if (choices.empty() || book_.left() == 0) return false;
     const Rows& best = best_of(choices, search);
     if (!(known_.at(best).merit < cheaper * known_.at(rows).merit)) return false;
@@ -90,7 +90,8 @@ double CostSearch::number_of_all() const {
 
 void CostSearch::try_all() {
     for (std::size_t size = fewest(); size <= choice_.keep; ++size)
-        choice_.for_all(size, [this](const std::vector<Rows>& choices) { judge(choices, "all choices"); });
+        choice_.for_all(size,
+                        [this](const std::vector<Rows>& choices) { judge(choices, tell<"all choices">()); });
 }
 
 /// What brings the largest ratio down most for its price; backwards from all rows where a few do not suffice.
@@ -100,7 +101,7 @@ Rows CostSearch::greedy() {
     const DesignChoice& prices = *book_.design().design.choose;
     while (rows.size() < choice_.keep && ratio > 1.0) {
         const std::vector<Rows> choices = with_one_more(rows);
-        judge(choices, "greedy");
+        judge(choices, tell<"greedy">());
         const auto worth = [&](const Rows& more) {
             const double now = known_.at(more).ratio;
             if (!std::isfinite(ratio)) return -now * prices.price_of(more);  // the first with a result
@@ -113,16 +114,16 @@ Rows CostSearch::greedy() {
         ratio = known_.at(rows).ratio;
     }
     if (!rows.empty() && (std::isfinite(ratio) || rows.size() < choice_.keep)) {
-        judge({rows}, "greedy");
+        judge({rows}, tell<"greedy">());
         return rows;
     }
     rows = choice_.all();
-    while (rows.size() > choice_.keep) rows = best_of(with_one_less(rows), "backward elimination");
-    judge({rows}, "backward elimination");
+    while (rows.size() > choice_.keep) rows = best_of(with_one_less(rows), tell<"backward elimination">());
+    judge({rows}, tell<"backward elimination">());
     return rows;
 }
 
-Rows CostSearch::improved(Rows rows, const std::string& search) {
+Rows CostSearch::improved(Rows rows, const Message& search) {
     judge({rows}, search);
     while (take_if_better(with_one_less(rows), search, rows) ||
            take_if_better(with_another(rows), search, rows) ||
@@ -153,9 +154,9 @@ CostSearch::Found CostSearch::find() {
         try_all();
         found.proved = true;
     } else {
-        improved(greedy(), "exchange");
+        improved(greedy(), tell<"exchange">());
         for (std::size_t start = 1; start < book_.design().design.starts && book_.left() > 0; ++start)
-            improved(choice_.at_random(start), "start " + std::to_string(start + 1));
+            improved(choice_.at_random(start), tell<"start %1">(start + 1));
     }
     const auto best = std::min_element(known_.begin(), known_.end(), [&](const auto& a, const auto& b) {
         const bool small_a = a.first.size() <= choice_.keep, small_b = b.first.size() <= choice_.keep;

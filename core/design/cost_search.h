@@ -32,9 +32,9 @@ private:
         double merit = 0.0;
         double ratio = 0.0;  ///< largest U/target; infinite without a result
     };
-    void judge(const std::vector<Rows>& choices, const std::string& search);
-    const Rows& best_of(const std::vector<Rows>& choices, const std::string& search);
-    bool take_if_better(const std::vector<Rows>& choices, const std::string& search, Rows& rows);
+    void judge(const std::vector<Rows>& choices, const Message& search);
+    const Rows& best_of(const std::vector<Rows>& choices, const Message& search);
+    bool take_if_better(const std::vector<Rows>& choices, const Message& search, Rows& rows);
     std::vector<Rows> with_one_less(const Rows& rows) const;
     std::vector<Rows> with_one_more(const Rows& rows) const;
     std::vector<Rows> with_another(const Rows& rows) const;
@@ -43,7 +43,7 @@ private:
     std::size_t fewest() const { return std::max(choice_.least, choice_.fixed.size()); }
     void try_all();
     Rows greedy();
-    Rows improved(Rows rows, const std::string& search);
+    Rows improved(Rows rows, const Message& search);
     std::vector<DesignCost> front() const;
 
     SearchBook& book_;

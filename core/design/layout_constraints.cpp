@@ -67,10 +67,6 @@ struct Box {
     Eigen::Vector3d low, high;
 };
 
-std::string named(const DesignBox& box) {
-    return box.name.empty() ? "a box" : "the box '" + box.name + "'";
-}
-
 class LayoutJudge {
 public:
     LayoutJudge(const Layout& layout, const Design& design)
@@ -84,37 +80,46 @@ public:
     }
 
 private:
-    void violated(double by, const std::string& reason) {
+    /// `why` is said where it is the first.
+    template <class Why>
+    void violated(double by, Why&& why) {
         if (!(by > 0.0)) return;
         verdict_.violation += by;
-        if (verdict_.reason.empty()) verdict_.reason = reason;
+        if (verdict_.reason.empty()) verdict_.reason = why();
     }
 
     void judge_distances(double least) {
         for (std::size_t i = 0; i < instruments_.size(); ++i) {
             const Item& item = instruments_[i];
-            for (std::size_t j = 0; j < i; ++j)
-                violated(1.0 - (instruments_[j].p_W - item.p_W).norm() / least,
-                         instruments_[j].name + " and " + item.name + " are closer than the least distance");
+            const auto judge = [&](const std::string& first, const std::string& second,
+                                   const Eigen::Vector3d& p_W) {
+                violated(1.0 - (p_W - item.p_W).norm() / least,
+                         [&] { return tell<"%1 and %2 are closer than the least distance">(first, second); });
+            };
+            for (std::size_t j = 0; j < i; ++j) judge(instruments_[j].name, item.name, instruments_[j].p_W);
             for (const LayoutPoint& point : layout_.points)
-                if (point.kind != PointKind::station)
-                    violated(1.0 - (point.p_W - item.p_W).norm() / least,
-                             item.name + " and " + point.name + " are closer than the least distance");
+                if (point.kind != PointKind::station) judge(item.name, point.name, point.p_W);
         }
     }
 
     void judge_keep_out(const DesignBox& given) {
         const Box box(given);
         for (const Item& item : instruments_)
-            violated(box.depth(item.p_W) / box.size(), item.name + " stands in " + named(given));
+            violated(box.depth(item.p_W) / box.size(), [&] {
+                return given.name.empty() ? tell<"%1 stands in a box">(item.name)
+                                          : tell<"%1 stands in the box '%2'">(item.name, given.name);
+            });
     }
 
     void judge_sights(const DesignBox& given) {
         const Box box(given);
         for (const LayoutLink& link : layout_.links)
             if (link.kind == LinkKind::sight_line)
-                violated(box.length_inside(link.from_W, link.to_W) / box.size(),
-                         "the line of sight " + link.name + " passes " + named(given));
+                violated(box.length_inside(link.from_W, link.to_W) / box.size(), [&] {
+                    return given.name.empty()
+                               ? tell<"the line of sight %1 passes a box">(link.name)
+                               : tell<"the line of sight %1 passes the box '%2'">(link.name, given.name);
+                });
     }
 
     const Layout& layout_;

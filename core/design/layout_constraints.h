@@ -11,8 +11,8 @@
 namespace covaria::detail {
 
 struct LayoutVerdict {
-    double violation = 0.0;   ///< 0: none; grows with what is missing
-    std::string reason = {};  ///< the first that is violated, in words; empty: none
+    double violation = 0.0;  ///< 0: none; grows with what is missing
+    Message reason = {};     ///< the first that is violated, in words; empty: none
 };
 
 /// Instruments are the bodies of that kind and stations; all other points are to be kept at a distance. A

@@ -17,7 +17,7 @@ constexpr std::size_t further_counts = 3;   ///< of rows beyond those kept, on t
 RowSearch::RowSearch(SearchBook& book, std::vector<double> values)
     : book_(book), values_(std::move(values)), choice_(book.design()) {}
 
-void RowSearch::judge(const std::vector<Rows>& choices, const std::string& search) {
+void RowSearch::judge(const std::vector<Rows>& choices, const Message& search) {
     std::vector<Candidate> candidates;
     for (const Rows& rows : choices)
         if (!known_.contains(rows)) candidates.push_back({values_, rows});
@@ -31,7 +31,7 @@ void RowSearch::judge(const std::vector<Rows>& choices, const std::string& searc
     }
 }
 
-const Rows& RowSearch::best_of(const std::vector<Rows>& choices, const std::string& search) {
+const Rows& RowSearch::best_of(const std::vector<Rows>& choices, const Message& search) {
     judge(choices, search);
     return *std::min_element(choices.begin(), choices.end(), [&](const Rows& a, const Rows& b) {
         return merit_of(a).merit < merit_of(b).merit;
@@ -62,7 +62,7 @@ std::vector<Rows> RowSearch::with_another(const Rows& rows, std::size_t in_place
 }
 
 /// Those of which most would be gained if there were room for one more; all where they are few.
-Rows RowSearch::promising(const Rows& rows, const std::string& search) {
+Rows RowSearch::promising(const Rows& rows, const Message& search) {
     if (choice_.count <= rows.size() + most_promising) return choice_.all();
     std::vector<Rows> choices = with_one_more(rows);
     judge(choices, search);
@@ -83,13 +83,13 @@ RowSearch::Found RowSearch::find() {
         found.rows = of_all_choices();
         found.proved = true;
     } else {
-        found.rows = exchanged(greedy(), "exchange", Partners::promising);
-        found.rows = exchanged(found.rows, "exchange", Partners::all);
+        found.rows = exchanged(greedy(), tell<"exchange">(), Partners::promising);
+        found.rows = exchanged(found.rows, tell<"exchange">(), Partners::all);
         std::size_t idle = 0;  // starts in a row that found nothing better
         const bool is_large = choice_.count > choice_.keep + most_promising;
         for (std::size_t start = 1; start < book_.design().design.starts && book_.left() > 0; ++start) {
             if (is_large && idle == most_idle) break;
-            const std::string search = "start " + std::to_string(start + 1);
+            const Message search = tell<"start %1">(start + 1);
             const Rows other = exchanged(choice_.shaken(found.rows, start), search, Partners::promising);
             ++idle;
             if (!(merit_of(other).merit < better * merit_of(found.rows).merit)) continue;
@@ -102,7 +102,7 @@ RowSearch::Found RowSearch::find() {
 }
 
 RowSearch::Found RowSearch::improve(const Rows& rows) {
-    Found found{exchanged(rows, "exchange", Partners::all)};
+    Found found{exchanged(rows, tell<"exchange">(), Partners::all)};
     found.feasible = merit_of(found.rows).feasible;
     return found;
 }
@@ -110,7 +110,7 @@ RowSearch::Found RowSearch::improve(const Rows& rows) {
 Rows RowSearch::of_all_choices() {
     Rows best;
     choice_.for_all(choice_.keep, [&](const std::vector<Rows>& choices) {
-        const Rows& one = best_of(choices, "all choices");
+        const Rows& one = best_of(choices, tell<"all choices">());
         if (best.empty() || merit_of(one).merit < merit_of(best).merit) best = one;
     });
     return best;
@@ -119,22 +119,22 @@ Rows RowSearch::of_all_choices() {
 Rows RowSearch::greedy() {
     Rows rows = choice_.fixed;
     while (rows.size() < choice_.keep) {
-        rows = best_of(with_one_more(rows), "greedy");
+        rows = best_of(with_one_more(rows), tell<"greedy">());
         if (!merit_of(rows).feasible) return backward();
     }
-    judge({rows}, "greedy");
+    judge({rows}, tell<"greedy">());
     return rows;
 }
 
 // Where a few rows do not suffice for a model: from all of them down.
 Rows RowSearch::backward() {
     Rows rows = choice_.all();
-    judge({rows}, "backward elimination");
-    while (rows.size() > choice_.keep) rows = best_of(with_one_less(rows), "backward elimination");
+    judge({rows}, tell<"backward elimination">());
+    while (rows.size() > choice_.keep) rows = best_of(with_one_less(rows), tell<"backward elimination">());
     return rows;
 }
 
-Rows RowSearch::exchanged(Rows rows, const std::string& search, Partners which) {
+Rows RowSearch::exchanged(Rows rows, const Message& search, Partners which) {
     judge({rows}, search);
     for (bool improved = true; improved;) {
         improved = false;

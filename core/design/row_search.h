@@ -33,21 +33,21 @@ private:
         bool feasible = false;
     };
     /// Of those not known yet, all are evaluated at once.
-    void judge(const std::vector<Rows>& choices, const std::string& search);
+    void judge(const std::vector<Rows>& choices, const Message& search);
     /// The smallest merit, the first of equal ones; the choices are judged first.
-    const Rows& best_of(const std::vector<Rows>& choices, const std::string& search);
+    const Rows& best_of(const std::vector<Rows>& choices, const Message& search);
     Merit merit_of(const Rows& rows) const { return known_.at(rows); }
     std::vector<Rows> with_one_more(const Rows& rows) const;
     std::vector<Rows> with_one_less(const Rows& rows) const;
     /// With one of the partners in the place of a row.
     std::vector<Rows> with_another(const Rows& rows, std::size_t in_place_of, const Rows& partners) const;
-    Rows promising(const Rows& rows, const std::string& search);
+    Rows promising(const Rows& rows, const Message& search);
 
     Rows of_all_choices();
     Rows greedy();
     Rows backward();
     enum class Partners { promising, all };
-    Rows exchanged(Rows rows, const std::string& search, Partners which);
+    Rows exchanged(Rows rows, const Message& search, Partners which);
 
     SearchBook& book_;
     std::vector<double> values_;

@@ -42,7 +42,7 @@ public:
         : design_(design), control_(control), chosen_(chosen), result_(result) {}
 
     void state(SearchBook& book, const References& references) {
-        for (const auto& [reason, count] : book.notes().reasons) result_.reasons.push_back({reason, count});
+        for (const auto& [words, reason] : book.notes().reasons) result_.reasons.push_back(reason);
         std::stable_sort(result_.reasons.begin(), result_.reasons.end(),
                          [](const auto& a, const auto& b) { return a.count > b.count; });
         if (design_.design.reductions.empty()) result_.path = book.notes().steps;
@@ -114,12 +114,11 @@ private:
     }
 
     /// With its number, from 1, where others are called the same.
-    std::string name_of_row(std::size_t row) const {
+    Message name_of_row(std::size_t row) const {
         const SetupTable& table = design_.table->rows;
-        const std::string words = row_words(table, row).english();
+        const Message words = row_words(table, row);
         for (std::size_t other = 0; other < table.rows.size(); ++other)
-            if (other != row && row_words(table, other).english() == words)
-                return words + " (row " + std::to_string(row + 1) + ")";
+            if (other != row && row_words(table, other) == words) return tell<"%1 (row %2)">(words, row + 1);
         return words;
     }
 
@@ -181,7 +180,7 @@ private:
                                       : Result<UncertaintyResult>(fail(changed.error()));
         if (!verified && verified.error().code == ErrorCode::cancelled) throw Stopped{};
         if (!verified) {
-            result_.not_verified = verified.error().message.english();
+            result_.not_verified = verified.error().message;
             return;
         }
         result_.trials = verified->trials;
@@ -293,7 +292,7 @@ private:
         const Judged now = book.judges().lend()->judge(chosen_);
         result_.why_not_before = now.reason;
         if (!now.expanded.empty()) {
-            result_.why_not_before.clear();
+            result_.why_not_before = {};
             result_.before = objective_of(design_.design.objective, now.expanded, references);
         }
     }

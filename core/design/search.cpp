@@ -22,10 +22,10 @@ std::shared_ptr<CandidateJudge> JudgePool::lend() {
             }};
 }
 
-void SearchNotes::add(const Candidate& candidate, const Judged& judged, const std::string& search,
-                      bool whole) {
+void SearchNotes::add(const Candidate& candidate, const Judged& judged, const Message& search, bool whole) {
     ++evaluations;
-    if (!judged.feasible() && judged.expanded.empty()) ++reasons[judged.reason];
+    if (!judged.feasible() && judged.expanded.empty())
+        ++reasons.try_emplace(judged.reason.english(), DesignReason{judged.reason, 0}).first->second.count;
     if (judged.feasible() && whole && (steps.empty() || judged.objective < steps.back().objective))
         steps.push_back({evaluations, search, judged.objective, candidate.values});
 }
@@ -58,8 +58,7 @@ bool SearchBook::is_whole(const Candidate& candidate) const {
            candidate.rows.size() == design_.design.choose->keep;
 }
 
-std::vector<Judged> SearchBook::judge_all(const std::vector<Candidate>& candidates,
-                                          const std::string& search) {
+std::vector<Judged> SearchBook::judge_all(const std::vector<Candidate>& candidates, const Message& search) {
     std::vector<Judged> all;
     OrderedWork<Judged> work;
     work.units = candidates.size();
@@ -85,7 +84,8 @@ void SearchBook::merge(const SearchNotes& notes) {
             notes_.steps.push_back(
                 {notes_.evaluations + step.evaluation, step.search, step.objective, step.values});
     notes_.evaluations += notes.evaluations;
-    for (const auto& [reason, count] : notes.reasons) notes_.reasons[reason] += count;
+    for (const auto& [words, reason] : notes.reasons)
+        notes_.reasons.try_emplace(words, DesignReason{reason.reason, 0}).first->second.count += reason.count;
 }
 
 std::uint64_t SearchBook::left() const {

@@ -35,11 +35,11 @@ private:
 /// What was evaluated on one thread, for later: merged into the book in order.
 struct SearchNotes {
     /// `whole`: of as many rows as may be kept; others are no steps.
-    void add(const Candidate& candidate, const Judged& judged, const std::string& search, bool whole);
+    void add(const Candidate& candidate, const Judged& judged, const Message& search, bool whole);
 
     std::uint64_t evaluations = 0;
-    std::map<std::string, std::uint64_t> reasons;
-    std::vector<DesignStep> steps;  ///< each better than the one before
+    std::map<std::string, DesignReason> reasons;  ///< by what they say in English
+    std::vector<DesignStep> steps;                ///< each better than the one before
 };
 
 /// Everything that one run of a design keeps beside the candidates themselves.
@@ -48,7 +48,7 @@ public:
     SearchBook(const PreparedDesign& design, References references, const RunControl& control);
 
     /// In the order of the candidates. Throws Stopped.
-    std::vector<Judged> judge_all(const std::vector<Candidate>& candidates, const std::string& search);
+    std::vector<Judged> judge_all(const std::vector<Candidate>& candidates, const Message& search);
     void merge(const SearchNotes& notes);
     /// Evaluations that are left of those allowed.
     std::uint64_t left() const;

@@ -49,9 +49,9 @@ public:
     bool run(StartResult& result) {
         result_ = &result;
         result.place.assign(variables_, 0.5);
-        search_ = number_ == 0   ? "from the present values"
-                  : number_ == 1 ? "global search"
-                                 : "start " + std::to_string(number_);
+        search_ = number_ == 0   ? tell<"from the present values">()
+                  : number_ == 1 ? tell<"global search">()
+                                 : tell<"start %1">(number_);
         try {
             if (number_ == 0)
                 judged_at(first_place());
@@ -194,7 +194,7 @@ private:
     std::uint64_t budget_;
     std::size_t variables_;
     std::shared_ptr<CandidateJudge> judge_;
-    std::string search_;
+    Message search_;
     StartResult* result_ = nullptr;
     bool stopped_ = false;
 };

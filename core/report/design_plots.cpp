@@ -99,7 +99,7 @@ PlotSpecification rows_plot(const DesignResult& result, const DocumentLanguage& 
     for (const DesignRow* row : rows) {
         bars.y.push_back(static_cast<double>(bars.y.size()));
         bars.x.push_back(100.0 * (*row->without / result.objective - 1.0));
-        plot.y.categories.push_back(row->name);
+        plot.y.categories.push_back(language.say(row->name));
     }
     if (!bars.x.empty()) plot.series.push_back(std::move(bars));
     return plot;

@@ -303,7 +303,7 @@ void write_rows(std::ostringstream& out, const DesignResult& result) {
     std::vector<std::vector<std::string>> rows{
         {"", "row", "objective without it", "", result.cost ? "price" : ""}};
     for (const DesignRow& row : result.rows)
-        rows.push_back({row.name, std::to_string(row.row),
+        rows.push_back({row.name.english(), std::to_string(row.row),
                         row.without ? format_significant(*row.without, 4) + " (" +
                                           percent(*row.without / result.objective - 1.0) + ")"
                                     : "no result",
@@ -408,14 +408,14 @@ std::string design_json(const DesignResult& result) {
                      {"met", result.met()},
                      {"proved", result.proved},
                      {"before", optional_json(result.before)},
-                     {"whyNotBefore", result.why_not_before},
+                     {"whyNotBefore", result.why_not_before.english()},
                      {"best", result.found ? json_number(result.objective) : OrderedJson(nullptr)},
                      {"cost", optional_json(result.cost)},
                      {"candidates", result.candidates},
                      {"evaluations", result.evaluations},
                      {"trials", result.trials},
                      {"failedTrials", result.failed_trials},
-                     {"notVerified", result.not_verified},
+                     {"notVerified", result.not_verified.english()},
                      {"coverageProbability", result.coverage_probability}};
     for (const DataTable& table : design_tables(result)) {
         OrderedJson rows = OrderedJson::array();

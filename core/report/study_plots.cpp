@@ -244,7 +244,7 @@ PlotSpecification study_plot(const StudyResult& study, const StudyView& view,
         return plot_parts::nothing_to_show(
             id, study.points.empty() || quantities.empty()
                     ? language.say(plot_words::run_study, {study.name})
-                    : language.say(plot_words::no_values, {study.name, study.reasons.back()}));
+                    : language.say(plot_words::no_values, {study.name, language.say(study.reasons.back())}));
     const StudyQuantity& quantity = quantities[std::min(view.quantity, quantities.size() - 1)];
     PlotSpecification plot;
     if (study.axes.size() == 1) {

@@ -84,7 +84,7 @@ OrderedJson study_json(const StudyResult& study) {
     for (std::size_t i = 0; i < study.points.size(); ++i) {
         failed_trials.push_back(study.points[i].failed_trials);
         if (!study.points[i].has_values())
-            reasons.push_back({{"point", i}, {"reason", study.reasons[study.points[i].reason]}});
+            reasons.push_back({{"point", i}, {"reason", study.reasons[study.points[i].reason].english()}});
     }
     return {{"id", study.id},
             {"name", study.name},

@@ -62,7 +62,7 @@ std::vector<TableCell> row_of(const StudyResult& study, std::size_t index, std::
         add_place(point.places[t], study.outputs[study.triples[t].outputs[0]].unit, row);
     row.resize(columns);
     if (study.trials > 0 && point.has_values()) row[columns - 2] = static_cast<double>(point.failed_trials);
-    if (const std::string remark = remark_on(study, index); !remark.empty()) row.back() = remark;
+    if (Message remark = remark_on(study, index); !remark.empty()) row.back() = std::move(remark);
     return row;
 }
 

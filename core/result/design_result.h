@@ -30,7 +30,7 @@ struct DesignValue {
 /// A candidate row that was kept.
 struct DesignRow {
     std::size_t row = 0;  ///< from 0, of the table and the CSV file behind it
-    std::string name;
+    Message name;
     bool fixed = false;
     bool added = false;               ///< of the CSV file
     std::optional<double> without{};  ///< objective of the design without this row; empty: it has no result
@@ -40,7 +40,7 @@ struct DesignRow {
 /// What a row of the table gains, kept or not, with the others as chosen.
 struct DesignGain {
     std::size_t row = 0;
-    std::string name;
+    Message name;
     bool kept = false;
     /// Part by which the objective is smaller with it than without it; empty: one of the two has no result.
     std::optional<double> gain{};
@@ -74,7 +74,7 @@ struct DesignGoal {
 /// An improvement on the way.
 struct DesignStep {
     std::uint64_t evaluation = 0;
-    std::string search;            ///< "greedy", "exchange", "start 3"
+    Message search;                ///< "greedy", "exchange", "start 3"
     double objective = 0.0;        ///< or the cost, where it is about cost
     std::vector<double> values{};  ///< of the variables
 };
@@ -92,7 +92,7 @@ struct DesignCost {
 };
 
 struct DesignReason {
-    std::string reason;
+    Message reason;
     std::uint64_t count = 0;
 };
 
@@ -102,7 +102,7 @@ struct DesignResult {
     bool found = false;              ///< else nothing that was tried has a result
     bool proved = false;             ///< all choices of rows were evaluated
     std::optional<double> before{};  ///< objective of the present design; empty: it has no result
-    std::string why_not_before;      ///< then why
+    Message why_not_before;          ///< then why
     double objective = 0.0;          ///< where it is about cost the largest U/target
     std::vector<DesignValue> values;
     std::vector<DesignRow> rows;  ///< those kept, in their order
@@ -117,7 +117,7 @@ struct DesignResult {
     std::uint64_t evaluations = 0;
     std::vector<DesignReason> reasons;            ///< of evaluations without result, by falling count
     std::uint64_t trials = 0, failed_trials = 0;  ///< of the verification
-    std::string not_verified;                     ///< why there is none
+    Message not_verified;                         ///< why there is none
     std::uint64_t seed = 0;
     double coverage_probability = 0.95;
     std::string fingerprint;  ///< of the analysis that was searched from

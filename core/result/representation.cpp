@@ -2,13 +2,6 @@
 
 namespace covaria {
 
-namespace {
-
-const std::string too_few_trials =
-    std::string(does_not_represent) + ": more than 1 % of the trials have no value";
-
-}  // namespace
-
 Message why_not_judged() {
     return tell<"the result does not represent the measurand: more than 1 % of the trials have no value">();
 }
@@ -22,11 +15,11 @@ std::vector<std::size_t> not_representing(const StudyResult& study) {
     return found;
 }
 
-std::string remark_on(const StudyResult& study, std::size_t point) {
+Message remark_on(const StudyResult& study, std::size_t point) {
     const StudyPoint& at = study.points[point];
     if (!at.has_values()) return study.reasons[at.reason];
     if (represents_measurand(study.trials, at.failed_trials)) return {};
-    return too_few_trials;
+    return why_not_judged();
 }
 
 }  // namespace covaria

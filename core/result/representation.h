@@ -25,6 +25,6 @@ Message why_not_judged();
 /// Points of a study that have values, of too few trials.
 std::vector<std::size_t> not_representing(const StudyResult& study);
 /// What is to be said of a point of a study: why it has no values, or that they are of too few trials.
-std::string remark_on(const StudyResult& study, std::size_t point);
+Message remark_on(const StudyResult& study, std::size_t point);
 
 }  // namespace covaria

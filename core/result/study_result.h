@@ -54,9 +54,9 @@ struct StudyResult {
     std::vector<StudyAxisValues> axes;
     std::vector<OutputQuantity> outputs;
     std::vector<StudyTriple> triples;
-    std::vector<StudyPoint> points;    ///< the last axis varies fastest
-    std::vector<std::string> reasons;  ///< [0] is empty
-    std::uint64_t trials = 0;          ///< at each point; 0 = first order
+    std::vector<StudyPoint> points;  ///< the last axis varies fastest
+    std::vector<Message> reasons;    ///< [0] is empty
+    std::uint64_t trials = 0;        ///< at each point; 0 = first order
     std::uint64_t seed = 0;
     double coverage_probability = 0.95;
     std::string fingerprint;  ///< of everything that influences these numbers

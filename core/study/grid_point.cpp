@@ -39,14 +39,14 @@ std::vector<StudyTriple> triples_of(const PreparedAnalysis& analysis,
     return triples;
 }
 
-EvaluatedPoint without_values(const std::string& reason) {
-    return {{}, reason.empty() ? "the model cannot be evaluated" : reason, false};
+EvaluatedPoint without_values(const Message& reason) {
+    return {{}, reason.empty() ? tell<"the model cannot be evaluated">() : reason, false};
 }
 
 }  // namespace
 
 void EvaluatedPoint::write(ByteWriter& writer) const {
-    writer.put_list(reason);
+    writer.put_list(reason.english());
     writer.put(point.failed_trials);
     writer.put(static_cast<std::uint64_t>(point.values.size()));
     for (const StudyValue& v : point.values)
@@ -62,7 +62,9 @@ void EvaluatedPoint::write(ByteWriter& writer) const {
 
 void EvaluatedPoint::read(ByteReader& reader) {
     *this = {};
-    reader.get_list(reason);
+    std::string words;  // said in English where others computed the point
+    reader.get_list(words);
+    reason = std::move(words);
     point.failed_trials = reader.get<std::uint64_t>();
     for (auto left = reader.get<std::uint64_t>(); left > 0 && !reader.is_short(); --left) {
         StudyValue& v = point.values.emplace_back();
@@ -104,9 +106,9 @@ EvaluatedPoint GridWalker::evaluate(std::size_t point, const std::function<bool(
     auto evaluated = guarded([&]() -> EvaluatedPoint {
         changed_.set(values);
         const auto model = changed_.make();
-        return model ? of_model(*model, advance) : without_values(model.error().message.english());
+        return model ? of_model(*model, advance) : without_values(model.error().message);
     });
-    if (!evaluated) return without_values(evaluated.error().message.english());
+    if (!evaluated) return without_values(evaluated.error().message);
     return *std::move(evaluated);
 }
 
@@ -118,11 +120,11 @@ EvaluatedPoint GridWalker::of_model(const ChangedModel& changed,
     for (std::size_t k = 0; k < plan_.outputs.size(); ++k) {
         indices.push_back(find_output(model.outputs(), plan_.outputs[k], plan_.indices[k]));
         if (indices.back() == no_output)
-            return without_values("there is no output quantity '" + plan_.outputs[k].symbol + "' here");
+            return without_values(tell<"there is no output quantity '%1' here">(plan_.outputs[k].symbol));
     }
     const auto summary = evaluate_summary(model, inputs, indices, plan_.options, advance);
     if (!summary && summary.error().code == ErrorCode::cancelled) return {{}, {}, true};
-    if (!summary) return without_values(summary.error().message.english());
+    if (!summary) return without_values(summary.error().message);
     EvaluatedPoint evaluated;
     evaluated.point.failed_trials = summary->failed_trials;
     for (Eigen::Index k = 0; k < summary->estimate.size(); ++k)

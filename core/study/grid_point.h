@@ -27,7 +27,7 @@ struct StudyPlan {
 /// A grid point's numbers, or why there are none.
 struct EvaluatedPoint {
     StudyPoint point = {};
-    std::string reason = {};
+    Message reason = {};
     bool cancelled = false;
     void write(ByteWriter& writer) const;
     void read(ByteReader& reader);

@@ -38,17 +38,17 @@ StudyResult frame_of(const StudyPlan& plan) {
 /// Equal reasons are kept once.
 class ReasonBook {
 public:
-    explicit ReasonBook(std::vector<std::string>& reasons) : reasons_(reasons) {}
-    std::size_t index_of(const std::string& reason) {
+    explicit ReasonBook(std::vector<Message>& reasons) : reasons_(reasons) {}
+    std::size_t index_of(const Message& reason) {
         if (reason.empty()) return 0;
-        const auto [entry, is_new] = known_.try_emplace(reason, reasons_.size());
+        const auto [entry, is_new] = known_.try_emplace(reason.english(), reasons_.size());
         if (is_new) reasons_.push_back(reason);
         return entry->second;
     }
 
 private:
-    std::vector<std::string>& reasons_;
-    std::map<std::string, std::size_t> known_;
+    std::vector<Message>& reasons_;
+    std::map<std::string, std::size_t> known_;  ///< by what they say in English
 };
 
 }  // namespace

@@ -54,7 +54,7 @@ void StudyTableModel::set_study(std::shared_ptr<const StudyResult> study, bool c
 }
 
 QVariant StudyTableModel::extra(std::size_t row, std::size_t, int role) const {
-    const std::string remark = role == Qt::ToolTipRole && study_ ? remark_on(*study_, row) : std::string();
+    const Message remark = role == Qt::ToolTipRole && study_ ? remark_on(*study_, row) : Message();
     return remark.empty() ? QVariant() : to_qt(remark);
 }
 

@@ -144,7 +144,7 @@ void add_obstacles(Scene& scene, const DesignResult& design) {
 }
 
 /// Of those that were not chosen the best few by name; those chosen have the names of their instruments.
-void name_rows(Scene& scene, const DesignResult& design) {
+void name_rows(Scene& scene, const DesignResult& design, const DocumentLanguage& in) {
     std::vector<const DesignGain*> others;
     for (const DesignGain& gain : design.gains)
         if (gain.place && gain.gain && !gain.kept) others.push_back(&gain);
@@ -152,7 +152,7 @@ void name_rows(Scene& scene, const DesignResult& design) {
                              [](const DesignGain* a, const DesignGain* b) { return *a->gain > *b->gain; });
     for (std::size_t i = 0; i < std::min<std::size_t>(others.size(), most_names); ++i)
         scene.labels.push_back(
-            {running_text(others[i]->name) + ": " +
+            {running_text(in.say(others[i]->name)) + ": " +
                  typeset_number(format_significant(100.0 * *others[i]->gain, 2), scene.numbers) + " %",
              *others[i]->place, scene.map->radius, Role::quiet_text, 440});
 }
@@ -179,7 +179,7 @@ Scene design_scene(const DesignResult& design, const SceneOptions& options) {
     add_tracks(scene, design, extent, in);
     add_obstacles(scene, design);
     if (of_rows) {
-        name_rows(scene, design);
+        name_rows(scene, design, in);
         scene.legend.push_back({LegendMark::none, Role::quiet_text,
                                 in.say(tell<"candidates; the larger %1 of %2 are chosen">(
                                     design.rows.size(), design.candidates))});

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "core/base/file_io.h"
+#include "core/made/load_project.h"
 #include "core/report/design_results.h"
 #include "core/text/numbers.h"
 #include "tests/core/made.h"
@@ -281,6 +282,22 @@ TEST(Design, RowsSayWhatTheyAreWorthAndHowManyAreNeeded) {
     EXPECT_NEAR(result.curve.back().objective, 1.0, 1e-12);  // all rows are the present design
 }
 
+// Rows of one name are told apart in the reader's words.
+TEST(Design, RowsOfOneNameSayTheirNumberInTheReadersLanguage) {
+    Project project = load_project(COVARIA_SOURCE_DIR "/projects/ballbar-design.covaria").project;
+    Design& design = project.analyses.front().designs.front();
+    design.starts = 1;
+    design.most_evaluations = 300;
+    design.trials = 1000;
+    const DesignResult result = run(project);
+    ASSERT_FALSE(result.gains.empty());
+    const auto german = [](const std::string& words) {
+        return words == "%1 (row %2)" ? std::string("%1 (Zeile %2)") : words;
+    };
+    EXPECT_TRUE(result.gains.front().name.english().ends_with(" (row 1)")) << result.gains.front().name;
+    EXPECT_TRUE(result.gains.front().name.in(german).ends_with(" (Zeile 1)"));
+}
+
 /// m
 Eigen::Vector3d stations_at(const Project& project, std::size_t i) {
     const auto& pose = std::get<PoseValue>(project.assets[i].setup.values.at("station"));
@@ -501,7 +518,11 @@ TEST(Design, NothingAllowedIsSaidWithItsReasons) {
     EXPECT_FALSE(result.found);
     EXPECT_FALSE(result.met());
     ASSERT_FALSE(result.reasons.empty());
-    EXPECT_NE(result.reasons.front().reason.find("stands in a box"), std::string::npos);
+    EXPECT_NE(result.reasons.front().reason.english().find("stands in a box"), std::string::npos);
+    const auto german = [](const std::string& words) {
+        return words == "%1 stands in a box" ? std::string("%1 steht in einem Quader") : words;
+    };
+    EXPECT_NE(result.reasons.front().reason.in(german).find("steht in einem Quader"), std::string::npos);
     EXPECT_NE(design_text(result).find("no candidate has a result"), std::string::npos);
 }
 

@@ -258,7 +258,7 @@ TEST(Report, TooManyLostTrialsMarkTheResultEverywhere) {
     study.points.resize(2);
     study.points[1].failed_trials = 11;
     EXPECT_EQ(not_representing(study), std::vector<std::size_t>{1});
-    EXPECT_TRUE(contains(remark_on(study, 1), does_not_represent));
+    EXPECT_TRUE(contains(remark_on(study, 1).english(), does_not_represent));
     EXPECT_EQ(remark_on(study, 0), "");
 }
 

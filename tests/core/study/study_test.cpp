@@ -171,7 +171,7 @@ TEST(Study, PointsWithoutValuesKeepTheirReason) {
     const StudyResult study = run(project);
     ASSERT_EQ(study.points.size(), 5u);
     EXPECT_FALSE(study.points[0].has_values());
-    EXPECT_NE(study.reasons[study.points[0].reason].find("C1"), std::string::npos)
+    EXPECT_NE(study.reasons[study.points[0].reason].english().find("C1"), std::string::npos)
         << study.reasons[study.points[0].reason];
     EXPECT_TRUE(study.points[4].has_values());
     EXPECT_EQ(study.points[0].values.size(), 0u);
