@@ -307,7 +307,7 @@ const AnalysisTemplate* template_of(const std::string& model) {
     return found == by_model.end() ? nullptr : found->second;
 }
 
-Result<Project> template_project(const AnalysisTemplate& wanted) {
+Result<Project> template_project(const AnalysisTemplate& wanted, const DocumentLanguage& in) {
     const std::filesystem::path file = data_directory() / "projects" / (wanted.example + ".covaria");
     LoadedProject loaded = load_project(file);
     if (loaded.problems.has_errors())
@@ -322,8 +322,8 @@ Result<Project> template_project(const AnalysisTemplate& wanted) {
     Project part = TemplateMerge(nothing, whole, {}).merge().first;
     unlink_tables(part);
     AnalysisEntry& last = part.analyses.back();
-    last.name = wanted.title;
-    last.notes = wanted.question;
+    last.name = in.say_declared(wanted.title);
+    last.notes = in.say_declared(wanted.question);
     for (AnalysisEntry& entry : part.analyses) {
         if (&entry == &last && wanted.with_designs) continue;
         entry.studies.clear();
@@ -332,8 +332,9 @@ Result<Project> template_project(const AnalysisTemplate& wanted) {
     return part;
 }
 
-Result<std::string> add_template(Project& project, const AnalysisTemplate& wanted) {
-    auto part = template_project(wanted);
+Result<std::string> add_template(Project& project, const AnalysisTemplate& wanted,
+                                 const DocumentLanguage& in) {
+    auto part = template_project(wanted, in);
     if (!part) return fail(part.error());
     AnalysisEntry& last = part->analyses.back();
     if (wanted.with_designs && has_same_ids(project, *part)) {

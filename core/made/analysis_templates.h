@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/project/project.h"
+#include "core/text/document_language.h"
 
 namespace covaria {
 
@@ -24,15 +25,17 @@ const std::vector<AnalysisTemplate>& analysis_templates();
 /// The first of the model; null: none is shipped.
 const AnalysisTemplate* template_of(const std::string& model);
 
-/// The analysis under the template's title, with the assets and analyses that it uses, last of its analyses;
-/// tables of files are in it. Error: the example cannot be read, or has no such analysis.
-Result<Project> template_project(const AnalysisTemplate& wanted);
+/// The analysis under the template's title, in the language of its reader, with the assets and analyses that
+/// it uses, last of its analyses; tables of files are in it. Error: the example cannot be read, or has no
+/// such analysis.
+Result<Project> template_project(const AnalysisTemplate& wanted, const DocumentLanguage& in = {});
 
 /// `project` with the template's analysis at the end. In place of the template's assets stand those of the
 /// project of the same kind, one for one, as far as the analysis then has a value; one that nothing uses and
 /// that was given no place takes that of the template's, where it has a value only from there. The others
 /// come with the analysis. Designs and studies name assets: with them nothing is put in another's place.
 /// Gives the id of the analysis.
-Result<std::string> add_template(Project& project, const AnalysisTemplate& wanted);
+Result<std::string> add_template(Project& project, const AnalysisTemplate& wanted,
+                                 const DocumentLanguage& in = {});
 
 }  // namespace covaria

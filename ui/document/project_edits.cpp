@@ -11,6 +11,7 @@
 #include "core/project/project_id.h"
 #include "core/project/references.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -111,14 +112,11 @@ std::string add_analysis(Document& document, const std::string& model, const Eva
 
 std::string add_from_template(Document& document, const AnalysisTemplate& wanted, QString& why) {
     Project with = document.project();
-    const Result<std::string> id = add_template(with, wanted);
+    const Result<std::string> id = add_template(with, wanted, language_of_window());
     if (!id) {
         why = to_qt(id.error().message);
         return {};
     }
-    AnalysisEntry& added = *find_analysis_entry(with, *id);
-    if (added.name.starts_with(wanted.title))
-        added.name = unique_name(document.project(), to_std(core_text(wanted.title)));
     document.apply(add_words(core_text(wanted.title)), [&](Project& project) { project = with; });
     return *id;
 }

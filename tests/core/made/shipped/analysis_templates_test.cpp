@@ -42,6 +42,21 @@ TEST(AnalysisTemplates, EachHasAResultAsMade) {
     }
 }
 
+TEST(AnalysisTemplates, NameAndNotesAreInTheReadersLanguage) {
+    const AnalysisTemplate& known = analysis_templates().front();
+    const DocumentLanguage german("de", {}, [&](const std::string& english) {
+        return english == known.title      ? "Getippte Gleichung"
+               : english == known.question ? "Eine Frage"
+                                           : english;
+    });
+    Project project;
+    for (const char* name : {"Getippte Gleichung", "Getippte Gleichung (2)"}) {
+        ASSERT_TRUE(add_template(project, known, german));
+        EXPECT_EQ(project.analyses.back().name, name);
+        EXPECT_EQ(project.analyses.back().notes, "Eine Frage");
+    }
+}
+
 TEST(AnalysisTemplates, AllStandTogetherInOneProject) {
     Project project;
     for (const AnalysisTemplate& known : analysis_templates()) {
