@@ -98,4 +98,12 @@ Message tell(Arguments&&... arguments) {
                              {Message(std::forward<Arguments>(arguments))...});
 }
 
+/// A text that is kept as one (the head of a table, a name in a legend) and translated where it is shown:
+/// known_text<"present series">() is in the list for catalogues also where no example shows it.
+template <detail::Words words>
+std::string known_text() {
+    static_assert(words.placeholders() == 0);
+    return detail::known_words<words>.english;
+}
+
 }  // namespace covaria

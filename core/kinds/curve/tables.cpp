@@ -51,7 +51,8 @@ DataTable fit_table_of(const CurveSetup& setup, const Fit& fit) {
 DataTable inverse_table_of(const CurveSetup& setup, const Fit& fit,
                            const std::vector<InversePlace>& inverse) {
     DataTable table{"inverse", "Inverse use", {}, {}, {}};
-    table.columns = {{"y", setup.y_unit, true}, {"x", setup.x_unit, true}, {"also reached at x"}};
+    table.columns = {
+        {"y", setup.y_unit, true}, {"x", setup.x_unit, true}, {known_text<"also reached at x">()}};
     for (std::size_t i = 0; i < inverse.size(); ++i) {
         std::string others;
         for (const double x : inverse[i].others)

@@ -152,15 +152,15 @@ class ResidualTable {
 public:
     explicit ResidualTable(const NetworkSetup& setup) : setup_(setup) {
         table_.id = "residuals";
-        table_.title = "Residuals of the readings";
+        table_.title = known_text<"Residuals of the readings">();
         table_.columns = {{.header = "Target"},
                           {.header = "Sensor"},
-                          {.header = "Reading"},
+                          {.header = known_text<"Reading">()},
                           {.header = "residual", .digits = 3},
-                          {.header = "u of the reading", .digits = 2},
-                          {.header = "redundancy", .digits = 2},
+                          {.header = known_text<"u of the reading">(), .digits = 2},
+                          {.header = known_text<"redundancy">(), .digits = 2},
                           {.header = "w", .is_symbol = true, .digits = 3},
-                          {.header = "remark"}};
+                          {.header = known_text<"remark">()}};
         for (const JointSetUp& joint : setup.set_ups) add(joint);
         finish();
     }

@@ -60,7 +60,7 @@ public:
     std::vector<DataTable> evaluation() const override {
         DataTable table;
         table.id = "specification";
-        table.title = "Uncertainty of a measured point";
+        table.title = known_text<"Uncertainty of a measured point">();
         table.columns = {{.header = "coordinate"},
                          {.header = "distribution"},
                          {.header = "u", .unit = Unit::of("mm"), .is_symbol = true, .digits = 3}};

@@ -208,16 +208,17 @@ bool fails(const FrameFit& fit, std::size_t sets) {
 DataTable summary_table(const std::vector<FrameFit>& fits) {
     DataTable table;
     table.id = "fits";
-    table.title = "Fit of the measured points to their nominal coordinates";
-    table.columns = {{.header = "set"},
-                     {.header = "points"},
-                     {.header = "root mean square residual", .unit = Unit::of("mm"), .digits = 3},
-                     {.header = "redundancy"},
-                     {.header = "chi-square", .digits = 4},
-                     {.header = "p", .is_symbol = true, .digits = 2},
-                     {.header = "largest normalised residual", .digits = 3},
-                     {.header = "of"},
-                     {.header = "remark"}};
+    table.title = known_text<"Fit of the measured points to their nominal coordinates">();
+    table.columns = {
+        {.header = "set"},
+        {.header = "points"},
+        {.header = known_text<"root mean square residual">(), .unit = Unit::of("mm"), .digits = 3},
+        {.header = known_text<"redundancy">()},
+        {.header = known_text<"chi-square">(), .digits = 4},
+        {.header = "p", .is_symbol = true, .digits = 2},
+        {.header = known_text<"largest normalised residual">(), .digits = 3},
+        {.header = known_text<"of">()},
+        {.header = known_text<"remark">()}};
     for (const FrameFit& fit : fits) {
         const Largest largest = largest_of(fit);
         const bool tested = fit.degrees_of_freedom > 0;
@@ -244,16 +245,17 @@ DataTable summary_table(const std::vector<FrameFit>& fits) {
 DataTable residual_table(const std::vector<FrameFit>& fits) {
     DataTable table;
     table.id = "residuals";
-    table.title = "Residuals of the points, along the axes of their frame";
+    table.title = known_text<"Residuals of the points, along the axes of their frame">();
     table.columns = {{.header = "set"}, {.header = "point"}};
-    for (const char* axis : {"x", "y", "z"})
-        table.columns.push_back(
-            {.header = std::string("residual ") + axis, .unit = Unit::of("mm"), .digits = 3});
+    for (const std::string& head :
+         {known_text<"residual x">(), known_text<"residual y">(), known_text<"residual z">()})
+        table.columns.push_back({.header = head, .unit = Unit::of("mm"), .digits = 3});
     for (const char* axis : {"w_x", "w_y", "w_z"})
         table.columns.push_back({.header = axis, .is_symbol = true, .digits = 3});
-    for (const char* axis : {"x", "y", "z"})
-        table.columns.push_back({.header = std::string("redundancy ") + axis, .digits = 2});
-    table.columns.push_back({.header = "remark"});
+    for (const std::string& head :
+         {known_text<"redundancy x">(), known_text<"redundancy y">(), known_text<"redundancy z">()})
+        table.columns.push_back({.header = head, .digits = 2});
+    table.columns.push_back({.header = known_text<"remark">()});
     for (const FrameFit& fit : fits)
         for (std::size_t i = 0; i < fit.names.size(); ++i) {
             std::vector<TableCell> row{fit.set, fit.names[i]};
