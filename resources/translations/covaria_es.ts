@@ -15201,7 +15201,7 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     </message>
     <message>
         <source>An Everyday &amp;Budget</source>
-        <translation>Un &amp;balance cotidiano</translation>
+        <translation>Un ba&amp;lance cotidiano</translation>
     </message>
 </context>
 <context>

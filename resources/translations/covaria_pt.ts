@@ -15820,7 +15820,7 @@ Escolhido: %2</translation>
     <name>covaria::ui::OnlyMiddle</name>
     <message>
         <source>Only the &amp;Middle</source>
-        <translation>Só o &amp;centro</translation>
+        <translation>Só o ce&amp;ntro</translation>
     </message>
     <message>
         <source>The budget or the scene alone; once more, and the panes stand as they did</source>

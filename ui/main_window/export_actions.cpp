@@ -75,7 +75,7 @@ ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs
 }
 
 QMenu* ExportActions::make_menu(QWidget* parent) {
-    auto* menu = new QMenu(tr("&Export"), parent);
+    auto* menu = new QMenu(tr("Ex&port"), parent);
     menu->setIcon(icon(QStringLiteral("export")));
     menu->addAction(pdf_action);
     menu->addAction(tr("Report as &HTML …"), this, [this] { ask_report(ReportFormat::html); });

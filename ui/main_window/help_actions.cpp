@@ -133,7 +133,7 @@ void HelpActions::show_keys() {
 }
 
 void HelpActions::add_to(QMenu& menu) {
-    menu.addAction(icon(QStringLiteral("help")), tr("Help on What Has the &Focus"), QKeySequence(Qt::Key_F1),
+    menu.addAction(icon(QStringLiteral("help")), tr("Help on &What Has the Focus"), QKeySequence(Qt::Key_F1),
                    this, &HelpActions::show_help_on_focus);
     QMenu* models = menu.addMenu(tr("M&odels"));
     for (const ModelDescriptor& model : model_registry())
@@ -141,7 +141,7 @@ void HelpActions::add_to(QMenu& menu) {
             show_place(to_qt("model-" + id));
             read();
         });
-    QMenu* assets = menu.addMenu(tr("A&rtefacts, Instruments and Robots"));
+    QMenu* assets = menu.addMenu(tr("Artefacts, &Instruments and Robots"));
     for (const AssetDescriptor& asset : asset_registry())
         assets->addAction(core_text(asset.title), this, [this, kind = asset.kind] {
             show_place(to_qt("asset-" + kind));
@@ -155,7 +155,7 @@ void HelpActions::add_to(QMenu& menu) {
     };
     add_page(tr("An Everyday &Budget"), "first-steps");
     add_page(tr("&Results and Requirements"), "results");
-    add_page(tr("What Every &Analysis Has"), "analysis");
+    add_page(tr("What Every Analysis &Has"), "analysis");
     add_page(tr("The S&cene"), "scene");
     add_page(tr("&Glossary"), "glossary");
     menu.addAction(tr("&Keys"), this, &HelpActions::show_keys);

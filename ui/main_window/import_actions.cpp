@@ -17,7 +17,7 @@ ImportActions::ImportActions(Document& document, Dialogs& dialogs, QObject* pare
     import_action = new QAction(icon(QStringLiteral("open")), tr("&Import File …"), this);
     import_action->setToolTip(tr("Add points, budgets, certificates, readings or poses of other programs"));
     connect(import_action, &QAction::triggered, this, &ImportActions::ask_for_file);
-    urdf_action = new QAction(icon(QStringLiteral("robot")), tr("&Import Robot (URDF) …"), this);
+    urdf_action = new QAction(icon(QStringLiteral("robot")), tr("Import Robo&t (URDF) …"), this);
     urdf_action->setToolTip(tr("Add a serial robot from a robot description in URDF"));
     connect(urdf_action, &QAction::triggered, this, &ImportActions::ask_for_urdf);
 }

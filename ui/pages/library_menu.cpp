@@ -14,7 +14,7 @@ QString collection_title(const LibraryItem& item) {
 }
 
 LibraryMenu::LibraryMenu(Document& document, Selection& selection, QWidget* parent)
-    : QMenu(tr("From the &Library"), parent), document_(document), selection_(selection) {
+    : QMenu(tr("F&rom the Library"), parent), document_(document), selection_(selection) {
     setToolTipsVisible(true);
     connect(this, &QMenu::aboutToShow, this, &LibraryMenu::fill);
 }

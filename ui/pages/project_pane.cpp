@@ -54,7 +54,7 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
     setEditTriggers(QAbstractItemView::EditKeyPressed);
     setItemDelegate(new EntryDelegate(this));
     setIndentation(14);
-    duplicate_action = new QAction(icon(QStringLiteral("duplicate")), tr("D&uplicate"), this);
+    duplicate_action = new QAction(icon(QStringLiteral("duplicate")), tr("Dup&licate"), this);
     duplicate_action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_D));
     rename_action = new QAction(icon(QStringLiteral("rename")), tr("Re&name"), this);
     rename_action->setShortcut(QKeySequence(Qt::Key_F2));
