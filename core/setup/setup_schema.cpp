@@ -10,6 +10,11 @@ const FieldSpec* SetupSchema::find(const std::string& key) const {
     return found == fields_.end() ? nullptr : &*found;
 }
 
+const FieldSpec* SetupSchema::find(bool FieldSpec::*says) const {
+    const auto found = std::ranges::find_if(fields_, says);
+    return found == fields_.end() ? nullptr : &*found;
+}
+
 std::size_t SetupSchema::column(const FieldSpec& table, const std::string& key) {
     const auto found = std::find_if(table.columns.begin(), table.columns.end(),
                                     [&](const ColumnSpec& column) { return column.key == key; });

@@ -82,6 +82,8 @@ public:
     explicit SetupSchema(std::vector<FieldSpec> fields) : fields_(std::move(fields)) {}
     const std::vector<FieldSpec>& fields() const { return fields_; }
     const FieldSpec* find(const std::string& key) const;
+    /// The first that says so: find(&FieldSpec::states_quantities). Null: there is none.
+    const FieldSpec* find(bool FieldSpec::*says) const;
     /// Index of a table's column, or npos.
     static std::size_t column(const FieldSpec& table, const std::string& key);
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);

@@ -46,10 +46,7 @@ std::vector<std::size_t> rows_of(const SetupTable& table, const Columns& at, con
 
 const FieldSpec* observing_table(const Project& project, const SetupAddress& address) {
     const SetupSchema* schema = find_schema(project, address);
-    if (!schema) return nullptr;
-    const auto& fields = schema->fields();
-    const auto found = std::ranges::find_if(fields, &FieldSpec::observes_quantities);
-    return found == fields.end() ? nullptr : &*found;
+    return schema ? schema->find(&FieldSpec::observes_quantities) : nullptr;
 }
 
 std::vector<double> observations_of(const Project& project, const SetupAddress& address,

@@ -31,11 +31,7 @@ constexpr std::size_t most_lines = 6;  // of results; all are in the table below
 
 const FieldSpec* stating_table(const Project& project, const SetupAddress& address) {
     const SetupSchema* schema = find_schema(project, address);
-    if (!schema) return nullptr;
-    const auto& fields = schema->fields();
-    const auto found =
-        std::find_if(fields.begin(), fields.end(), [](const FieldSpec& f) { return f.states_quantities; });
-    return found == fields.end() ? nullptr : &*found;
+    return schema ? schema->find(&FieldSpec::states_quantities) : nullptr;
 }
 
 /// Three decimals at the most.

@@ -23,10 +23,7 @@ namespace {
 
 bool is_typed_as_budget(const std::string& model) {
     const ModelDescriptor* descriptor = find_model(model);
-    if (!descriptor) return false;
-    const std::vector<FieldSpec>& fields = descriptor->schema.fields();
-    return std::any_of(fields.begin(), fields.end(),
-                       [](const FieldSpec& field) { return field.states_quantities; });
+    return descriptor && descriptor->schema.find(&FieldSpec::states_quantities);
 }
 
 }  // namespace

@@ -203,4 +203,14 @@ TEST(Words, Dimensions) {
     EXPECT_EQ(dimension_words(Unit::of("kg*m")).english().substr(0, 12), "measured in ");
 }
 
+TEST(SetupSchemas, ATableIsFoundByWhatItSaysOfItsRows) {
+    const SetupSchema schema(
+        {{.key = "first", .title = "First", .help = "A number."},
+         {.key = "budget", .title = "Budget", .help = "Rows.", .states_quantities = true},
+         {.key = "other", .title = "Other", .help = "Rows.", .states_quantities = true}});
+    ASSERT_NE(schema.find(&FieldSpec::states_quantities), nullptr);
+    EXPECT_EQ(schema.find(&FieldSpec::states_quantities)->key, "budget");
+    EXPECT_EQ(schema.find(&FieldSpec::observes_quantities), nullptr);
+}
+
 }  // namespace covaria::setup_test
