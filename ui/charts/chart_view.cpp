@@ -5,7 +5,6 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QGraphicsScene>
-#include <QLocale>
 #include <QMessageBox>
 #include <QRubberBand>
 #include <algorithm>
@@ -34,7 +33,7 @@ PlotView inside_whole(PlotView view, const PlotView& whole) {
 }
 
 Theme in_words_of_the_user(const Theme& theme) {
-    return theme.with_numbers(number_locale(QLocale()));
+    return theme.with_numbers(user_numbers());
 }
 
 }  // namespace

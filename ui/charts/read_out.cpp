@@ -25,7 +25,7 @@ Text named(const Text& title, const Text& number) {
 Text value_text(const PlotAxis& axis, double value, double low, double high) {
     const double range = axis.logarithmic ? value : high - low;
     return named(axis.title,
-                 grouped_number(value, std::max(0, decimals_for(1e-3 * range, 1)), number_locale(QLocale())));
+                 grouped_number(value, std::max(0, decimals_for(1e-3 * range, 1)), user_numbers()));
 }
 
 struct Reader {
@@ -44,7 +44,7 @@ struct Reader {
         if (!std::isfinite(z)) return {};
         const double largest = std::max(std::abs(plot.z_low), std::abs(plot.z_high));
         const int decimals = std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 3));
-        const std::string number = grouped_number(z, decimals, number_locale(QLocale()));
+        const std::string number = grouped_number(z, decimals, user_numbers());
         const Text &x = plot.x.categories[column], &y = plot.y.categories[row];
         if (plot.x.title.empty() || plot.y.title.empty()) return ReadOut{y + "; " + x + ": " + number, {}};
         return ReadOut{

@@ -57,7 +57,7 @@ std::pair<QString, QString> told_apart(const Unit& unit, double now, double need
 }
 
 QString percent(double p) {
-    return to_qt(probability_text(p, number_locale(QLocale()))).toHtmlEscaped();  // "< 0.01 %"
+    return to_qt(probability_text(p, user_numbers())).toHtmlEscaped();  // "< 0.01 %"
 }
 
 QString target_words(const UncertaintyResult& result, const RequirementResult& r, double target,
@@ -91,10 +91,10 @@ QString reduction_words(const UncertaintyResult& result, const ReverseBudget& bu
         const auto& reduction = *reductions[i];
         const BudgetComponent& c = *components[i];
         const auto texts = told_apart(units.of(c.unit).interval(), reduction.now, *reduction.needed);
-        list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3: %4 of what is stated</li>")
-                    .arg(linked(to_qt(to_html(labels[i])), place_of(c)), texts.first, texts.second,
-                         to_qt(percent_text(rounded_down(*reduction.needed / reduction.now, 3),
-                                            number_locale(QLocale()))));
+        list +=
+            RequirementsForm::tr("<li>u of %1 reduced from %2 to %3: %4 of what is stated</li>")
+                .arg(linked(to_qt(to_html(labels[i])), place_of(c)), texts.first, texts.second,
+                     to_qt(percent_text(rounded_down(*reduction.needed / reduction.now, 3), user_numbers())));
     }
     if (!list.isEmpty())
         return RequirementsForm::tr("<br>It would be met with one of these alone:<ul>%1</ul>").arg(list);

@@ -1,17 +1,10 @@
 // Numbers for tables.
 #include "ui/models/number_words.h"
 
-#include <QLocale>
-
 #include "ui/document/quantity_text.h"
-#include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
-
-NumberLocale user_numbers() {
-    return number_locale(QLocale());
-}
 
 QString localized(const std::string& number) {
     return to_qt(typeset_number(number, user_numbers()));

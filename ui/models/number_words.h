@@ -5,11 +5,10 @@
 #include <string>
 
 #include "core/text/numbers.h"
+#include "ui/theme/number_locale.h"
 
 namespace covaria::ui {
 
-/// How the user's locale writes numbers.
-NumberLocale user_numbers();
 /// Text of a number with a decimal point, with the locale's decimal mark, a true minus sign and powers of
 /// ten.
 QString localized(const std::string& number);

@@ -51,7 +51,7 @@ QString result_words(const AnalysisStatus& status) {
         words = (result.adaptive ? tr("Adaptive Monte Carlo, %1 trials") : tr("Monte Carlo, %1 trials"))
                     .arg(count(result.trials));
     if (const auto k = result.fixed_coverage_factor)  // not that of the interval beside U
-        words += tr(", chosen k = %1").arg(to_qt(typeset_number(format_typed(*k), number_locale(QLocale()))));
+        words += tr(", chosen k = %1").arg(to_qt(typeset_number(format_typed(*k), user_numbers())));
     return words;
 }
 

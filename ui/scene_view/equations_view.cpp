@@ -20,7 +20,7 @@ constexpr double column_gap = 40.0;
 /// Equations without a formula are set as the text that they are.
 FormulaPicture picture_of(const ModelEquation& equation, const QFont& font) {
     if (equation.formula.empty()) return {equation_text(equation.text), font};
-    return {with_numbers(equation.formula, number_locale(QLocale())), font};
+    return {with_numbers(equation.formula, user_numbers()), font};
 }
 
 struct SetEquations {

@@ -19,9 +19,8 @@ std::string core_words(std::string_view english) {
 }
 
 QString to_qt(const Message& message) {
-    return to_qt(
-        message.in([](const std::string& english) { return core_words(english); },
-                   [](const std::string& plain) { return grouped_digits(plain, number_locale(QLocale())); }));
+    return to_qt(message.in([](const std::string& english) { return core_words(english); },
+                            [](const std::string& plain) { return grouped_digits(plain, user_numbers()); }));
 }
 
 Text core_title(const Text& english) {

@@ -21,7 +21,7 @@ DocumentLanguage document_language(const Project& project) {
 }
 
 DocumentLanguage language_of_window() {
-    return {spoken_language().toStdString(), number_locale(QLocale()), core_words};
+    return {spoken_language().toStdString(), user_numbers(), core_words};
 }
 
 }  // namespace covaria::ui

@@ -16,6 +16,11 @@ inline NumberLocale number_locale(const QLocale& locale) {
     return written;
 }
 
+/// How the user's locale writes numbers.
+inline NumberLocale user_numbers() {
+    return number_locale(QLocale());
+}
+
 /// The locale of a form of numbers. Dates stay as the system has them.
 inline QLocale locale_of(NumberForm form) {
     static const QLocale of_system = QLocale();  // before any choice was applied
