@@ -6255,10 +6255,6 @@
         <translation>Nicht erfasst: Produkte von Lasten im Übersprechen, Fehlausrichtung der Lasten, Kriechen, Temperatur, erneute Montage.</translation>
     </message>
     <message>
-        <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
-        <translation>Jede Messgleichung: sie eintippen, angeben, was über ihre Größen bekannt ist, und das Unsicherheitsbudget erhalten. Mehrere Ergebnisse, Zwischendefinitionen, Bedingungen und Gleichungen, die in jedem Versuch gelöst werden.</translation>
-    </message>
-    <message>
         <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
         <translation>Dimensionen werden dort geprüft, wo die Gleichungen gelesen werden; der ebene Winkel zählt als Zahl, weil der Radiant im SI eine ist. Temperaturen in °C gelten als thermodynamische Temperaturen; eine Temperaturdifferenz wird in K angegeben.</translation>
     </message>
@@ -9049,10 +9045,6 @@
     <message>
         <source>what the project states for results</source>
         <translation>was das Projekt für Ergebnisse angibt</translation>
-    </message>
-    <message>
-        <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
-        <translation>&apos;digits&apos; muss 1 oder 2 sein (JCGM 100 7.2.6)</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
@@ -13200,6 +13192,190 @@ Grenzen 19,5 bis 20,5: sie liefern den Wert
 Auflösung 0,01, MPE 3 + 0,1 %, Zählereignisse 12, Konstante
 nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
+    <message>
+        <source>Any measurement equation with what is known about its quantities: several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
+        <translation>Jede Messgleichung mit dem, was über ihre Größen bekannt ist: mehrere Ergebnisse, Zwischendefinitionen, Bedingungen und Gleichungen, die in jedem Versuch gelöst werden.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of a measured point</source>
+        <translation>Unsicherheit eines gemessenen Punktes</translation>
+    </message>
+    <message>
+        <source>Residuals of the readings</source>
+        <translation>Residuen der Ablesungen</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Ablesung</translation>
+    </message>
+    <message>
+        <source>u of the reading</source>
+        <translation>u der Ablesung</translation>
+    </message>
+    <message>
+        <source>redundancy</source>
+        <translation>Redundanz</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>Fit of the measured points to their nominal coordinates</source>
+        <translation>Anpassung der gemessenen Punkte an ihre Nennkoordinaten</translation>
+    </message>
+    <message>
+        <source>root mean square residual</source>
+        <translation>quadratischer Mittelwert der Residuen</translation>
+    </message>
+    <message>
+        <source>chi-square</source>
+        <translation>Chi-Quadrat</translation>
+    </message>
+    <message>
+        <source>largest normalised residual</source>
+        <translation>größtes normiertes Residuum</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>Residuals of the points, along the axes of their frame</source>
+        <translation>Residuen der Punkte, längs der Achsen ihres Systems</translation>
+    </message>
+    <message>
+        <source>residual x</source>
+        <translation>Residuum x</translation>
+    </message>
+    <message>
+        <source>residual y</source>
+        <translation>Residuum y</translation>
+    </message>
+    <message>
+        <source>residual z</source>
+        <translation>Residuum z</translation>
+    </message>
+    <message>
+        <source>redundancy x</source>
+        <translation>Redundanz x</translation>
+    </message>
+    <message>
+        <source>redundancy y</source>
+        <translation>Redundanz y</translation>
+    </message>
+    <message>
+        <source>redundancy z</source>
+        <translation>Redundanz z</translation>
+    </message>
+    <message>
+        <source>present series</source>
+        <translation>jetzige Reihe</translation>
+    </message>
+    <message>
+        <source>also reached at x</source>
+        <translation>auch erreicht bei x</translation>
+    </message>
+    <message>
+        <source>a kept state</source>
+        <translation>ein gemerkter Stand</translation>
+    </message>
+    <message>
+        <source>two states of the analysis %1 are kept; one can be</source>
+        <translation>von der Analyse %1 sind zwei Stände gemerkt; einer kann es sein</translation>
+    </message>
+    <message>
+        <source>&apos;digits&apos; must be a whole number from %1 to %2 (JCGM 100 7.2.6)</source>
+        <translation>&apos;digits&apos; muss eine ganze Zahl von %1 bis %2 sein (JCGM 100 7.2.6)</translation>
+    </message>
+    <message>
+        <source>the model cannot be evaluated</source>
+        <translation>das Modell kann nicht ausgewertet werden</translation>
+    </message>
+    <message>
+        <source>there is no output quantity &apos;%1&apos; here</source>
+        <translation>hier gibt es keine Ausgangsgröße &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>from the present values</source>
+        <translation>von den jetzigen Werten aus</translation>
+    </message>
+    <message>
+        <source>global search</source>
+        <translation>globale Suche</translation>
+    </message>
+    <message>
+        <source>start %1</source>
+        <translation>Start %1</translation>
+    </message>
+    <message>
+        <source>a target uncertainty is not met</source>
+        <translation>eine Zielunsicherheit wird nicht eingehalten</translation>
+    </message>
+    <message>
+        <source>there is no output quantity &apos;%1&apos; then</source>
+        <translation>dann gibt es keine Ausgangsgröße &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>an uncertainty has no finite value</source>
+        <translation>eine Unsicherheit hat keinen endlichen Wert</translation>
+    </message>
+    <message>
+        <source>an uncertainty vanishes: the model is degenerate there</source>
+        <translation>eine Unsicherheit verschwindet: das Modell ist dort entartet</translation>
+    </message>
+    <message>
+        <source>all choices</source>
+        <translation>alle Auswahlen</translation>
+    </message>
+    <message>
+        <source>greedy</source>
+        <translation>schrittweise</translation>
+    </message>
+    <message>
+        <source>backward elimination</source>
+        <translation>Rückwärtselimination</translation>
+    </message>
+    <message>
+        <source>exchange</source>
+        <translation>Austausch</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are closer than the least distance</source>
+        <translation>%1 und %2 liegen näher als der kleinste Abstand</translation>
+    </message>
+    <message>
+        <source>%1 stands in a box</source>
+        <translation>%1 steht in einem Quader</translation>
+    </message>
+    <message>
+        <source>%1 stands in the box &apos;%2&apos;</source>
+        <translation>%1 steht im Quader &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the line of sight %1 passes a box</source>
+        <translation>die Ziellinie %1 geht durch einen Quader</translation>
+    </message>
+    <message>
+        <source>the line of sight %1 passes the box &apos;%2&apos;</source>
+        <translation>die Ziellinie %1 geht durch den Quader &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1 (row %2)</source>
+        <translation>%1 (Zeile %2)</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty too small to be seen</source>
+        <translation>%1: Unsicherheit zu klein, um sichtbar zu sein</translation>
+    </message>
+    <message>
+        <source>%1 (automatic)</source>
+        <translation>%1 (automatisch)</translation>
+    </message>
+    <message>
+        <source>uncertainty drawn at %1 of %2 points</source>
+        <translation>Unsicherheit bei %1 von %2 Punkten gezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14005,6 +14181,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
         <translation>Die jetzigen Ergebnisse mit „%1“ festhalten und bearbeiten: vorher und nachher stehen hier nebeneinander.</translation>
+    </message>
+    <message>
+        <source>results that are computed again once the analysis has run</source>
+        <translation>Ergebnisse, die neu berechnet werden, sobald die Analyse gelaufen ist</translation>
     </message>
 </context>
 <context>
@@ -14867,10 +15047,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>&amp;Kalibrierschein als PDF …</translation>
     </message>
     <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Exportieren</translation>
-    </message>
-    <message>
         <source>Report as &amp;HTML …</source>
         <translation>Bericht als &amp;HTML …</translation>
     </message>
@@ -14965,6 +15141,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>No analysis can be run: each one is incomplete or has errors.</source>
         <translation>Keine Analyse kann ausgeführt werden: Jede ist unvollständig oder hat Fehler.</translation>
+    </message>
+    <message>
+        <source>Ex&amp;port</source>
+        <translation>&amp;Exportieren</translation>
     </message>
 </context>
 <context>
@@ -15164,24 +15344,12 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <translation>Tasten</translation>
     </message>
     <message>
-        <source>Help on What Has the &amp;Focus</source>
-        <translation>Hilfe zum &amp;fokussierten Element</translation>
-    </message>
-    <message>
         <source>M&amp;odels</source>
         <translation>M&amp;odelle</translation>
     </message>
     <message>
-        <source>A&amp;rtefacts, Instruments and Robots</source>
-        <translation>P&amp;rüfkörper, Messgeräte und Roboter</translation>
-    </message>
-    <message>
         <source>&amp;Results and Requirements</source>
         <translation>&amp;Ergebnisse und Anforderungen</translation>
-    </message>
-    <message>
-        <source>What Every &amp;Analysis Has</source>
-        <translation>Was jede &amp;Analyse hat</translation>
     </message>
     <message>
         <source>&amp;Glossary</source>
@@ -15203,6 +15371,18 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <source>An Everyday &amp;Budget</source>
         <translation>Ein alltägliches &amp;Budget</translation>
     </message>
+    <message>
+        <source>Help on &amp;What Has the Focus</source>
+        <translation>Hilfe zum fo&amp;kussierten Element</translation>
+    </message>
+    <message>
+        <source>Artefacts, &amp;Instruments and Robots</source>
+        <translation>P&amp;rüfkörper, Messgeräte und Roboter</translation>
+    </message>
+    <message>
+        <source>What Every Analysis &amp;Has</source>
+        <translation>Was jede &amp;Analyse hat</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -15220,10 +15400,6 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>Add points, budgets, certificates, readings or poses of other programs</source>
         <translation>Punkte, Budgets, Kalibrierscheine, Ablesungen oder Posen anderer Programme hinzufügen</translation>
-    </message>
-    <message>
-        <source>&amp;Import Robot (URDF) …</source>
-        <translation>&amp;Roboter importieren (URDF) …</translation>
     </message>
     <message>
         <source>Add a serial robot from a robot description in URDF</source>
@@ -15256,6 +15432,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>The robot was not imported</source>
         <translation>Der Roboter wurde nicht importiert</translation>
+    </message>
+    <message>
+        <source>Import Robo&amp;t (URDF) …</source>
+        <translation>&amp;Roboter importieren (URDF) …</translation>
     </message>
 </context>
 <context>
@@ -15502,6 +15682,17 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     </message>
 </context>
 <context>
+    <name>covaria::ui::KeptStates</name>
+    <message>
+        <source>Keep state</source>
+        <translation>Stand merken</translation>
+    </message>
+    <message>
+        <source>Discard kept state</source>
+        <translation>Gemerkten Stand verwerfen</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::LibraryBrowser</name>
     <message>
         <source>Collections</source>
@@ -15571,12 +15762,12 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
 <context>
     <name>covaria::ui::LibraryMenu</name>
     <message>
-        <source>From the &amp;Library</source>
-        <translation>Aus der Bibliothe&amp;k</translation>
-    </message>
-    <message>
         <source>Not readable: %1</source>
         <translation>Nicht lesbar: %1</translation>
+    </message>
+    <message>
+        <source>F&amp;rom the Library</source>
+        <translation>A&amp;us der Bibliothek</translation>
     </message>
 </context>
 <context>
@@ -15959,14 +16150,6 @@ Gewählt: %2</translation>
         <translation>Signifikante Stellen der Unsicherheiten; Schätzwerte werden passend gerundet</translation>
     </message>
     <message>
-        <source>1</source>
-        <translation>1</translation>
-    </message>
-    <message>
-        <source>2</source>
-        <translation>2</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>Zahlen</translation>
     </message>
@@ -16195,16 +16378,16 @@ Gewählt: %2</translation>
         <source>Change coverage factor</source>
         <translation>Erweiterungsfaktor ändern</translation>
     </message>
+    <message>
+        <source>Reports, certificates and files have these units, and those of the model where none is stated; units of the preferences are of the window only.</source>
+        <translation>Berichte, Kalibrierscheine und Dateien haben diese Einheiten, und wo keine angegeben ist, die des Modells; Einheiten der Einstellungen gelten nur für das Fenster.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPane</name>
     <message>
         <source>Project</source>
         <translation>Projekt</translation>
-    </message>
-    <message>
-        <source>D&amp;uplicate</source>
-        <translation>D&amp;uplizieren</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -16273,6 +16456,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>What it uses</source>
         <translation>Was sie verwendet</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>D&amp;uplizieren</translation>
     </message>
 </context>
 <context>
@@ -16905,6 +17092,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>, with warnings</source>
         <translation>, mit Warnungen</translation>
+    </message>
+    <message>
+        <source>%1, kept state: </source>
+        <translation>%1, gemerkter Stand: </translation>
     </message>
 </context>
 <context>

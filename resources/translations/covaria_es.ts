@@ -6255,10 +6255,6 @@
         <translation>No se incluye: productos de cargas en la interferencia, desalineación de las cargas, fluencia, temperatura, nuevo montaje.</translation>
     </message>
     <message>
-        <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
-        <translation>Cualquier ecuación de medición: escríbala, indique lo que se sabe de sus magnitudes y obtenga el balance de incertidumbre. Varios resultados, definiciones intermedias, condiciones y ecuaciones que se resuelven en cada prueba.</translation>
-    </message>
-    <message>
         <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
         <translation>Las dimensiones se comprueban al leer las ecuaciones; el ángulo plano cuenta como un número, porque en el SI el radián es uno. Las temperaturas en °C se toman como temperaturas termodinámicas; una diferencia de temperaturas se da en K.</translation>
     </message>
@@ -9049,10 +9045,6 @@
     <message>
         <source>what the project states for results</source>
         <translation>lo que el proyecto indica para los resultados</translation>
-    </message>
-    <message>
-        <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
-        <translation>&apos;digits&apos; debe ser 1 o 2 (JCGM 100 7.2.6)</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
@@ -13200,6 +13192,190 @@ límites 19,5 hasta 20,5: dan el valor
 resolución 0,01, MPE 3 + 0,1 %, recuentos 12, constante
 nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
+    <message>
+        <source>Any measurement equation with what is known about its quantities: several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
+        <translation>Cualquier ecuación de medición con lo que se sabe de sus magnitudes: varios resultados, definiciones intermedias, condiciones y ecuaciones que se resuelven en cada prueba.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of a measured point</source>
+        <translation>Incertidumbre de un punto medido</translation>
+    </message>
+    <message>
+        <source>Residuals of the readings</source>
+        <translation>Residuos de las lecturas</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lectura</translation>
+    </message>
+    <message>
+        <source>u of the reading</source>
+        <translation>u de la lectura</translation>
+    </message>
+    <message>
+        <source>redundancy</source>
+        <translation>redundancia</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>comentario</translation>
+    </message>
+    <message>
+        <source>Fit of the measured points to their nominal coordinates</source>
+        <translation>Ajuste de los puntos medidos a sus coordenadas nominales</translation>
+    </message>
+    <message>
+        <source>root mean square residual</source>
+        <translation>residuo cuadrático medio</translation>
+    </message>
+    <message>
+        <source>chi-square</source>
+        <translation>ji cuadrado</translation>
+    </message>
+    <message>
+        <source>largest normalised residual</source>
+        <translation>mayor residuo normalizado</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>Residuals of the points, along the axes of their frame</source>
+        <translation>Residuos de los puntos, a lo largo de los ejes de su sistema</translation>
+    </message>
+    <message>
+        <source>residual x</source>
+        <translation>residuo x</translation>
+    </message>
+    <message>
+        <source>residual y</source>
+        <translation>residuo y</translation>
+    </message>
+    <message>
+        <source>residual z</source>
+        <translation>residuo z</translation>
+    </message>
+    <message>
+        <source>redundancy x</source>
+        <translation>redundancia x</translation>
+    </message>
+    <message>
+        <source>redundancy y</source>
+        <translation>redundancia y</translation>
+    </message>
+    <message>
+        <source>redundancy z</source>
+        <translation>redundancia z</translation>
+    </message>
+    <message>
+        <source>present series</source>
+        <translation>serie actual</translation>
+    </message>
+    <message>
+        <source>also reached at x</source>
+        <translation>también se alcanza en x</translation>
+    </message>
+    <message>
+        <source>a kept state</source>
+        <translation>un estado conservado</translation>
+    </message>
+    <message>
+        <source>two states of the analysis %1 are kept; one can be</source>
+        <translation>se conservan dos estados del análisis %1; solo puede haber uno</translation>
+    </message>
+    <message>
+        <source>&apos;digits&apos; must be a whole number from %1 to %2 (JCGM 100 7.2.6)</source>
+        <translation>&apos;digits&apos; debe ser un número entero de %1 a %2 (JCGM 100 7.2.6)</translation>
+    </message>
+    <message>
+        <source>the model cannot be evaluated</source>
+        <translation>el modelo no puede evaluarse</translation>
+    </message>
+    <message>
+        <source>there is no output quantity &apos;%1&apos; here</source>
+        <translation>aquí no hay ninguna magnitud de salida &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>from the present values</source>
+        <translation>desde los valores actuales</translation>
+    </message>
+    <message>
+        <source>global search</source>
+        <translation>búsqueda global</translation>
+    </message>
+    <message>
+        <source>start %1</source>
+        <translation>inicio %1</translation>
+    </message>
+    <message>
+        <source>a target uncertainty is not met</source>
+        <translation>no se cumple una incertidumbre objetivo</translation>
+    </message>
+    <message>
+        <source>there is no output quantity &apos;%1&apos; then</source>
+        <translation>entonces no hay ninguna magnitud de salida &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>an uncertainty has no finite value</source>
+        <translation>una incertidumbre no tiene valor finito</translation>
+    </message>
+    <message>
+        <source>an uncertainty vanishes: the model is degenerate there</source>
+        <translation>una incertidumbre se anula: el modelo es degenerado ahí</translation>
+    </message>
+    <message>
+        <source>all choices</source>
+        <translation>todas las elecciones</translation>
+    </message>
+    <message>
+        <source>greedy</source>
+        <translation>paso a paso</translation>
+    </message>
+    <message>
+        <source>backward elimination</source>
+        <translation>eliminación hacia atrás</translation>
+    </message>
+    <message>
+        <source>exchange</source>
+        <translation>intercambio</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are closer than the least distance</source>
+        <translation>%1 y %2 están más cerca que la distancia mínima</translation>
+    </message>
+    <message>
+        <source>%1 stands in a box</source>
+        <translation>%1 está dentro de una caja</translation>
+    </message>
+    <message>
+        <source>%1 stands in the box &apos;%2&apos;</source>
+        <translation>%1 está dentro de la caja &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the line of sight %1 passes a box</source>
+        <translation>la línea de visión %1 atraviesa una caja</translation>
+    </message>
+    <message>
+        <source>the line of sight %1 passes the box &apos;%2&apos;</source>
+        <translation>la línea de visión %1 atraviesa la caja &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1 (row %2)</source>
+        <translation>%1 (fila %2)</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty too small to be seen</source>
+        <translation>%1: incertidumbre demasiado pequeña para verse</translation>
+    </message>
+    <message>
+        <source>%1 (automatic)</source>
+        <translation>%1 (automático)</translation>
+    </message>
+    <message>
+        <source>uncertainty drawn at %1 of %2 points</source>
+        <translation>incertidumbre dibujada en %1 de %2 puntos</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14005,6 +14181,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
         <translation>Conserve los resultados actuales con «%1» y edite: antes y después aparecen aquí uno junto a otro.</translation>
+    </message>
+    <message>
+        <source>results that are computed again once the analysis has run</source>
+        <translation>resultados que se vuelven a calcular en cuanto se haya ejecutado el análisis</translation>
     </message>
 </context>
 <context>
@@ -14867,10 +15047,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>&amp;Certificado en PDF …</translation>
     </message>
     <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Exportar</translation>
-    </message>
-    <message>
         <source>Report as &amp;HTML …</source>
         <translation>Informe en &amp;HTML …</translation>
     </message>
@@ -14965,6 +15141,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>No analysis can be run: each one is incomplete or has errors.</source>
         <translation>No se puede ejecutar ningún análisis: cada uno está incompleto o tiene errores.</translation>
+    </message>
+    <message>
+        <source>Ex&amp;port</source>
+        <translation>&amp;Exportar</translation>
     </message>
 </context>
 <context>
@@ -15164,24 +15344,12 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <translation>Teclas</translation>
     </message>
     <message>
-        <source>Help on What Has the &amp;Focus</source>
-        <translation>Ayuda sobre lo que tiene el &amp;foco</translation>
-    </message>
-    <message>
         <source>M&amp;odels</source>
         <translation>M&amp;odelos</translation>
     </message>
     <message>
-        <source>A&amp;rtefacts, Instruments and Robots</source>
-        <translation>Pat&amp;rones, instrumentos y robots</translation>
-    </message>
-    <message>
         <source>&amp;Results and Requirements</source>
         <translation>&amp;Resultados y requisitos</translation>
-    </message>
-    <message>
-        <source>What Every &amp;Analysis Has</source>
-        <translation>Lo que tiene todo &amp;análisis</translation>
     </message>
     <message>
         <source>&amp;Glossary</source>
@@ -15203,6 +15371,18 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <source>An Everyday &amp;Budget</source>
         <translation>Un ba&amp;lance cotidiano</translation>
     </message>
+    <message>
+        <source>Help on &amp;What Has the Focus</source>
+        <translation>Ayuda sobre lo que tiene el &amp;foco</translation>
+    </message>
+    <message>
+        <source>Artefacts, &amp;Instruments and Robots</source>
+        <translation>Patrones, &amp;instrumentos y robots</translation>
+    </message>
+    <message>
+        <source>What Every Analysis &amp;Has</source>
+        <translation>Lo &amp;que tiene todo análisis</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -15220,10 +15400,6 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>Add points, budgets, certificates, readings or poses of other programs</source>
         <translation>Añade puntos, balances, certificados, lecturas o poses de otros programas</translation>
-    </message>
-    <message>
-        <source>&amp;Import Robot (URDF) …</source>
-        <translation>Importar r&amp;obot (URDF) …</translation>
     </message>
     <message>
         <source>Add a serial robot from a robot description in URDF</source>
@@ -15256,6 +15432,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>The robot was not imported</source>
         <translation>No se importó el robot</translation>
+    </message>
+    <message>
+        <source>Import Robo&amp;t (URDF) …</source>
+        <translation>Importar r&amp;obot (URDF) …</translation>
     </message>
 </context>
 <context>
@@ -15502,6 +15682,17 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     </message>
 </context>
 <context>
+    <name>covaria::ui::KeptStates</name>
+    <message>
+        <source>Keep state</source>
+        <translation>Conservar estado</translation>
+    </message>
+    <message>
+        <source>Discard kept state</source>
+        <translation>Descartar estado conservado</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::LibraryBrowser</name>
     <message>
         <source>Collections</source>
@@ -15571,12 +15762,12 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
 <context>
     <name>covaria::ui::LibraryMenu</name>
     <message>
-        <source>From the &amp;Library</source>
-        <translation>De la &amp;biblioteca</translation>
-    </message>
-    <message>
         <source>Not readable: %1</source>
         <translation>No se puede leer: %1</translation>
+    </message>
+    <message>
+        <source>F&amp;rom the Library</source>
+        <translation>De &amp;la biblioteca</translation>
     </message>
 </context>
 <context>
@@ -15959,14 +16150,6 @@ Elegido: %2</translation>
         <translation>Cifras significativas de las incertidumbres; las estimaciones se redondean en consonancia</translation>
     </message>
     <message>
-        <source>1</source>
-        <translation>1</translation>
-    </message>
-    <message>
-        <source>2</source>
-        <translation>2</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>Números</translation>
     </message>
@@ -16195,16 +16378,16 @@ Elegido: %2</translation>
         <source>Change coverage factor</source>
         <translation>Cambiar el factor de cobertura</translation>
     </message>
+    <message>
+        <source>Reports, certificates and files have these units, and those of the model where none is stated; units of the preferences are of the window only.</source>
+        <translation>Los informes, certificados y archivos tienen estas unidades y, donde no se indica ninguna, las del modelo; las unidades de las preferencias son solo de la ventana.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPane</name>
     <message>
         <source>Project</source>
         <translation>Proyecto</translation>
-    </message>
-    <message>
-        <source>D&amp;uplicate</source>
-        <translation>D&amp;uplicar</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -16273,6 +16456,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>What it uses</source>
         <translation>Lo que utiliza</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>D&amp;uplicar</translation>
     </message>
 </context>
 <context>
@@ -16905,6 +17092,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>, with warnings</source>
         <translation>, con advertencias</translation>
+    </message>
+    <message>
+        <source>%1, kept state: </source>
+        <translation>%1, estado conservado: </translation>
     </message>
 </context>
 <context>

@@ -6254,10 +6254,6 @@
         <translation>포함하지 않음: 간섭에서 하중의 곱, 하중의 정렬 불량, 크리프, 온도, 재장착.</translation>
     </message>
     <message>
-        <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
-        <translation>임의의 측정식. 식을 입력하고 각 양에 대해 아는 것을 적으면 불확도 총괄표를 얻습니다. 여러 결과, 중간 정의, 조건, 그리고 시행마다 푸는 식.</translation>
-    </message>
-    <message>
         <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
         <translation>차원은 식을 읽을 때 확인합니다. SI에서 라디안은 1이므로 평면각은 수로 봅니다. °C로 된 온도는 열역학적 온도로 보며 온도 차는 K로 제시합니다.</translation>
     </message>
@@ -9048,10 +9044,6 @@
     <message>
         <source>what the project states for results</source>
         <translation>프로젝트가 결과에 대해 정한 것</translation>
-    </message>
-    <message>
-        <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
-        <translation>&apos;digits&apos;는 1 또는 2여야 합니다 (JCGM 100 7.2.6)</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
@@ -13199,6 +13191,190 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
 분해능 0.01, MPE 3 + 0.1 %, 계수 횟수 12, 상수
 이들 뒤의 nu 18: 자유도</translation>
     </message>
+    <message>
+        <source>Any measurement equation with what is known about its quantities: several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
+        <translation>임의의 측정식과 각 양에 대해 아는 것: 여러 결과, 중간 정의, 조건, 그리고 시행마다 푸는 식.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of a measured point</source>
+        <translation>측정점의 불확도</translation>
+    </message>
+    <message>
+        <source>Residuals of the readings</source>
+        <translation>읽음값의 잔차</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>읽음</translation>
+    </message>
+    <message>
+        <source>u of the reading</source>
+        <translation>읽음값의 u</translation>
+    </message>
+    <message>
+        <source>redundancy</source>
+        <translation>잉여도</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>비고</translation>
+    </message>
+    <message>
+        <source>Fit of the measured points to their nominal coordinates</source>
+        <translation>측정점의 공칭 좌표에 대한 맞춤</translation>
+    </message>
+    <message>
+        <source>root mean square residual</source>
+        <translation>잔차의 제곱평균제곱근</translation>
+    </message>
+    <message>
+        <source>chi-square</source>
+        <translation>카이제곱</translation>
+    </message>
+    <message>
+        <source>largest normalised residual</source>
+        <translation>최대 정규화 잔차</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>대상</translation>
+    </message>
+    <message>
+        <source>Residuals of the points, along the axes of their frame</source>
+        <translation>점의 잔차, 좌표계의 축 방향</translation>
+    </message>
+    <message>
+        <source>residual x</source>
+        <translation>잔차 x</translation>
+    </message>
+    <message>
+        <source>residual y</source>
+        <translation>잔차 y</translation>
+    </message>
+    <message>
+        <source>residual z</source>
+        <translation>잔차 z</translation>
+    </message>
+    <message>
+        <source>redundancy x</source>
+        <translation>잉여도 x</translation>
+    </message>
+    <message>
+        <source>redundancy y</source>
+        <translation>잉여도 y</translation>
+    </message>
+    <message>
+        <source>redundancy z</source>
+        <translation>잉여도 z</translation>
+    </message>
+    <message>
+        <source>present series</source>
+        <translation>현재 계열</translation>
+    </message>
+    <message>
+        <source>also reached at x</source>
+        <translation>다음 x에서도 도달</translation>
+    </message>
+    <message>
+        <source>a kept state</source>
+        <translation>보관된 상태</translation>
+    </message>
+    <message>
+        <source>two states of the analysis %1 are kept; one can be</source>
+        <translation>분석 %1의 상태가 둘 보관되어 있습니다. 하나만 보관할 수 있습니다</translation>
+    </message>
+    <message>
+        <source>&apos;digits&apos; must be a whole number from %1 to %2 (JCGM 100 7.2.6)</source>
+        <translation>&apos;digits&apos;는 %1에서 %2까지의 정수여야 합니다 (JCGM 100 7.2.6)</translation>
+    </message>
+    <message>
+        <source>the model cannot be evaluated</source>
+        <translation>모델을 평가할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>there is no output quantity &apos;%1&apos; here</source>
+        <translation>여기에는 출력량 &apos;%1&apos;이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>from the present values</source>
+        <translation>현재 값에서 시작</translation>
+    </message>
+    <message>
+        <source>global search</source>
+        <translation>전역 탐색</translation>
+    </message>
+    <message>
+        <source>start %1</source>
+        <translation>시작 %1</translation>
+    </message>
+    <message>
+        <source>a target uncertainty is not met</source>
+        <translation>목표 불확도를 만족하지 못합니다</translation>
+    </message>
+    <message>
+        <source>there is no output quantity &apos;%1&apos; then</source>
+        <translation>그때는 출력량 &apos;%1&apos;이(가) 없습니다</translation>
+    </message>
+    <message>
+        <source>an uncertainty has no finite value</source>
+        <translation>유한한 값이 없는 불확도가 있습니다</translation>
+    </message>
+    <message>
+        <source>an uncertainty vanishes: the model is degenerate there</source>
+        <translation>불확도가 0이 됩니다. 모델이 그곳에서 퇴화합니다</translation>
+    </message>
+    <message>
+        <source>all choices</source>
+        <translation>모든 선택</translation>
+    </message>
+    <message>
+        <source>greedy</source>
+        <translation>단계별 선택</translation>
+    </message>
+    <message>
+        <source>backward elimination</source>
+        <translation>후진 제거</translation>
+    </message>
+    <message>
+        <source>exchange</source>
+        <translation>교환</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are closer than the least distance</source>
+        <translation>%1과(와) %2이(가) 최소 거리보다 가깝습니다</translation>
+    </message>
+    <message>
+        <source>%1 stands in a box</source>
+        <translation>%1이(가) 상자 안에 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 stands in the box &apos;%2&apos;</source>
+        <translation>%1이(가) 상자 &apos;%2&apos; 안에 있습니다</translation>
+    </message>
+    <message>
+        <source>the line of sight %1 passes a box</source>
+        <translation>시준선 %1이(가) 상자를 지납니다</translation>
+    </message>
+    <message>
+        <source>the line of sight %1 passes the box &apos;%2&apos;</source>
+        <translation>시준선 %1이(가) 상자 &apos;%2&apos;을(를) 지납니다</translation>
+    </message>
+    <message>
+        <source>%1 (row %2)</source>
+        <translation>%1 (%2행)</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty too small to be seen</source>
+        <translation>%1: 불확도가 너무 작아 보이지 않음</translation>
+    </message>
+    <message>
+        <source>%1 (automatic)</source>
+        <translation>%1 (자동)</translation>
+    </message>
+    <message>
+        <source>uncertainty drawn at %1 of %2 points</source>
+        <translation>%2개 점 중 %1개에 불확도를 표시함</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14004,6 +14180,10 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
         <translation>‘%1’(으)로 현재 결과를 보관하고 편집하세요. 전과 후가 여기에 나란히 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>results that are computed again once the analysis has run</source>
+        <translation>분석이 실행되면 다시 계산되는 결과</translation>
     </message>
 </context>
 <context>
@@ -14864,10 +15044,6 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>PDF 성적서(&amp;C) …</translation>
     </message>
     <message>
-        <source>&amp;Export</source>
-        <translation>내보내기(&amp;E)</translation>
-    </message>
-    <message>
         <source>Report as &amp;HTML …</source>
         <translation>HTML 보고서(&amp;H) …</translation>
     </message>
@@ -14962,6 +15138,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>No analysis can be run: each one is incomplete or has errors.</source>
         <translation>실행할 수 있는 분석이 없습니다. 모두 불완전하거나 오류가 있습니다.</translation>
+    </message>
+    <message>
+        <source>Ex&amp;port</source>
+        <translation>내보내기(&amp;P)</translation>
     </message>
 </context>
 <context>
@@ -15160,24 +15340,12 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>단축키</translation>
     </message>
     <message>
-        <source>Help on What Has the &amp;Focus</source>
-        <translation>포커스가 있는 항목의 도움말(&amp;F)</translation>
-    </message>
-    <message>
         <source>M&amp;odels</source>
         <translation>모델(&amp;O)</translation>
     </message>
     <message>
-        <source>A&amp;rtefacts, Instruments and Robots</source>
-        <translation>기준물, 측정기, 로봇(&amp;R)</translation>
-    </message>
-    <message>
         <source>&amp;Results and Requirements</source>
         <translation>결과와 요구사항(&amp;R)</translation>
-    </message>
-    <message>
-        <source>What Every &amp;Analysis Has</source>
-        <translation>모든 분석에 있는 것(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Glossary</source>
@@ -15199,6 +15367,18 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>An Everyday &amp;Budget</source>
         <translation>일상적인 총괄표(&amp;B)</translation>
     </message>
+    <message>
+        <source>Help on &amp;What Has the Focus</source>
+        <translation>포커스가 있는 항목의 도움말(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Artefacts, &amp;Instruments and Robots</source>
+        <translation>기준물, 측정기, 로봇(&amp;I)</translation>
+    </message>
+    <message>
+        <source>What Every Analysis &amp;Has</source>
+        <translation>모든 분석에 있는 것(&amp;H)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -15216,10 +15396,6 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Add points, budgets, certificates, readings or poses of other programs</source>
         <translation>다른 프로그램의 점, 총괄표, 성적서, 읽음값 또는 포즈를 추가합니다</translation>
-    </message>
-    <message>
-        <source>&amp;Import Robot (URDF) …</source>
-        <translation>로봇 가져오기(URDF)(&amp;I) …</translation>
     </message>
     <message>
         <source>Add a serial robot from a robot description in URDF</source>
@@ -15252,6 +15428,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>The robot was not imported</source>
         <translation>로봇을 가져오지 못했습니다</translation>
+    </message>
+    <message>
+        <source>Import Robo&amp;t (URDF) …</source>
+        <translation>로봇 가져오기(URDF)(&amp;T) …</translation>
     </message>
 </context>
 <context>
@@ -15498,6 +15678,17 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
 </context>
 <context>
+    <name>covaria::ui::KeptStates</name>
+    <message>
+        <source>Keep state</source>
+        <translation>상태 보관</translation>
+    </message>
+    <message>
+        <source>Discard kept state</source>
+        <translation>보관된 상태 버리기</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::LibraryBrowser</name>
     <message>
         <source>Collections</source>
@@ -15567,12 +15758,12 @@ It says “not stated” in these places. They are fields of the project&apos;s 
 <context>
     <name>covaria::ui::LibraryMenu</name>
     <message>
-        <source>From the &amp;Library</source>
-        <translation>라이브러리에서(&amp;L)</translation>
-    </message>
-    <message>
         <source>Not readable: %1</source>
         <translation>읽을 수 없음: %1</translation>
+    </message>
+    <message>
+        <source>F&amp;rom the Library</source>
+        <translation>라이브러리에서(&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -15955,14 +16146,6 @@ Chosen: %2</source>
         <translation>불확도의 유효숫자. 추정값은 이에 맞게 반올림합니다</translation>
     </message>
     <message>
-        <source>1</source>
-        <translation>1</translation>
-    </message>
-    <message>
-        <source>2</source>
-        <translation>2</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>수</translation>
     </message>
@@ -16191,16 +16374,16 @@ Chosen: %2</source>
         <source>Change coverage factor</source>
         <translation>포함인자 변경</translation>
     </message>
+    <message>
+        <source>Reports, certificates and files have these units, and those of the model where none is stated; units of the preferences are of the window only.</source>
+        <translation>보고서, 성적서, 파일에는 이 단위를 쓰고, 명시되지 않은 것은 모델의 단위를 씁니다. 환경설정의 단위는 창에만 적용됩니다.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPane</name>
     <message>
         <source>Project</source>
         <translation>프로젝트</translation>
-    </message>
-    <message>
-        <source>D&amp;uplicate</source>
-        <translation>복제(&amp;U)</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -16269,6 +16452,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>What it uses</source>
         <translation>사용하는 것</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>복제(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -16901,6 +17088,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>, with warnings</source>
         <translation>, 경고 있음</translation>
+    </message>
+    <message>
+        <source>%1, kept state: </source>
+        <translation>%1, 보관된 상태: </translation>
     </message>
 </context>
 <context>

@@ -6255,10 +6255,6 @@
         <translation>Não incluído: produtos de cargas na interferência, desalinhamento de cargas, fluência, temperatura, remontagem.</translation>
     </message>
     <message>
-        <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
-        <translation>Qualquer equação de medição: escreva-a, declare o que se sabe de suas grandezas e obtenha o balanço de incertezas. Vários resultados, definições intermediárias, condições e equações que são resolvidas em cada ensaio.</translation>
-    </message>
-    <message>
         <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
         <translation>As dimensões são conferidas onde as equações são lidas; o ângulo plano conta como número, porque o radiano é um no SI. Temperaturas em °C são tomadas como temperaturas termodinâmicas; uma diferença de temperaturas é dada em K.</translation>
     </message>
@@ -9049,10 +9045,6 @@
     <message>
         <source>what the project states for results</source>
         <translation>o que o projeto declara para os resultados</translation>
-    </message>
-    <message>
-        <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
-        <translation>&apos;digits&apos; deve ser 1 ou 2 (JCGM 100 7.2.6)</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
@@ -13200,6 +13192,190 @@ limites 19,5 até 20,5: dão o valor
 resolução 0,01, MPE 3 + 0,1 %, contagens 12, constante
 nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
+    <message>
+        <source>Any measurement equation with what is known about its quantities: several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
+        <translation>Qualquer equação de medição com o que se sabe de suas grandezas: vários resultados, definições intermediárias, condições e equações que são resolvidas em cada ensaio.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of a measured point</source>
+        <translation>Incerteza de um ponto medido</translation>
+    </message>
+    <message>
+        <source>Residuals of the readings</source>
+        <translation>Resíduos das leituras</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Leitura</translation>
+    </message>
+    <message>
+        <source>u of the reading</source>
+        <translation>u da leitura</translation>
+    </message>
+    <message>
+        <source>redundancy</source>
+        <translation>redundância</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>comentário</translation>
+    </message>
+    <message>
+        <source>Fit of the measured points to their nominal coordinates</source>
+        <translation>Ajuste dos pontos medidos às suas coordenadas nominais</translation>
+    </message>
+    <message>
+        <source>root mean square residual</source>
+        <translation>resíduo quadrático médio</translation>
+    </message>
+    <message>
+        <source>chi-square</source>
+        <translation>qui-quadrado</translation>
+    </message>
+    <message>
+        <source>largest normalised residual</source>
+        <translation>maior resíduo normalizado</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>Residuals of the points, along the axes of their frame</source>
+        <translation>Resíduos dos pontos, ao longo dos eixos do seu sistema</translation>
+    </message>
+    <message>
+        <source>residual x</source>
+        <translation>resíduo x</translation>
+    </message>
+    <message>
+        <source>residual y</source>
+        <translation>resíduo y</translation>
+    </message>
+    <message>
+        <source>residual z</source>
+        <translation>resíduo z</translation>
+    </message>
+    <message>
+        <source>redundancy x</source>
+        <translation>redundância x</translation>
+    </message>
+    <message>
+        <source>redundancy y</source>
+        <translation>redundância y</translation>
+    </message>
+    <message>
+        <source>redundancy z</source>
+        <translation>redundância z</translation>
+    </message>
+    <message>
+        <source>present series</source>
+        <translation>série atual</translation>
+    </message>
+    <message>
+        <source>also reached at x</source>
+        <translation>também atingido em x</translation>
+    </message>
+    <message>
+        <source>a kept state</source>
+        <translation>um estado mantido</translation>
+    </message>
+    <message>
+        <source>two states of the analysis %1 are kept; one can be</source>
+        <translation>são mantidos dois estados da análise %1; só pode haver um</translation>
+    </message>
+    <message>
+        <source>&apos;digits&apos; must be a whole number from %1 to %2 (JCGM 100 7.2.6)</source>
+        <translation>&apos;digits&apos; deve ser um número inteiro de %1 a %2 (JCGM 100 7.2.6)</translation>
+    </message>
+    <message>
+        <source>the model cannot be evaluated</source>
+        <translation>o modelo não pode ser avaliado</translation>
+    </message>
+    <message>
+        <source>there is no output quantity &apos;%1&apos; here</source>
+        <translation>aqui não há grandeza de saída &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>from the present values</source>
+        <translation>a partir dos valores atuais</translation>
+    </message>
+    <message>
+        <source>global search</source>
+        <translation>busca global</translation>
+    </message>
+    <message>
+        <source>start %1</source>
+        <translation>início %1</translation>
+    </message>
+    <message>
+        <source>a target uncertainty is not met</source>
+        <translation>uma incerteza-alvo não é atendida</translation>
+    </message>
+    <message>
+        <source>there is no output quantity &apos;%1&apos; then</source>
+        <translation>então não há grandeza de saída &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>an uncertainty has no finite value</source>
+        <translation>uma incerteza não tem valor finito</translation>
+    </message>
+    <message>
+        <source>an uncertainty vanishes: the model is degenerate there</source>
+        <translation>uma incerteza se anula: o modelo é degenerado ali</translation>
+    </message>
+    <message>
+        <source>all choices</source>
+        <translation>todas as escolhas</translation>
+    </message>
+    <message>
+        <source>greedy</source>
+        <translation>passo a passo</translation>
+    </message>
+    <message>
+        <source>backward elimination</source>
+        <translation>eliminação retroativa</translation>
+    </message>
+    <message>
+        <source>exchange</source>
+        <translation>troca</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are closer than the least distance</source>
+        <translation>%1 e %2 estão mais próximos que a menor distância</translation>
+    </message>
+    <message>
+        <source>%1 stands in a box</source>
+        <translation>%1 está dentro de uma caixa</translation>
+    </message>
+    <message>
+        <source>%1 stands in the box &apos;%2&apos;</source>
+        <translation>%1 está dentro da caixa &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the line of sight %1 passes a box</source>
+        <translation>a linha de visada %1 atravessa uma caixa</translation>
+    </message>
+    <message>
+        <source>the line of sight %1 passes the box &apos;%2&apos;</source>
+        <translation>a linha de visada %1 atravessa a caixa &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1 (row %2)</source>
+        <translation>%1 (linha %2)</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty too small to be seen</source>
+        <translation>%1: incerteza pequena demais para ser vista</translation>
+    </message>
+    <message>
+        <source>%1 (automatic)</source>
+        <translation>%1 (automático)</translation>
+    </message>
+    <message>
+        <source>uncertainty drawn at %1 of %2 points</source>
+        <translation>incerteza desenhada em %1 de %2 pontos</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14005,6 +14181,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
         <translation>Mantenha os resultados atuais com “%1” e edite: antes e depois ficam aqui lado a lado.</translation>
+    </message>
+    <message>
+        <source>results that are computed again once the analysis has run</source>
+        <translation>resultados que são calculados outra vez assim que a análise tiver sido executada</translation>
     </message>
 </context>
 <context>
@@ -14867,10 +15047,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>&amp;Certificado em PDF …</translation>
     </message>
     <message>
-        <source>&amp;Export</source>
-        <translation>E&amp;xportar</translation>
-    </message>
-    <message>
         <source>Report as &amp;HTML …</source>
         <translation>Relatório em &amp;HTML …</translation>
     </message>
@@ -14965,6 +15141,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>No analysis can be run: each one is incomplete or has errors.</source>
         <translation>Nenhuma análise pode ser executada: cada uma está incompleta ou tem erros.</translation>
+    </message>
+    <message>
+        <source>Ex&amp;port</source>
+        <translation>E&amp;xportar</translation>
     </message>
 </context>
 <context>
@@ -15164,24 +15344,12 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <translation>Teclas</translation>
     </message>
     <message>
-        <source>Help on What Has the &amp;Focus</source>
-        <translation>Ajuda sobre o que tem o &amp;foco</translation>
-    </message>
-    <message>
         <source>M&amp;odels</source>
         <translation>M&amp;odelos</translation>
     </message>
     <message>
-        <source>A&amp;rtefacts, Instruments and Robots</source>
-        <translation>Pad&amp;rões, instrumentos e robôs</translation>
-    </message>
-    <message>
         <source>&amp;Results and Requirements</source>
         <translation>&amp;Resultados e requisitos</translation>
-    </message>
-    <message>
-        <source>What Every &amp;Analysis Has</source>
-        <translation>O que toda &amp;análise tem</translation>
     </message>
     <message>
         <source>&amp;Glossary</source>
@@ -15203,6 +15371,18 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <source>An Everyday &amp;Budget</source>
         <translation>Um &amp;balanço do dia a dia</translation>
     </message>
+    <message>
+        <source>Help on &amp;What Has the Focus</source>
+        <translation>Ajuda sobre o que tem o &amp;foco</translation>
+    </message>
+    <message>
+        <source>Artefacts, &amp;Instruments and Robots</source>
+        <translation>Padrões, &amp;instrumentos e robôs</translation>
+    </message>
+    <message>
+        <source>What Every Analysis &amp;Has</source>
+        <translation>O que toda &amp;análise tem</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -15220,10 +15400,6 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>Add points, budgets, certificates, readings or poses of other programs</source>
         <translation>Adicionar pontos, balanços, certificados, leituras ou poses de outros programas</translation>
-    </message>
-    <message>
-        <source>&amp;Import Robot (URDF) …</source>
-        <translation>Importar robô (&amp;URDF) …</translation>
     </message>
     <message>
         <source>Add a serial robot from a robot description in URDF</source>
@@ -15256,6 +15432,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>The robot was not imported</source>
         <translation>O robô não foi importado</translation>
+    </message>
+    <message>
+        <source>Import Robo&amp;t (URDF) …</source>
+        <translation>Importar robô (&amp;URDF) …</translation>
     </message>
 </context>
 <context>
@@ -15502,6 +15682,17 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     </message>
 </context>
 <context>
+    <name>covaria::ui::KeptStates</name>
+    <message>
+        <source>Keep state</source>
+        <translation>Manter estado</translation>
+    </message>
+    <message>
+        <source>Discard kept state</source>
+        <translation>Descartar o estado mantido</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::LibraryBrowser</name>
     <message>
         <source>Collections</source>
@@ -15571,12 +15762,12 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
 <context>
     <name>covaria::ui::LibraryMenu</name>
     <message>
-        <source>From the &amp;Library</source>
-        <translation>Da &amp;biblioteca</translation>
-    </message>
-    <message>
         <source>Not readable: %1</source>
         <translation>Ilegível: %1</translation>
+    </message>
+    <message>
+        <source>F&amp;rom the Library</source>
+        <translation>Da bib&amp;lioteca</translation>
     </message>
 </context>
 <context>
@@ -15959,14 +16150,6 @@ Escolhido: %2</translation>
         <translation>Algarismos significativos das incertezas; as estimativas são arredondadas de acordo</translation>
     </message>
     <message>
-        <source>1</source>
-        <translation>1</translation>
-    </message>
-    <message>
-        <source>2</source>
-        <translation>2</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>Números</translation>
     </message>
@@ -16195,16 +16378,16 @@ Escolhido: %2</translation>
         <source>Change coverage factor</source>
         <translation>Alterar o fator de abrangência</translation>
     </message>
+    <message>
+        <source>Reports, certificates and files have these units, and those of the model where none is stated; units of the preferences are of the window only.</source>
+        <translation>Relatórios, certificados e arquivos têm estas unidades e, onde nenhuma é declarada, as do modelo; as unidades das preferências valem só para a janela.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPane</name>
     <message>
         <source>Project</source>
         <translation>Projeto</translation>
-    </message>
-    <message>
-        <source>D&amp;uplicate</source>
-        <translation>D&amp;uplicar</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -16273,6 +16456,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>What it uses</source>
         <translation>O que ela usa</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>D&amp;uplicar</translation>
     </message>
 </context>
 <context>
@@ -16905,6 +17092,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>, with warnings</source>
         <translation>, com avisos</translation>
+    </message>
+    <message>
+        <source>%1, kept state: </source>
+        <translation>%1, estado mantido: </translation>
     </message>
 </context>
 <context>

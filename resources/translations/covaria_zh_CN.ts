@@ -6254,10 +6254,6 @@
         <translation>未涵盖：干扰中载荷的乘积、载荷的不对中、蠕变、温度、重新安装。</translation>
     </message>
     <message>
-        <source>Any measurement equation: type it, state what is known about its quantities, and get the uncertainty budget. Several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
-        <translation>任意测量方程：输入方程，给出对其中各量的已知信息，得到不确定度预算。可有多个结果、中间定义、条件，以及在每次试验中求解的方程。</translation>
-    </message>
-    <message>
         <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
         <translation>量纲在读取方程时检查；平面角按数计算，因为在 SI 中弧度为一。以 °C 表示的温度按热力学温度处理；温度差以 K 给出。</translation>
     </message>
@@ -9048,10 +9044,6 @@
     <message>
         <source>what the project states for results</source>
         <translation>项目对结果的规定</translation>
-    </message>
-    <message>
-        <source>&apos;digits&apos; must be 1 or 2 (JCGM 100 7.2.6)</source>
-        <translation>&apos;digits&apos; 必须为 1 或 2（JCGM 100 7.2.6）</translation>
     </message>
     <message>
         <source>the coverage factor must be greater than zero; without one, k follows from the degrees of freedom or the coverage interval</source>
@@ -13199,6 +13191,190 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
 分辨力 0.01、MPE 3 + 0.1 %、计数 12、常量
 以上任一项之后加 nu 18：自由度</translation>
     </message>
+    <message>
+        <source>Any measurement equation with what is known about its quantities: several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
+        <translation>任意测量方程及其中各量的已知信息：可有多个结果、中间定义、条件，以及在每次试验中求解的方程。</translation>
+    </message>
+    <message>
+        <source>Uncertainty of a measured point</source>
+        <translation>实测点的不确定度</translation>
+    </message>
+    <message>
+        <source>Residuals of the readings</source>
+        <translation>读数的残差</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>u of the reading</source>
+        <translation>读数的 u</translation>
+    </message>
+    <message>
+        <source>redundancy</source>
+        <translation>多余度</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Fit of the measured points to their nominal coordinates</source>
+        <translation>实测点对标称坐标的拟合</translation>
+    </message>
+    <message>
+        <source>root mean square residual</source>
+        <translation>残差的均方根</translation>
+    </message>
+    <message>
+        <source>chi-square</source>
+        <translation>卡方</translation>
+    </message>
+    <message>
+        <source>largest normalised residual</source>
+        <translation>最大归一化残差</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>属于</translation>
+    </message>
+    <message>
+        <source>Residuals of the points, along the axes of their frame</source>
+        <translation>各点的残差，沿其坐标系各轴</translation>
+    </message>
+    <message>
+        <source>residual x</source>
+        <translation>残差 x</translation>
+    </message>
+    <message>
+        <source>residual y</source>
+        <translation>残差 y</translation>
+    </message>
+    <message>
+        <source>residual z</source>
+        <translation>残差 z</translation>
+    </message>
+    <message>
+        <source>redundancy x</source>
+        <translation>多余度 x</translation>
+    </message>
+    <message>
+        <source>redundancy y</source>
+        <translation>多余度 y</translation>
+    </message>
+    <message>
+        <source>redundancy z</source>
+        <translation>多余度 z</translation>
+    </message>
+    <message>
+        <source>present series</source>
+        <translation>当前系列</translation>
+    </message>
+    <message>
+        <source>also reached at x</source>
+        <translation>也在 x 处达到</translation>
+    </message>
+    <message>
+        <source>a kept state</source>
+        <translation>保留的状态</translation>
+    </message>
+    <message>
+        <source>two states of the analysis %1 are kept; one can be</source>
+        <translation>分析%1保留了两个状态；只能保留一个</translation>
+    </message>
+    <message>
+        <source>&apos;digits&apos; must be a whole number from %1 to %2 (JCGM 100 7.2.6)</source>
+        <translation>&apos;digits&apos; 必须是 %1 到 %2 之间的整数（JCGM 100 7.2.6）</translation>
+    </message>
+    <message>
+        <source>the model cannot be evaluated</source>
+        <translation>模型无法求值</translation>
+    </message>
+    <message>
+        <source>there is no output quantity &apos;%1&apos; here</source>
+        <translation>此处没有输出量 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>from the present values</source>
+        <translation>从当前值开始</translation>
+    </message>
+    <message>
+        <source>global search</source>
+        <translation>全局搜索</translation>
+    </message>
+    <message>
+        <source>start %1</source>
+        <translation>起点 %1</translation>
+    </message>
+    <message>
+        <source>a target uncertainty is not met</source>
+        <translation>未满足某个目标不确定度</translation>
+    </message>
+    <message>
+        <source>there is no output quantity &apos;%1&apos; then</source>
+        <translation>此时没有输出量 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>an uncertainty has no finite value</source>
+        <translation>某个不确定度没有有限值</translation>
+    </message>
+    <message>
+        <source>an uncertainty vanishes: the model is degenerate there</source>
+        <translation>某个不确定度为零：模型在该处退化</translation>
+    </message>
+    <message>
+        <source>all choices</source>
+        <translation>所有选择</translation>
+    </message>
+    <message>
+        <source>greedy</source>
+        <translation>逐步选取</translation>
+    </message>
+    <message>
+        <source>backward elimination</source>
+        <translation>后向剔除</translation>
+    </message>
+    <message>
+        <source>exchange</source>
+        <translation>交换</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are closer than the least distance</source>
+        <translation>%1 与 %2 的距离小于最小距离</translation>
+    </message>
+    <message>
+        <source>%1 stands in a box</source>
+        <translation>%1 位于一个长方体内</translation>
+    </message>
+    <message>
+        <source>%1 stands in the box &apos;%2&apos;</source>
+        <translation>%1 位于长方体 &apos;%2&apos; 内</translation>
+    </message>
+    <message>
+        <source>the line of sight %1 passes a box</source>
+        <translation>视线 %1 穿过一个长方体</translation>
+    </message>
+    <message>
+        <source>the line of sight %1 passes the box &apos;%2&apos;</source>
+        <translation>视线 %1 穿过长方体 &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1 (row %2)</source>
+        <translation>%1（第 %2 行）</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty too small to be seen</source>
+        <translation>%1：不确定度过小，无法看见</translation>
+    </message>
+    <message>
+        <source>%1 (automatic)</source>
+        <translation>%1（自动）</translation>
+    </message>
+    <message>
+        <source>uncertainty drawn at %1 of %2 points</source>
+        <translation>在 %2 个点中的 %1 个处绘出不确定度</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14004,6 +14180,10 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
         <translation>用“%1”保留当前结果并编辑：之前与之后在此并列显示。</translation>
+    </message>
+    <message>
+        <source>results that are computed again once the analysis has run</source>
+        <translation>待分析运行后重新计算的结果</translation>
     </message>
 </context>
 <context>
@@ -14864,10 +15044,6 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>证书为 PDF(&amp;C) …</translation>
     </message>
     <message>
-        <source>&amp;Export</source>
-        <translation>导出(&amp;E)</translation>
-    </message>
-    <message>
         <source>Report as &amp;HTML …</source>
         <translation>报告为 HTML(&amp;H) …</translation>
     </message>
@@ -14962,6 +15138,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>No analysis can be run: each one is incomplete or has errors.</source>
         <translation>没有可以运行的分析：每个分析都不完整或有错误。</translation>
+    </message>
+    <message>
+        <source>Ex&amp;port</source>
+        <translation>导出(&amp;P)</translation>
     </message>
 </context>
 <context>
@@ -15160,24 +15340,12 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>快捷键</translation>
     </message>
     <message>
-        <source>Help on What Has the &amp;Focus</source>
-        <translation>当前焦点项的帮助(&amp;F)</translation>
-    </message>
-    <message>
         <source>M&amp;odels</source>
         <translation>模型(&amp;O)</translation>
     </message>
     <message>
-        <source>A&amp;rtefacts, Instruments and Robots</source>
-        <translation>实物标准器、仪器与机器人(&amp;R)</translation>
-    </message>
-    <message>
         <source>&amp;Results and Requirements</source>
         <translation>结果与要求(&amp;R)</translation>
-    </message>
-    <message>
-        <source>What Every &amp;Analysis Has</source>
-        <translation>每个分析都有的内容(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Glossary</source>
@@ -15199,6 +15367,18 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>An Everyday &amp;Budget</source>
         <translation>日常预算(&amp;B)</translation>
     </message>
+    <message>
+        <source>Help on &amp;What Has the Focus</source>
+        <translation>当前焦点项的帮助(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Artefacts, &amp;Instruments and Robots</source>
+        <translation>实物标准器、仪器与机器人(&amp;I)</translation>
+    </message>
+    <message>
+        <source>What Every Analysis &amp;Has</source>
+        <translation>每个分析都有的内容(&amp;H)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -15216,10 +15396,6 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Add points, budgets, certificates, readings or poses of other programs</source>
         <translation>添加其他程序的点、预算、证书、读数或位姿</translation>
-    </message>
-    <message>
-        <source>&amp;Import Robot (URDF) …</source>
-        <translation>导入机器人 (URDF)(&amp;I) …</translation>
     </message>
     <message>
         <source>Add a serial robot from a robot description in URDF</source>
@@ -15252,6 +15428,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>The robot was not imported</source>
         <translation>机器人未导入</translation>
+    </message>
+    <message>
+        <source>Import Robo&amp;t (URDF) …</source>
+        <translation>导入机器人 (URDF)(&amp;T) …</translation>
     </message>
 </context>
 <context>
@@ -15498,6 +15678,17 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
 </context>
 <context>
+    <name>covaria::ui::KeptStates</name>
+    <message>
+        <source>Keep state</source>
+        <translation>保留状态</translation>
+    </message>
+    <message>
+        <source>Discard kept state</source>
+        <translation>放弃保留的状态</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::LibraryBrowser</name>
     <message>
         <source>Collections</source>
@@ -15567,12 +15758,12 @@ It says “not stated” in these places. They are fields of the project&apos;s 
 <context>
     <name>covaria::ui::LibraryMenu</name>
     <message>
-        <source>From the &amp;Library</source>
-        <translation>从库中(&amp;L)</translation>
-    </message>
-    <message>
         <source>Not readable: %1</source>
         <translation>无法读取：%1</translation>
+    </message>
+    <message>
+        <source>F&amp;rom the Library</source>
+        <translation>从库中(&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -15955,14 +16146,6 @@ Chosen: %2</source>
         <translation>不确定度的有效位数；估计值相应修约</translation>
     </message>
     <message>
-        <source>1</source>
-        <translation>1</translation>
-    </message>
-    <message>
-        <source>2</source>
-        <translation>2</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>数值</translation>
     </message>
@@ -16191,16 +16374,16 @@ Chosen: %2</source>
         <source>Change coverage factor</source>
         <translation>更改包含因子</translation>
     </message>
+    <message>
+        <source>Reports, certificates and files have these units, and those of the model where none is stated; units of the preferences are of the window only.</source>
+        <translation>报告、证书和文件使用这些单位，未给出时使用模型的单位；首选项中的单位仅用于窗口。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPane</name>
     <message>
         <source>Project</source>
         <translation>项目</translation>
-    </message>
-    <message>
-        <source>D&amp;uplicate</source>
-        <translation>创建副本(&amp;U)</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -16269,6 +16452,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>What it uses</source>
         <translation>所用的资源</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>创建副本(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -16901,6 +17088,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>, with warnings</source>
         <translation>，有警告</translation>
+    </message>
+    <message>
+        <source>%1, kept state: </source>
+        <translation>%1，保留的状态： </translation>
     </message>
 </context>
 <context>
