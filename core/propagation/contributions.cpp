@@ -19,6 +19,7 @@ std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
         b.id = c.id;
         b.name = c.name;
         b.origin = c.origin;
+        b.owner = c.contributor_name;
         b.unit = c.unit;
         b.distribution = std::string(drawn_distribution(c).title());
         b.type = c.type;

@@ -25,7 +25,7 @@ double degrees_of(const Statement& s) {
 
 Made of_distribution(const Statement& s, DistributionParameters parameters) {
     return Distribution::make(std::move(parameters)).map([&](const Distribution& d) {
-        return StatedComponent{d, degrees_of(s), std::nullopt, {}};
+        return StatedComponent{.distribution = d, .degrees_of_freedom = degrees_of(s)};
     });
 }
 
@@ -34,6 +34,15 @@ Made of_standard_uncertainty(const Statement& s, double u) {
     const double nu = degrees_of(s);
     if (std::isinf(nu)) return of_distribution(s, Normal{0.0, u});
     return of_distribution(s, StudentT{0.0, u, nu});
+}
+
+/// s is that of one observation, s/sqrt(n) that of the mean (JCGM 100 4.2.3, 4.2.4).
+Made earlier_standard_deviation(const Statement& s) {
+    const double n = s.b.value_or(1.0);
+    if (!(n >= 1.0)) return refused(tell<"the number of observations in the mean must be at least one">());
+    Made made = of_distribution(s, Normal{0.0, *s.a / std::sqrt(n)});
+    if (made) made->type = EvaluationType::type_a;
+    return made;
 }
 
 Made certificate_with_k(const Statement& s) {
@@ -92,6 +101,7 @@ Made counts(const Statement& s) {
 Made make(const Statement& s) {
     const double a = s.a.value_or(0.0), b = s.b.value_or(0.0);
     if (s.kind == "standard") return of_standard_uncertainty(s, a);
+    if (s.kind == "standard-deviation") return earlier_standard_deviation(s);
     if (s.kind == "certificate-k") return certificate_with_k(s);
     if (s.kind == "certificate-p") return certificate_with_p(s);
     if (s.kind == "limits") return rectangular_limits(s);
@@ -133,6 +143,9 @@ Message problem_of(const Statement& s, const StatementKind& kind) {
 const std::vector<StatementKind>& statement_kinds() {
     static const std::vector<StatementKind> kinds{
         {"standard", "standard uncertainty", "standard uncertainty u", ""},
+        {"standard-deviation", "standard deviation known before (Type A)",
+         "standard deviation s of one observation", "number n of observations in the mean", true, false,
+         true},
         {"certificate-k", "certificate, U and k", "expanded uncertainty U", "coverage factor k", true, false},
         {"certificate-p", "certificate, U and p", "expanded uncertainty U", "coverage probability in %", true,
          false},

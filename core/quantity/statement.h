@@ -9,6 +9,7 @@
 
 #include "core/base/unit.h"
 #include "core/quantity/distribution.h"
+#include "core/quantity/input_quantity.h"
 
 namespace covaria {
 
@@ -46,6 +47,7 @@ Result<double> figure_in_si(double figure, const Unit& stated, const Unit& of_qu
 struct StatedComponent {
     Distribution distribution;  ///< of the deviation from the estimate: mean zero but for counts and limits
     double degrees_of_freedom = infinity;
+    EvaluationType type = EvaluationType::type_b;
     std::optional<double> estimate = {};  ///< where the statement itself gives one (limits, counts)
     std::string words;                    ///< "certificate, U with k": where the figure comes from
 };

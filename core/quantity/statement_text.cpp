@@ -26,6 +26,7 @@ struct Notation {
 const std::vector<Notation>& notations() {
     static const std::vector<Notation> all{
         {"standard", {"u", "standard", "std"}, "= "},
+        {"standard-deviation", {"s"}, "= ", "n", 2, 1},
         {"certificate-k", {"U", "certificate", "cert"}, "= ", "k", 2, 2},
         {"certificate-p", {"U", "certificate", "cert"}, "= ", "p", 2, 2},
         {"rectangular", {"rectangular", "rect", "uniform", "±"}, "± "},
@@ -216,8 +217,8 @@ private:
     }
 
     static bool is_name(std::string_view word) {
-        static constexpr std::array<std::string_view, 11> names{
-            "k", "p", "nu", "ν", "nu_eff", "to", "..", "and", "ratio", "inexactness", "+"};
+        static constexpr std::array<std::string_view, 12> names{
+            "k", "p", "n", "nu", "ν", "nu_eff", "to", "..", "and", "ratio", "inexactness", "+"};
         return word == "±" || std::find(names.begin(), names.end(), word) != names.end();
     }
 
@@ -231,7 +232,8 @@ private:
             degrees_of_freedom_ = found->value;
             return {};
         }
-        if (name == "k" || name == "p" || name == "ratio" || name == "inexactness") second_ = name;
+        if (name == "k" || name == "p" || name == "n" || name == "ratio" || name == "inexactness")
+            second_ = name;
         if (name == "to" || name == "..") joined_ = true;
         figures_.push_back(*found);
         return {};
@@ -290,6 +292,7 @@ private:
                            : joined_                                          ? "limits"
                            : second_ == "k"                                   ? "certificate-k"
                            : second_ == "p"                                   ? "certificate-p"
+                           : second_ == "n"                                   ? "standard-deviation"
                                                                               : "standard");
         for (const Notation& notation : notations()) {
             const bool named = std::any_of(notation.words.begin(), notation.words.end(),
@@ -417,7 +420,7 @@ std::string statement_text(const TypedStatement& statement, const Unit& row_unit
         if (limits) return text + " " + say("to") + " " + in_unit(*statement.b, unit);
         if (notation.second == "+") return text + " + " + number(*statement.b) + " %";
         text += ", " + say(notation.second) + " ";
-        if (notation.second == "k") return text + "= " + number(*statement.b);
+        if (notation.second == "k" || notation.second == "n") return text + "= " + number(*statement.b);
         if (notation.second == "p") return text + "= " + number(*statement.b) + " %";
         return text + (notation.second == "inexactness" ? in_unit(*statement.b, unit.interval())
                                                         : number(*statement.b));
@@ -429,6 +432,7 @@ std::string statement_examples() {
     return "75 nm: standard uncertainty\n"
            "2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself\n"
            "U = 0.3 um, k = 2 (or p = 95 %): certificate\n"
+           "s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)\n"
            "rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine\n"
            "limits 19.5 to 20.5: they give the value\n"
            "10.1; 10.3; 10.2: observations\n"

@@ -11,19 +11,24 @@
 namespace covaria {
 namespace {
 
-enum class IdPart { first, all_but_last };
+enum class Of { owner, first_of_id, all_but_last_of_id };
 
-/// Labels that several rows have get what their component is of, from its id: "b_1.tracker.azimuth".
-void tell_apart(std::vector<Text>& labels, const std::vector<const BudgetComponent*>& components,
-                IdPart part) {
+Text owner_of(const BudgetComponent& component, Of part) {
+    if (part == Of::owner && !component.owner.empty()) return running_text(component.owner);
+    const std::string& id = component.id;
+    const std::size_t end = part == Of::all_but_last_of_id ? id.rfind('.') : id.find('.');
+    return symbols_text(id.substr(0, end));
+}
+
+/// Labels that several rows have get what their component is of: by its name ("Tracker 2"), or from its id:
+/// "b_1.tracker.azimuth".
+std::vector<Text> told_apart(std::vector<Text> labels, const std::vector<const BudgetComponent*>& components,
+                             Of part) {
     std::map<Text, int> uses;
     for (const Text& label : labels) ++uses[label];
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        if (uses[labels[i]] < 2) continue;
-        const std::string& id = components[i]->id;
-        const std::size_t end = part == IdPart::first ? id.find('.') : id.rfind('.');
-        labels[i] = symbols_text(id.substr(0, end)) + ": " + labels[i];
-    }
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        if (uses[labels[i]] > 1) labels[i] = owner_of(*components[i], part) + ": " + labels[i];
+    return labels;
 }
 
 bool are_different(std::vector<Text> labels) {
@@ -49,11 +54,9 @@ std::vector<Text> component_labels(const std::vector<const BudgetComponent*>& co
     std::vector<Text> labels;
     for (const BudgetComponent* component : components)
         labels.push_back(label_of(*component, uses[component->quantities] == 1, in));
-    std::vector<Text> shorter = labels;
-    tell_apart(shorter, components, IdPart::first);
-    if (are_different(shorter)) return shorter;
-    tell_apart(labels, components, IdPart::all_but_last);
-    return labels;
+    for (const Of part : {Of::owner, Of::first_of_id})
+        if (std::vector<Text> told = told_apart(labels, components, part); are_different(told)) return told;
+    return told_apart(std::move(labels), components, Of::all_but_last_of_id);
 }
 
 std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,

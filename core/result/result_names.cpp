@@ -29,6 +29,7 @@ void take_names(UncertaintyResult& result, const std::vector<OutputQuantity>& ou
         BudgetComponent& row = result.budget.components[i];
         row.name = now.name;
         row.origin = now.origin;
+        row.owner = now.contributor_name;
         std::copy_n(now.tags.begin(), std::min(now.tags.size(), row.tags.size()), row.tags.begin());
     }
     for (ContributorResult& known : result.contributors)

@@ -101,6 +101,7 @@ struct BudgetRow {
 struct BudgetComponent {
     std::string id;
     Message name, origin;
+    std::string owner = {};  ///< name of the asset or analysis that brings it in; empty: the set-up
     Unit unit;
     std::string distribution;  ///< title
     EvaluationType type;

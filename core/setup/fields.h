@@ -311,7 +311,15 @@ public:
         const auto& deciding = all_[detail::index_of(all_, decides)];
         Condition condition{deciding.spec.key, {}};
         for (const E& value : values) condition.values.push_back(detail::word_of(deciding, value));
-        (set_condition(members, condition), ...);
+        (set_condition(&FieldSpec::shown_if, members, condition), ...);
+        return *this;
+    }
+    /// The angles of a pose are omega, phi, kappa where a choice has this value.
+    template <class E, class M>
+    Fields& photogrammetric_where(E S::*decides, std::type_identity_t<E> value, M S::*pose) {
+        const auto& deciding = all_[detail::index_of(all_, decides)];
+        set_condition(&FieldSpec::photogrammetric_if, pose,
+                      {deciding.spec.key, {detail::word_of(deciding, value)}});
         return *this;
     }
 
@@ -365,10 +373,10 @@ private:
         return *this;
     }
     template <class M>
-    void set_condition(M S::*member, const Condition& condition) {
+    void set_condition(std::optional<Condition> FieldSpec::*which, M S::*member, const Condition& condition) {
         (void)detail::index_of(all_, member);
         for (auto& one : all_)
-            if (detail::is_of(one, member) && !one.spec.shown_if) one.spec.shown_if = condition;
+            if (detail::is_of(one, member) && !(one.spec.*which)) one.spec.*which = condition;
     }
     std::vector<detail::Declaration<S, FieldSpec>> all_;
     std::string section_;

@@ -33,16 +33,19 @@ const SetupValue& value_of(const FieldSpec& field, const Setup& setup) {
     return absent ? field.default_value : given->second;
 }
 
-bool is_shown(const SetupSchema& schema, const FieldSpec& field, const Setup& setup) {
-    if (!field.shown_if) return true;
-    const FieldSpec* decides = schema.find(field.shown_if->key);
+bool holds(const Condition& condition, const SetupSchema& schema, const Setup& setup) {
+    const FieldSpec* decides = schema.find(condition.key);
     if (!decides || !is_shown(schema, *decides, setup)) return false;
     const SetupValue& value = value_of(*decides, setup);
     std::string word;
     if (const bool* flag = std::get_if<bool>(&value)) word = *flag ? "true" : "false";
     if (const std::string* text = std::get_if<std::string>(&value)) word = *text;
-    const auto& words = field.shown_if->values;
+    const auto& words = condition.values;
     return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_shown(const SetupSchema& schema, const FieldSpec& field, const Setup& setup) {
+    return !field.shown_if || holds(*field.shown_if, schema, setup);
 }
 
 }  // namespace covaria

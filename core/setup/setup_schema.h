@@ -63,6 +63,8 @@ struct FieldSpec {
     std::vector<std::string> capabilities =
         {};  ///< of a reference: asset must offer one of these ("point-uncertainty")
     std::optional<Condition> shown_if = {};
+    /// Of a pose: where its angles are omega, phi, kappa; else they are alpha, beta, gamma.
+    std::optional<Condition> photogrammetric_if = {};
     std::string section = {};  ///< heading under which forms and reports show the field
     /// Of a table: its rows state components of input quantities, in columns symbol, name, value, unit,
     /// statement, a, b and nu; it is what a budget is typed into.
@@ -95,6 +97,8 @@ private:
 
 /// Value of the field: as given, else the default, else monostate.
 const SetupValue& value_of(const FieldSpec& field, const Setup& setup);
+/// Whether the set-up decides so; a field that is not shown decides nothing.
+bool holds(const Condition& condition, const SetupSchema& schema, const Setup& setup);
 /// Whether the field's condition holds (fields that are not shown are neither required nor used).
 bool is_shown(const SetupSchema& schema, const FieldSpec& field, const Setup& setup);
 /// Kinds, units' dimensions, ranges, choices, required fields, unknown keys, NaN. Paths are relative to the

@@ -2,7 +2,6 @@
 #include "ui/forms/pose_editor.h"
 
 #include <QGridLayout>
-#include <QLabel>
 
 #include "ui/forms/form_labels.h"
 #include "ui/theme/core_text.h"
@@ -13,12 +12,16 @@ namespace {
 
 constexpr int letters = 10;  // "-9887.628 mm", of two fields beside each other
 
+void name(QLabel& label, const QString& symbol, const FieldSpec& field) {
+    label.setText(symbol);
+    label.buddy()->setAccessibleName(core_text(field.title) + ' ' + symbol);
+}
+
 }  // namespace
 
 PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)
-    : FieldEditor(parent) {
-    const std::array<QString, 6> symbols{
-        "x", "y", "z", QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")};
+    : FieldEditor(parent), field_(field), context_(context) {
+    const std::array<QString, 3> axes{"x", "y", "z"};
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     for (std::size_t i = 0; i < edits_.size(); ++i) {
@@ -27,25 +30,38 @@ PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWid
         edit->set_keeps_unit(false);
         edit->set_optional(false);
         edit->set_help(help_text(field));
-        edit->setAccessibleName(core_text(field.title) + ' ' + symbols[i]);
         edit->setObjectName(to_qt(field.key) + '_' + QString::number(i));
         edit->set_place(context.document.unread(),
                         {context.address, "/setup/" + field.key + (i < 3 ? "/position/" : "/angles/") +
                                               std::to_string(i % 3)});
-        auto* label = new QLabel(symbols[i], this);
+        auto* label = new QLabel(this);
         label->setBuddy(edit);
+        if (i < 3)
+            name(*label, axes[i], field);
+        else
+            angles_[i - 3] = label;
         const int row = static_cast<int>(i % 3);
         const int column = i < 3 ? 0 : 2;
         layout->addWidget(label, row, column);
         layout->addWidget(edit, row, column + 1);
         connect(edit, &QuantityEdit::quantity_edited, this, [this, i] { collect(i); });
     }
+    name_angles();
     setFocusProxy(edits_[0]);
+}
+
+void PoseEditor::name_angles() {
+    const Setup* setup = find_setup(context_.document.project(), context_.address);
+    const bool photogrammetric = field_.photogrammetric_if && context_.schema && setup &&
+                                 holds(*field_.photogrammetric_if, *context_.schema, *setup);
+    const QString letters = photogrammetric ? QStringLiteral("ωφκ") : QStringLiteral("αβγ");
+    for (std::size_t i = 0; i < angles_.size(); ++i) name(*angles_[i], letters[static_cast<int>(i)], field_);
 }
 
 void PoseEditor::set_value(const SetupValue& value) {
     const PoseValue* pose = std::get_if<PoseValue>(&value);
     pose_ = pose ? *pose : PoseValue{};
+    name_angles();
     for (std::size_t i = 0; i < edits_.size(); ++i) {
         const Unit& unit = i < 3 ? pose_.length_unit : pose_.angle_unit;
         edits_[i]->set_unit(unit);

@@ -1,6 +1,7 @@
-// Editor of a pose: position and Z-Y-X angles.
+// Editor of a pose: position and three angles, named as the set-up's convention names them.
 #pragma once
 
+#include <QLabel>
 #include <array>
 
 #include "ui/forms/field_editor.h"
@@ -19,9 +20,14 @@ public:
 
 private:
     void collect(std::size_t changed);
+    void name_angles();
+
+    const FieldSpec& field_;
+    const FieldContext context_;
+    std::array<QLabel*, 3> angles_{};
 
     PoseValue pose_;
-    std::array<QuantityEdit*, 6> edits_{};  ///< x, y, z, alpha, beta, gamma
+    std::array<QuantityEdit*, 6> edits_{};  ///< x, y, z, then the angles
 };
 
 }  // namespace covaria::ui

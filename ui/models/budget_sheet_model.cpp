@@ -485,9 +485,9 @@ bool BudgetSheetModel::setData(const QModelIndex& index, const QVariant& value, 
 /// scaled, u is the statement.
 bool BudgetSheetModel::state_u(int row, const QString& text) {
     if (text.trimmed().isEmpty()) return false;
-    static const std::set<std::string> by_their_figure{"certificate-k", "certificate-p", "rectangular",
-                                                       "triangular",    "arcsine",       "trapezoidal",
-                                                       "resolution"};
+    static const std::set<std::string> by_their_figure{"standard-deviation", "certificate-k", "certificate-p",
+                                                       "rectangular",        "triangular",    "arcsine",
+                                                       "trapezoidal",        "resolution"};
     const auto read = read_typed(row, text);
     const auto at = static_cast<std::size_t>(row);
     const std::optional<double> a = number_at(row, "a");

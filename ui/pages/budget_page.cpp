@@ -159,8 +159,9 @@ void BudgetPage::take_result() {
                           ? part_of_first_order(status.result->outputs[shown])
                           : std::nullopt;
     const QString indices =
-        part ? tr("; c and index by the law of propagation, whose u is %1 of that by Monte Carlo")
-                   .arg(to_qt(percent_text(*part, language_of_window().numbers())))
+        part ? tr("; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo")
+                   .arg(to_qt(to_unicode(symbol_text(status.result->outputs[shown].quantity.symbol))),
+                        to_qt(percent_text(*part, language_of_window().numbers())))
              : QString();
     const QString correlated = status.prepared ? correlation_words(*status.prepared) : QString();
     lines_->setText(

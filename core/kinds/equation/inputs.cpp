@@ -184,6 +184,8 @@ private:
         if (component->estimate) draft.estimate = component->estimate;
         made.distribution = component->distribution;
         made.degrees_of_freedom = component->degrees_of_freedom;
+        made.type = component->type;
+        made.normal_draws = component->type == EvaluationType::type_a && stated_.normal_means;
         made.origin = Message::declared(component->words);
         return true;
     }

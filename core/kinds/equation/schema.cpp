@@ -32,7 +32,7 @@ ColumnSpec statement_column() {
         .optional = true,
         .choices = {{"constant", "constant"}},
         .help =
-            "How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width "
+            "How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width "
             "(and inexactness, or ratio of top to base); lower and upper limit; step of the "
             "indication; permissible error and % of the value; number of counts; number of "
             "observations in the mean (pooled). Empty: a constant."};

@@ -26,6 +26,7 @@ void add_station(Fields<S>& fields) {
                 {{StationAngles::zyx, "zyx", "α, β, γ: R = Rz(γ) Ry(β) Rx(α)"},
                  {StationAngles::xyz, "xyz", "ω, φ, κ: R = Rx(ω) Ry(φ) Rz(κ), photogrammetric"}},
                 StationAngles::zyx)
+        .photogrammetric_where(&S::angles, StationAngles::xyz, &S::placement)
         .choice(&S::kind, "kind", "Instrument", "What the instrument reads, and how it is drawn.",
                 {{Kind::total_station, "total-station", "total station: distance and two angles"},
                  {Kind::tracker, "tracker", "laser tracker: distance and two angles"},

@@ -37,6 +37,8 @@ TEST(StatementText, IsReadAsPeopleNoteIt) {
     EXPECT_EQ(typed("u = 0.075 µm"), (TypedStatement{"standard", 0.075, {}, {}, "um"}));
     EXPECT_EQ(typed("25 nm nu 18"), (TypedStatement{"standard", 25.0, {}, 18.0}));
     EXPECT_EQ(typed("U = 75 nm, k = 3, nu = 18"), (TypedStatement{"certificate-k", 75.0, 3.0, 18.0}));
+    EXPECT_EQ(typed("s = 13 nm, n = 5, nu 24"), (TypedStatement{"standard-deviation", 13.0, 5.0, 24.0}));
+    EXPECT_EQ(typed("13 nm n=5"), (TypedStatement{"standard-deviation", 13.0, 5.0}));
     EXPECT_EQ(typed("75 nm k=3"), (TypedStatement{"certificate-k", 75.0, 3.0}));
     EXPECT_EQ(typed("75 nm, p = 95 %"), (TypedStatement{"certificate-p", 75.0, 95.0}));
     EXPECT_EQ(typed("U 75 95 %"), (TypedStatement{"certificate-p", 75.0, 95.0}));

@@ -57,5 +57,21 @@ TEST_F(RegistryFormsTest, WhatIsNewSaysWhatIsMissing) {
     EXPECT_EQ(document.project(), Project{});
 }
 
+/// The letters are those of the convention that the instrument's set-up chooses.
+TEST_F(RegistryFormsTest, AnglesOfAStationAreNamedByItsConvention) {
+    const SetupAddress address{SetupOwner::asset, add_asset(document, "spherical-instrument")};
+    SetupForm form(document, address);
+    const auto angle = [&](int i) {
+        return form.editor("station")->findChild<QWidget*>("station_" + QString::number(3 + i));
+    };
+    ASSERT_NE(angle(0), nullptr);
+    EXPECT_TRUE(angle(0)->accessibleName().endsWith(u'α'));
+    document.apply("convention", [&](Project& project) {
+        find_setup(project, address)->values["station_angles"] = std::string("xyz");
+    });
+    for (int i = 0; i < 3; ++i)
+        EXPECT_TRUE(angle(i)->accessibleName().endsWith(QStringLiteral("ωφκ")[i])) << i;
+}
+
 }  // namespace
 }  // namespace covaria::ui::registry_forms_test

@@ -69,6 +69,8 @@ TEST(EquationModel, StatementsGiveTheirStandardUncertainties) {
     for (const Case& c : std::vector<Case>{
              {"standard", 1.0, 0.2, none, none, 0.2, inf, "normal"},
              {"standard", 1.0, 0.2, none, 8.0, 0.2, 8, "student-t"},
+             {"standard-deviation", 1.0, 0.3, 9.0, 24.0, 0.1, 24, "normal"},
+             {"standard-deviation", 1.0, 0.3, none, none, 0.3, inf, "normal"},
              {"certificate-k", 1.0, 0.3, 3.0, none, 0.1, inf, "normal"},
              {"certificate-p", 1.0, 0.3, 95.0, none, 0.3 / 1.959963985, inf, "normal"},
              {"certificate-p", 1.0, 0.3, 99.0, 5.0, 0.3 / 4.032142984, 5, "student-t"},
@@ -89,6 +91,8 @@ TEST(EquationModel, StatementsGiveTheirStandardUncertainties) {
         EXPECT_EQ(result.outputs[0].first_order.effective_degrees_of_freedom, c.degrees_of_freedom)
             << c.statement;
         EXPECT_EQ(result.inputs->components[0].distribution.kind(), c.distribution) << c.statement;
+        EXPECT_EQ(result.inputs->components[0].type == EvaluationType::type_a,
+                  c.statement == std::string("standard-deviation"));
         EXPECT_NEAR(result.inputs->components[0].distribution.mean(), 0.0, 1e-12) << c.statement;
     }
 }
@@ -109,7 +113,8 @@ TEST(EquationModel, AStatementMayHaveAUnitOfItsOwn) {
                                     : key == "trapezoidal" ? 0.5
                                                            : 0.004;
         const double factor = kind.b_has_unit ? 1000.0 : 1.0;
-        const double second = key == "certificate-k" ? 2.0 : b;
+        const bool counts = key == "certificate-k" || key == "standard-deviation";
+        const double second = counts ? 2.0 : b;
         const SetupCell b_mm = kind.b.empty() ? none : SetupCell(second);
         const SetupCell b_um = kind.b.empty() ? none : SetupCell(factor * second);
         const double in_mm = u(quantity("x", value, "mm", key.c_str(), a, b_mm));
