@@ -13,6 +13,7 @@
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
+#include "core/text/ticks.h"
 
 namespace covaria {
 namespace {
@@ -75,9 +76,13 @@ void choose_y_range(PlotSpecification& plot) {
 void mark_present(PlotSpecification& plot, const StudyAxisValues& axis, const DocumentLanguage& language) {
     const auto [low, high] = std::minmax(axis.values.front(), axis.values.back());
     if (axis.present < low || axis.present > high) return;
-    plot.x.written_out = format_trimmed(axis.present, value_digits).find('e') == std::string::npos;
-    plot.marks.push_back({language.say(plot_words::as_set_up, {value_text(axis.present, language.numbers())}),
-                          axis.present, false, SeriesRole::reference});
+    const bool is_written_out = format_trimmed(axis.present, value_digits).find('e') == std::string::npos;
+    const int exponent = is_written_out ? 0 : axis_exponent(std::max(std::abs(low), std::abs(high)));
+    const std::string number = value_text(axis.present / std::pow(10.0, exponent), language.numbers()) +
+                               (exponent == 0 ? "" : "×" + power_of_ten(exponent));
+    plot.x.exponent = exponent;
+    plot.marks.push_back(
+        {language.say(plot_words::as_set_up, {number}), axis.present, false, SeriesRole::reference});
 }
 
 /// Where the present value stands between the categories of a map's axis; empty: outside.

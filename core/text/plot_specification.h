@@ -1,6 +1,7 @@
 // A chart described as data; ui/charts realises it. Values are in display units already; labels say which.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,9 @@ struct PlotAxis {
     bool logarithmic = false;
     std::vector<Text> categories = {};  ///< not empty: a category axis; the first is at 0
     Text short_title = {};              ///< "density (1/mm)", where the title has no room
-    bool written_out = false;           ///< no power of ten is taken out: labels have plain numbers
+    /// Power of ten that is taken out of its labels, as of the texts of its marks; 0: plain numbers. Empty:
+    /// what suits the part that is shown.
+    std::optional<int> exponent = {};
 };
 
 enum class SeriesKind {

@@ -92,7 +92,7 @@ Ticks fitting_x_ticks(const Sheet& sheet) {
     const auto make = [&](int most) {
         return sheet.plot.x.logarithmic
                    ? logarithmic_ticks(view.x_low, view.x_high, most, sheet.numbers)
-                   : linear_ticks(view.x_low, view.x_high, most, sheet.numbers, sheet.plot.x.written_out);
+                   : linear_ticks(view.x_low, view.x_high, most, sheet.numbers, sheet.plot.x.exponent);
     };
     const auto fits = [&](const Ticks& ticks) {
         if (ticks.ticks.size() < 2) return true;
@@ -108,7 +108,7 @@ Ticks fitting_y_ticks(const Sheet& sheet, double height) {
     const auto make = [&](int most) {
         return sheet.plot.y.logarithmic
                    ? logarithmic_ticks(view.y_low, view.y_high, most, sheet.numbers)
-                   : linear_ticks(view.y_low, view.y_high, most, sheet.numbers, sheet.plot.y.written_out);
+                   : linear_ticks(view.y_low, view.y_high, most, sheet.numbers, sheet.plot.y.exponent);
     };
     const auto fits = [&](const Ticks& ticks) {
         return static_cast<double>(ticks.ticks.size()) * 1.2 * sheet.line <= height;
