@@ -77,7 +77,8 @@ PlotSpecification compared_distributions_plot(const ResultComparison& comparison
         const std::string words = language.say(phrase);
         plot.id = y.id("compared");
         plot.title = language.say_text(plot_words::distributions, {y.label()});
-        plot.x.title = y.with_unit(y.symbol());
+        plot.x.title = y.symbol();
+        plot.x.unit = y.unit();
         y.set_density_axis(plot.y);
         PlotSeries line = density_line(y);
         if (line.x.empty()) return;
@@ -115,6 +116,7 @@ PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::s
     plot.title = language.say_text(plot_words::budget_changes, {label});
     plot.horizontal_bars = true;
     plot.x.title = language.say(plot_words::change_of_variance);
+    plot.x.unit = "%";
     PlotSeries bars{"", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.72};
     const std::size_t shown = places.size() <= rows ? places.size() : rows - 1;
     double rest = 0.0;

@@ -187,7 +187,8 @@ PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t ou
     PlotSpecification plot;
     plot.id = id;
     plot.title = language.say_text(plot_words::distribution, {y.label()});
-    plot.x.title = y.with_unit(y.symbol());
+    plot.x.title = y.symbol();
+    plot.x.unit = y.unit();
     y.set_density_axis(plot.y);
     plot.series.push_back(histogram_bars(y));
     set_range(plot.x, plot.series.front(), y);
@@ -209,8 +210,9 @@ PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::siz
     plot.id = id;
     plot.title = language.say_text(plot_words::normal_quantiles, {y.label()});
     plot.x.title = language.say(plot_words::standard_quantile);
-    plot.y.title = y.with_unit(language.say_text(plot_words::quantile, {y.symbol()}));
-    plot.y.short_title = y.with_unit(language.say(plot_words::short_quantile));
+    plot.y.title = language.say_text(plot_words::quantile, {y.symbol()});
+    plot.y.short_title = language.say(plot_words::short_quantile);
+    plot.y.unit = y.unit();
     const double largest =
         std::max(std::abs(y.value(mc.quantiles.front())), std::abs(y.value(mc.quantiles.back())));
     plot.y.exponent = y.exponent_of_results(mc.mean, largest);  // as the distribution beside it

@@ -30,7 +30,8 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
     if (!result.stabilised) plot.title = language.say_text(plot_words::not_stabilised, {plot.title});
     plot.x.title = language.say(plot_words::trials);
     plot.x.logarithmic = true;
-    plot.y.title = y.with_unit(u);
+    plot.y.title = u;
+    plot.y.unit = y.unit();
     const bool single = result.convergence.size() == 1;
     PlotSeries running{
         u, single ? SeriesKind::points : SeriesKind::line, SeriesRole::monte_carlo, {}, {}, {}, 0.0};

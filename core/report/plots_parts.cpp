@@ -39,21 +39,16 @@ std::string PlottedOutput::id(const std::string& chart) const {
     return chart + "-" + report_parts::id_part(output_.quantity.symbol + " " + output_.quantity.group);
 }
 
-Text PlottedOutput::with_unit(const Text& words) const {
-    return is_one(unit_) ? words : words + (" (" + unit_.display() + ")");
+std::string PlottedOutput::unit() const {
+    return is_one(unit_) ? std::string() : unit_.display();
 }
 
 void PlottedOutput::set_density_axis(PlotAxis& axis) const {
-    if (is_one(unit_)) {
-        axis.title = language_.say(plot_words::density);
-        axis.short_title = language_.say(plot_words::short_density);
-        return;
-    }
-    const std::string text = unit_.display();
+    axis.title = language_.say(plot_words::density);
+    axis.short_title = language_.say(plot_words::short_density);
+    const std::string text = unit();
     const bool compound = text.find('/') != std::string::npos || text.find("·") != std::string::npos;
-    const std::string per = compound ? "(" + text + ")" : text;
-    axis.title = language_.say(plot_words::density_per, {per});
-    axis.short_title = language_.say(plot_words::short_density_per, {per});
+    if (!text.empty()) axis.unit = compound ? "1/(" + text + ")" : "1/" + text;
 }
 
 int PlottedOutput::exponent_of_results(double si, double largest) const {

@@ -27,8 +27,8 @@ public:
     Text symbol() const;                             ///< "α"
     Text label() const;                              ///< "α (pose 7)"
     std::string id(const std::string& chart) const;  ///< "histogram-alpha-pose-7"
-    Text with_unit(const Text& words) const;         ///< "x (mm)"; without unit for numbers
-    void set_density_axis(PlotAxis& axis) const;     ///< "probability density (1/mm)"
+    std::string unit() const;                        ///< "mm"; empty for numbers
+    void set_density_axis(PlotAxis& axis) const;     ///< "probability density" in "1/mm"
     /// The power of ten of an axis to `largest` (display units) with such a result, or uncertainty, on it:
     /// none where that is written out by itself.
     int exponent_of_results(double si, double largest) const;

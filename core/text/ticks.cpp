@@ -70,16 +70,11 @@ Ticks logarithmic_ticks(double low, double high, int most, const NumberLocale& l
     return enough ? fine : linear_on_logarithmic(low, high, most, locale);
 }
 
-Text title_with_exponent(const Text& title, int exponent) {
-    if (exponent == 0) return title;
-    const std::string power = power_of_ten(exponent), letters = title.letters();
-    const auto with = [&](std::size_t at, std::size_t replaced, const std::string& inserted) {
-        return title.part(0, at) + inserted + title.part(at + replaced);
-    };
-    const std::size_t open = letters.rfind(" ("), reciprocal = letters.rfind("(1/");
-    if (reciprocal != std::string::npos) return with(reciprocal + 1, 1, power);
-    if (open == std::string::npos || !letters.ends_with(')')) return title + (" (" + power + ")");
-    return with(open + 2, 0, power + " ");
+Text title_with_unit(const Text& words, const std::string& unit, int exponent) {
+    const std::string power = exponent == 0 ? std::string() : power_of_ten(exponent);
+    if (power.empty()) return unit.empty() ? words : words + (" (" + unit + ")");
+    if (unit.empty()) return words + (" (" + power + ")");
+    return words + (" (" + (unit.starts_with("1/") ? power + unit.substr(1) : power + " " + unit) + ")");
 }
 
 }  // namespace covaria

@@ -27,9 +27,11 @@ TEST(HistogramPlot, IsTheDensityInDisplayUnits) {
     const PlotSpecification plot = histogram_plot(test::plot_sample(), 0);
     EXPECT_EQ(plot.id, "histogram-x-pose-7");
     EXPECT_EQ(to_unicode(plot.title), "Distribution of x (pose 7)");
-    EXPECT_EQ(to_unicode(plot.x.title), "x (mm)");
-    EXPECT_EQ(to_unicode(plot.y.title), "probability density (1/mm)");
-    EXPECT_EQ(to_unicode(plot.y.short_title), "density (1/mm)");
+    EXPECT_EQ(to_unicode(plot.x.title), "x");
+    EXPECT_EQ(plot.x.unit, "mm");
+    EXPECT_EQ(to_unicode(plot.y.title), "probability density");
+    EXPECT_EQ(plot.y.unit, "1/mm");
+    EXPECT_EQ(to_unicode(plot.y.short_title), "density");
     EXPECT_EQ(plot.x.exponent, 0) << "as the labels of its marks";
     const PlotSeries& bars = plot.series.at(0);
     EXPECT_EQ(bars.kind, SeriesKind::bars);
@@ -288,7 +290,8 @@ TEST(EmptyPlots, ZeroUncertaintyHasNoDistribution) {
 TEST(PlotCsv, HasColumnsPerSeriesAndQuotesCommas) {
     PlotSpecification plot;
     plot.x.title = "x, y";
-    plot.y.title = "u (mm)";
+    plot.y.title = "u";
+    plot.y.unit = "mm";
     plot.series.push_back({"a", SeriesKind::line, SeriesRole::data, {1.0, 2.5}, {0.1, 0.2}, {}, 0.0});
     plot.series.push_back({"", SeriesKind::line, SeriesRole::fit, {3.0}, {1e-9}, {}, 0.0});
     EXPECT_EQ(plot_csv(plot), "\"a: x, y\",a: u (mm),\"x, y\",u (mm)\r\n1,0.1,3,1e-09\r\n2.5,0.2,,\r\n");
