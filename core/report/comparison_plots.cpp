@@ -44,12 +44,30 @@ void extend(PlotAxis& axis, const PlottedOutput& y, bool first) {
     axis.high = first ? high : std::max(axis.high, high);
 }
 
+struct MarkedEstimate {
+    PlottedOutput y;
+    std::string words;
+    SeriesRole role;
+};
+
+/// With one power of ten, that of the axis.
+void mark_estimates(PlotSpecification& plot, const std::vector<MarkedEstimate>& marked) {
+    const double largest = std::max(std::abs(plot.x.low), std::abs(plot.x.high));
+    const PlottedOutput& last = marked.back().y;
+    const int exponent = last.exponent_of_results(last.output().estimate, largest);
+    for (const auto& [y, words, role] : marked)
+        plot.marks.push_back({words + " " + y.result_text(y.output().estimate, exponent),
+                              y.value(y.output().estimate), false, role});
+    plot.x.exponent = exponent;
+}
+
 }  // namespace
 
 PlotSpecification compared_distributions_plot(const ResultComparison& comparison, std::size_t output,
                                               const DisplayUnits& units, const DocumentLanguage& language) {
     const ComparedOutput& at = comparison.outputs[output];
     PlotSpecification plot;
+    std::vector<MarkedEstimate> marked;
     DisplayUnits shown = units;  // one unit for both
     if (at.in_both()) shown.choose(units.of(comparison.output_after(at)->quantity.unit));
     const auto add = [&](const UncertaintyResult& result, std::optional<std::size_t> index,
@@ -59,22 +77,22 @@ PlotSpecification compared_distributions_plot(const ResultComparison& comparison
         const std::string words = language.say(phrase);
         plot.id = y.id("compared");
         plot.title = language.say_text(plot_words::distributions, {y.label()});
-        plot.x.title = y.with_unit(y.symbol());
-        plot.x.written_out = y.writes_out_result(y.output().estimate);
+        plot.x.title = y.symbol();
+        plot.x.unit = y.unit();
         y.set_density_axis(plot.y);
         PlotSeries line = density_line(y);
         if (line.x.empty()) return;
         line.name = words + ": " + line.name;
         line.role = role;
         extend(plot.x, y, plot.series.empty());
-        plot.marks.push_back(
-            {words + " " + y.result_text(y.output().estimate), y.value(y.output().estimate), false, role});
         plot.series.push_back(std::move(line));
+        marked.push_back({y, words, role});
     };
     add(*comparison.before, at.before, plot_words::before, SeriesRole::family_1);
     add(*comparison.after, at.after, plot_words::after, SeriesRole::family_2);
     if (plot.series.empty())
         return plot_parts::nothing_to_show(plot.id, language.say(plot_words::no_distribution));
+    mark_estimates(plot, marked);
     return plot;
 }
 
@@ -98,6 +116,7 @@ PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::s
     plot.title = language.say_text(plot_words::budget_changes, {label});
     plot.horizontal_bars = true;
     plot.x.title = language.say(plot_words::change_of_variance);
+    plot.x.unit = "%";
     PlotSeries bars{"", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.72};
     const std::size_t shown = places.size() <= rows ? places.size() : rows - 1;
     double rest = 0.0;

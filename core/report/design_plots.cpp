@@ -86,6 +86,7 @@ PlotSpecification rows_plot(const DesignResult& result, const DocumentLanguage& 
     constexpr std::size_t most = 40;
     PlotSpecification plot = plot_of(result, "rows", language.say(plot_words::worth_of_rows));
     plot.x.title = language.say(plot_words::growth_without);
+    plot.x.unit = "%";
     plot.horizontal_bars = true;
     std::vector<const DesignRow*> rows;
     for (const DesignRow& row : result.rows)

@@ -16,9 +16,7 @@ inline const Phrase same_in_every_trial{
     "%1 has the same value in every trial: give its inputs components of uncertainty"};
 inline const Phrase distribution{"Distribution of %1"};
 inline const Phrase density{"probability density"};
-inline const Phrase density_per{"probability density (1/%1)"};
 inline const Phrase short_density{"density"};
-inline const Phrase short_density_per{"density (1/%1)"};
 inline const Phrase normal_of_moments{"normal, same mean and u"};
 inline const Phrase normal_of_interval{"normal, same interval"};
 inline const Phrase normal_of_first_order{"normal, first order"};
@@ -38,7 +36,7 @@ inline const Phrase of_second_order{
     "Monte Carlo shows"};
 inline const Phrase contributions{"Contributions to u(%1)"};
 inline const Phrase first_order_differs{"%1 (u of first order: %2 of that by Monte Carlo)"};
-inline const Phrase share{"share of the variance, first order (%)"};
+inline const Phrase share{"share of the variance, first order"};
 inline const Phrase first_order{"first order"};
 inline const Phrase one_at_a_time{"one at a time, Monte Carlo"};
 inline const Phrase others{"%1 others"};
@@ -60,7 +58,7 @@ inline const Phrase no_distribution{"The output quantity has no distribution to 
 inline const Phrase in_one_only{"Only one of the results has %1"};
 inline const Phrase budget_unchanged{"The budget of %1 has not changed"};
 inline const Phrase budget_changes{"Changes of the budget of %1"};
-inline const Phrase change_of_variance{"change of the variance (% of the variance before)"};
+inline const Phrase change_of_variance{"change, relative to the variance before"};
 
 // Studies
 inline const Phrase uncertainty{"uncertainty"};
@@ -80,7 +78,7 @@ inline const Phrase rows{"rows"};
 inline const Phrase best_found{"best found"};
 inline const Phrase kept{"kept"};
 inline const Phrase worth_of_rows{"What each row kept is worth"};
-inline const Phrase growth_without{"growth of the objective without it (%)"};
+inline const Phrase growth_without{"growth of the objective without it"};
 inline const Phrase front{"What a smaller uncertainty costs"};
 inline const Phrase largest_ratio{"largest U / target"};
 inline const Phrase cost{"cost"};

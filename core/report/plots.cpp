@@ -108,6 +108,10 @@ void set_range(PlotAxis& axis, const PlotSeries& bars, const PlottedOutput& y) {
     axis.high = std::max(high, y.value(mc.symmetric.high)) + margin;
 }
 
+double reach_of(const PlotAxis& axis) {
+    return std::max(std::abs(axis.low), std::abs(axis.high));
+}
+
 PlotSeries normal_curve(const PlotAxis& axis, double mean, double u) {
     return curve(axis.low, axis.high, curve_points,
                  [&](double x) { return normal_density((x - mean) / u) / u; });
@@ -136,11 +140,13 @@ void add_interval(PlotSpecification& plot, const PlottedOutput& y, double probab
         typeset_number(format_typed(100.0 * probability), y.language().numbers()) + "\u00a0%";
     plot.bands.push_back(
         {y.language().say(plot_words::interval, {percent}), low, high, SeriesRole::reference});
-    plot.marks.push_back({y.result_text(mc.symmetric.low), low, false, SeriesRole::reference});
-    plot.marks.push_back({y.language().say(plot_words::mean, {y.result_text(mc.mean)}), y.value(mc.mean),
-                          false, SeriesRole::emphasis});
-    plot.marks.push_back({y.result_text(mc.symmetric.high), high, false, SeriesRole::reference});
-    plot.x.written_out = y.writes_out_result(mc.mean);
+    const int exponent = y.exponent_of_results(mc.mean, reach_of(plot.x));
+    const auto text = [&](double si) { return y.result_text(si, exponent); };
+    plot.marks.push_back({text(mc.symmetric.low), low, false, SeriesRole::reference});
+    plot.marks.push_back(
+        {y.language().say(plot_words::mean, {text(mc.mean)}), y.value(mc.mean), false, SeriesRole::emphasis});
+    plot.marks.push_back({text(mc.symmetric.high), high, false, SeriesRole::reference});
+    plot.x.exponent = exponent;
 }
 
 }  // namespace
@@ -181,7 +187,8 @@ PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t ou
     PlotSpecification plot;
     plot.id = id;
     plot.title = language.say_text(plot_words::distribution, {y.label()});
-    plot.x.title = y.with_unit(y.symbol());
+    plot.x.title = y.symbol();
+    plot.x.unit = y.unit();
     y.set_density_axis(plot.y);
     plot.series.push_back(histogram_bars(y));
     set_range(plot.x, plot.series.front(), y);
@@ -203,9 +210,12 @@ PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::siz
     plot.id = id;
     plot.title = language.say_text(plot_words::normal_quantiles, {y.label()});
     plot.x.title = language.say(plot_words::standard_quantile);
-    plot.y.title = y.with_unit(language.say_text(plot_words::quantile, {y.symbol()}));
-    plot.y.short_title = y.with_unit(language.say(plot_words::short_quantile));
-    plot.y.written_out = y.writes_out_result(mc.mean);  // as the distribution beside it
+    plot.y.title = language.say_text(plot_words::quantile, {y.symbol()});
+    plot.y.short_title = language.say(plot_words::short_quantile);
+    plot.y.unit = y.unit();
+    const double largest =
+        std::max(std::abs(y.value(mc.quantiles.front())), std::abs(y.value(mc.quantiles.back())));
+    plot.y.exponent = y.exponent_of_results(mc.mean, largest);  // as the distribution beside it
     PlotSeries points{
         language.say(plot_words::monte_carlo), SeriesKind::points, SeriesRole::monte_carlo, {}, {}, {}, 0.0};
     for (std::size_t i = 0; i < n; ++i) {

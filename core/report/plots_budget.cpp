@@ -101,6 +101,7 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
     plot.title = title_of_contributions(y, language);
     plot.horizontal_bars = true;
     plot.x.title = language.say(plot_words::share);
+    plot.x.unit = "%";
     plot.y.categories = bars.labels;
     const std::string name = bars.alone.empty() ? "" : language.say(plot_words::first_order);
     plot.series.push_back(

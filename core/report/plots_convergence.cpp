@@ -1,4 +1,5 @@
 // How the standard uncertainty of an output settles as trials accumulate.
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/own_names.h"
@@ -29,7 +30,8 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
     if (!result.stabilised) plot.title = language.say_text(plot_words::not_stabilised, {plot.title});
     plot.x.title = language.say(plot_words::trials);
     plot.x.logarithmic = true;
-    plot.y.title = y.with_unit(u);
+    plot.y.title = u;
+    plot.y.unit = y.unit();
     const bool single = result.convergence.size() == 1;
     PlotSeries running{
         u, single ? SeriesKind::points : SeriesKind::line, SeriesRole::monte_carlo, {}, {}, {}, 0.0};
@@ -50,11 +52,13 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
     }
     plot.series.push_back(std::move(running));
     if (std::isfinite(mc.standard_uncertainty)) {  // else no number of trials leads anywhere
+        const int exponent = y.exponent_of_uncertainties(mc.standard_uncertainty, digits_of_u,
+                                                         *std::ranges::max_element(high.y));
         plot.series.insert(plot.series.end(), {std::move(low), std::move(high)});
-        plot.y.written_out = y.writes_out_uncertainty(mc.standard_uncertainty, digits_of_u);
-        plot.marks.push_back(
-            {language.say(plot_words::final_u, {y.uncertainty_text(mc.standard_uncertainty, digits_of_u)}),
-             y.interval(mc.standard_uncertainty), true, SeriesRole::emphasis});
+        plot.y.exponent = exponent;
+        plot.marks.push_back({language.say(plot_words::final_u, {y.uncertainty_text(mc.standard_uncertainty,
+                                                                                    digits_of_u, exponent)}),
+                              y.interval(mc.standard_uncertainty), true, SeriesRole::emphasis});
     }
     return plot;
 }

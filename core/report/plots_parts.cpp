@@ -1,6 +1,7 @@
 // Labels and display units of charts.
 #include "core/report/plots_parts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/report/plot_words.h"
@@ -8,6 +9,7 @@
 #include "core/report/result_statement.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
+#include "core/text/ticks.h"
 
 namespace covaria::plot_parts {
 namespace {
@@ -37,45 +39,46 @@ std::string PlottedOutput::id(const std::string& chart) const {
     return chart + "-" + report_parts::id_part(output_.quantity.symbol + " " + output_.quantity.group);
 }
 
-Text PlottedOutput::with_unit(const Text& words) const {
-    return is_one(unit_) ? words : words + (" (" + unit_.display() + ")");
+std::string PlottedOutput::unit() const {
+    return is_one(unit_) ? std::string() : unit_.display();
 }
 
 void PlottedOutput::set_density_axis(PlotAxis& axis) const {
-    if (is_one(unit_)) {
-        axis.title = language_.say(plot_words::density);
-        axis.short_title = language_.say(plot_words::short_density);
-        return;
-    }
-    const std::string text = unit_.display();
+    axis.title = language_.say(plot_words::density);
+    axis.short_title = language_.say(plot_words::short_density);
+    const std::string text = unit();
     const bool compound = text.find('/') != std::string::npos || text.find("·") != std::string::npos;
-    const std::string per = compound ? "(" + text + ")" : text;
-    axis.title = language_.say(plot_words::density_per, {per});
-    axis.short_title = language_.say(plot_words::short_density_per, {per});
+    if (!text.empty()) axis.unit = compound ? "1/(" + text + ")" : "1/" + text;
 }
 
-std::string PlottedOutput::plain_result(double si) const {
-    return format_to_match(value(si), interval(spread_));
+int PlottedOutput::exponent_of_results(double si, double largest) const {
+    const double spread = interval(spread_);  // of zero it decides
+    const double size = std::isfinite(spread) ? std::max(std::abs(value(si)), spread) : value(si);
+    const bool is_written_out = format_to_match(size, spread).find('e') == std::string::npos;
+    return is_written_out ? 0 : axis_exponent(largest);
 }
 
-std::string PlottedOutput::plain_uncertainty(double si, int digits) const {
-    return format_significant(interval(si), digits);
+int PlottedOutput::exponent_of_uncertainties(double si, int digits, double largest) const {
+    const bool is_written_out = format_significant(interval(si), digits).find('e') == std::string::npos;
+    return is_written_out ? 0 : axis_exponent(largest);
 }
 
-std::string PlottedOutput::result_text(double si) const {
-    return grouped_digits(plain_result(si), language_.numbers()) + unit_after_number(unit_);
+std::string PlottedOutput::result_text(double si, int exponent) const {
+    const double power = std::pow(10.0, exponent), shown = value(si) / power,
+                 spread = interval(spread_) / power;
+    const bool has_spread = std::isfinite(spread) && spread > 0.0;
+    return with_power_and_unit(
+        has_spread ? format_decimals(shown, decimals_for(spread, 2)) : format_to_match(shown, spread),
+        exponent);
 }
 
-std::string PlottedOutput::uncertainty_text(double si, int digits) const {
-    return grouped_digits(plain_uncertainty(si, digits), language_.numbers()) + unit_after_number(unit_);
+std::string PlottedOutput::uncertainty_text(double si, int digits, int exponent) const {
+    return with_power_and_unit(format_significant(interval(si) / std::pow(10.0, exponent), digits), exponent);
 }
 
-bool PlottedOutput::writes_out_result(double si) const {
-    return plain_result(si).find('e') == std::string::npos;
-}
-
-bool PlottedOutput::writes_out_uncertainty(double si, int digits) const {
-    return plain_uncertainty(si, digits).find('e') == std::string::npos;
+std::string PlottedOutput::with_power_and_unit(const std::string& plain, int exponent) const {
+    return grouped_digits(plain, language_.numbers()) + (exponent == 0 ? "" : "×" + power_of_ten(exponent)) +
+           unit_after_number(unit_);
 }
 
 PlotSpecification nothing_to_show(std::string id, Text title) {

@@ -24,19 +24,21 @@ public:
     double value(double si) const { return unit_.from_si(si); }
     double interval(double si) const { return unit_.interval_from_si(si); }
 
-    Text symbol() const;                                        ///< "α"
-    Text label() const;                                         ///< "α (pose 7)"
-    std::string id(const std::string& chart) const;             ///< "histogram-alpha-pose-7"
-    Text with_unit(const Text& words) const;                    ///< "x (mm)"; without unit for numbers
-    void set_density_axis(PlotAxis& axis) const;                ///< "probability density (1/mm)"
-    std::string result_text(double si) const;                   ///< "1174.91 mm", rounded as the result line
-    std::string uncertainty_text(double si, int digits) const;  ///< "0.37 mm"
-    bool writes_out_result(double si) const;                    ///< without a power of ten
-    bool writes_out_uncertainty(double si, int digits) const;   ///< likewise
+    Text symbol() const;                             ///< "α"
+    Text label() const;                              ///< "α (pose 7)"
+    std::string id(const std::string& chart) const;  ///< "histogram-alpha-pose-7"
+    std::string unit() const;                        ///< "mm"; empty for numbers
+    void set_density_axis(PlotAxis& axis) const;     ///< "probability density" in "1/mm"
+    /// The power of ten of an axis to `largest` (display units) with such a result, or uncertainty, on it:
+    /// none where that is written out by itself.
+    int exponent_of_results(double si, double largest) const;
+    int exponent_of_uncertainties(double si, int digits, double largest) const;
+    /// "1174.91 mm", rounded as the result line, with the power of ten of its axis.
+    std::string result_text(double si, int exponent) const;
+    std::string uncertainty_text(double si, int digits, int exponent) const;  ///< "0.37 mm"
 
 private:
-    std::string plain_result(double si) const;
-    std::string plain_uncertainty(double si, int digits) const;
+    std::string with_power_and_unit(const std::string& plain, int exponent) const;
 
     const OutputResult& output_;
     double spread_;

@@ -13,6 +13,7 @@
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
+#include "core/text/ticks.h"
 
 namespace covaria {
 namespace {
@@ -23,8 +24,9 @@ constexpr std::array<SeriesRole, 6> family = {SeriesRole::family_1, SeriesRole::
 constexpr double wide_range = 30.0;  // highest by lowest value, from which an axis is logarithmic
 constexpr int value_digits = 6;
 
-Text with_unit(const Text& words, const Unit& unit) {
-    return unit == Unit{} ? words : words + (" (" + unit.display() + ")");
+/// As that of an axis.
+std::string unit_text(const Unit& unit) {
+    return unit == Unit{} ? std::string() : unit.display();
 }
 
 double shown(const StudyResult& study, const StudyQuantity& quantity, std::size_t point) {
@@ -75,9 +77,13 @@ void choose_y_range(PlotSpecification& plot) {
 void mark_present(PlotSpecification& plot, const StudyAxisValues& axis, const DocumentLanguage& language) {
     const auto [low, high] = std::minmax(axis.values.front(), axis.values.back());
     if (axis.present < low || axis.present > high) return;
-    plot.x.written_out = format_trimmed(axis.present, value_digits).find('e') == std::string::npos;
-    plot.marks.push_back({language.say(plot_words::as_set_up, {value_text(axis.present, language.numbers())}),
-                          axis.present, false, SeriesRole::reference});
+    const bool is_written_out = format_trimmed(axis.present, value_digits).find('e') == std::string::npos;
+    const int exponent = is_written_out ? 0 : axis_exponent(std::max(std::abs(low), std::abs(high)));
+    const std::string number = value_text(axis.present / std::pow(10.0, exponent), language.numbers()) +
+                               (exponent == 0 ? "" : "×" + power_of_ten(exponent));
+    plot.x.exponent = exponent;
+    plot.marks.push_back(
+        {language.say(plot_words::as_set_up, {number}), axis.present, false, SeriesRole::reference});
 }
 
 /// Where the present value stands between the categories of a map's axis; empty: outside.
@@ -126,9 +132,11 @@ PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen,
     PlotSpecification plot;
     const StudyAxisValues& axis = study.axes.front();
     plot.title = study.name;
-    plot.x.title = with_unit(axis.title.in(language), axis.unit);
+    plot.x.title = axis.title.in(language);
+    plot.x.unit = unit_text(axis.unit);
     plot.x.logarithmic = axis.logarithmic;
-    plot.y.title = with_unit(language.say(plot_words::uncertainty), chosen.unit);
+    plot.y.title = language.say(plot_words::uncertainty);
+    plot.y.unit = unit_text(chosen.unit);
     const std::vector<StudyQuantity> lines = companions(study_quantities(study, language), study, chosen);
     for (std::size_t k = 0; k < lines.size(); ++k) {
         std::vector<double> y;
@@ -168,7 +176,7 @@ Plane plane_of(const StudyResult& study, const StudyView& view) {
 
 Text title_of(const StudyResult& study, const StudyView& view, const StudyQuantity& quantity,
               const DocumentLanguage& language) {
-    Text title = study.name + ": " + with_unit(quantity.title, quantity.unit);
+    Text title = study.name + ": " + title_with_unit(quantity.title, unit_text(quantity.unit));
     if (study.axes.size() < 3) return title;
     const StudyAxisValues& axis = study.axes[std::min<std::size_t>(view.fixed_axis, 2)];
     const double value = axis.values[std::min(view.slice, axis.values.size() - 1)];
@@ -179,7 +187,8 @@ Text title_of(const StudyResult& study, const StudyView& view, const StudyQuanti
 
 PlotAxis category_axis(const StudyAxisValues& values, bool downwards, const DocumentLanguage& language) {
     PlotAxis axis;
-    axis.title = with_unit(values.title.in(language), values.unit);
+    axis.title = values.title.in(language);
+    axis.unit = unit_text(values.unit);
     for (const double value : values.values) axis.categories.push_back(value_text(value, language.numbers()));
     if (downwards) std::reverse(axis.categories.begin(), axis.categories.end());
     return axis;
@@ -201,7 +210,8 @@ PlotSpecification map(const StudyResult& study, const Plane& plane, const StudyQ
     plot.y = category_axis(study.axes[plane.y], true, language);
     PlotSeries cells;
     cells.kind = SeriesKind::heat_map;
-    cells.name = with_unit(quantity.title, quantity.unit);
+    cells.name = quantity.title;
+    cells.unit = unit_text(quantity.unit);
     for (std::size_t j = plot.y.categories.size(); j-- > 0;)
         for (std::size_t i = 0; i < plot.x.categories.size(); ++i)
             cells.z.push_back(shown(study, quantity, point_of(study, plane, i, j)));
@@ -215,9 +225,11 @@ PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
                                    const StudyQuantity& quantity, const DocumentLanguage& language) {
     PlotSpecification plot;
     const StudyAxisValues &x = study.axes[plane.x], &other = study.axes[plane.y];
-    plot.x.title = with_unit(x.title.in(language), x.unit);
+    plot.x.title = x.title.in(language);
+    plot.x.unit = unit_text(x.unit);
     plot.x.logarithmic = x.logarithmic;
-    plot.y.title = with_unit(quantity.title, quantity.unit);
+    plot.y.title = quantity.title;
+    plot.y.unit = unit_text(quantity.unit);
     const std::size_t n = other.values.size(), lines = std::min(n, family.size());
     for (std::size_t k = 0; k < lines; ++k) {
         const std::size_t j = lines > 1 ? k * (n - 1) / (lines - 1) : 0;

@@ -48,11 +48,31 @@ std::string element(const char* tag, const std::string& inside) {
     return "<" + std::string(tag) + ">" + inside + "</" + tag + ">";
 }
 
+/// In MathML a single letter is italic by itself, and several are upright.
+std::string script_element(const std::string& script) {
+    std::vector<std::string> elements;
+    for (const ScriptPart& part : script_parts(script)) {
+        const std::string_view letters = part.letters;
+        const bool is_capital = letters.size() == 1 && letters[0] >= 'A' && letters[0] <= 'Z';
+        if (is_capital)
+            elements.push_back("<mi mathvariant=\"normal\">" + part.letters + "</mi>");
+        else if (!part.italic)
+            elements.push_back(element("mi", escape_html(letters)));
+        else
+            for (std::size_t at = 0; at < letters.size(); at += character_length(letters.substr(at)))
+                elements.push_back(
+                    element("mi", escape_html(letters.substr(at, character_length(letters.substr(at))))));
+    }
+    if (elements.size() == 1) return elements.front();
+    std::string row;
+    for (const std::string& each : elements) row += each;
+    return element("mrow", row);
+}
+
 /// The base with its scripts.
 std::string symbol_element(const Symbol& symbol) {
     const std::string base = element("mi", escape_html(symbol.base));
-    const std::string below = element("mi", escape_html(symbol.subscript));
-    const std::string above = element("mi", escape_html(symbol.superscript));
+    const std::string below = script_element(symbol.subscript), above = script_element(symbol.superscript);
     if (symbol.subscript.empty()) return symbol.superscript.empty() ? base : element("msup", base + above);
     return symbol.superscript.empty() ? element("msub", base + below)
                                       : element("msubsup", base + below + above);

@@ -1,6 +1,7 @@
-// A chart described as data; ui/charts realises it. Values are in display units already; labels say which.
+// A chart described as data; ui/charts realises it. Values are in display units already; axes say which.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,15 @@
 namespace covaria {
 
 struct PlotAxis {
-    Text title;                    ///< "x (mm)"
+    Text title;                    ///< "x", without its unit
     double low = 0.0, high = 0.0;  ///< low == high: from the data
     bool logarithmic = false;
     std::vector<Text> categories = {};  ///< not empty: a category axis; the first is at 0
-    Text short_title = {};              ///< "density (1/mm)", where the title has no room
-    bool written_out = false;           ///< no power of ten is taken out: labels have plain numbers
+    Text short_title = {};              ///< "density", where the title has no room
+    /// Power of ten that is taken out of its labels, as of the texts of its marks; 0: plain numbers. Empty:
+    /// what suits the part that is shown.
+    std::optional<int> exponent = {};
+    std::string unit = {};  ///< as it is shown: "mm", "1/mm"; empty: a number
 };
 
 enum class SeriesKind {
@@ -48,6 +52,7 @@ struct PlotSeries {
     std::vector<double> x, y, z;
     double bar_width = 0.0;  ///< in x units (horizontal bars: y units)
     bool is_named = false;   ///< by somebody: the name is as it is in every language
+    std::string unit = {};   ///< of z, as that of an axis
 };
 
 /// A vertical (or horizontal) line with a label: mean, ends of an interval, a target.

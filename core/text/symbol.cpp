@@ -177,6 +177,34 @@ Text to_text(const Symbol& symbol) {
            Text(Text::Span{symbol.superscript, Script::above, false});
 }
 
+std::vector<ScriptPart> script_parts(std::string_view script) {
+    const auto is_letter_of_a_run = [](std::string_view character) {
+        const auto c = static_cast<unsigned char>(character.front());
+        return c >= 0x80 ? is_word_character(character) : std::isalpha(c) != 0;
+    };
+    std::vector<ScriptPart> parts;
+    for (std::size_t begin = 0; begin < script.size();) {
+        const auto character = [&](std::size_t at) {
+            return script.substr(at, character_length(script.substr(at)));
+        };
+        const bool of_letters = is_letter_of_a_run(character(begin));
+        std::size_t end = begin;
+        while (end < script.size() && is_letter_of_a_run(character(end)) == of_letters)
+            end += character(end).size();
+        const std::string_view run = script.substr(begin, end - begin);
+        const bool is_one = run.size() == character_length(run);
+        const bool is_capital = std::isupper(static_cast<unsigned char>(run.front())) != 0;
+        const bool italic = of_letters && ((is_one && !is_capital) ||
+                                           run.find_first_not_of("hijk") == std::string_view::npos);
+        if (!parts.empty() && parts.back().italic == italic)
+            parts.back().letters += run;
+        else
+            parts.push_back({std::string(run), italic});
+        begin = end;
+    }
+    return parts;
+}
+
 std::optional<GreekLetter> greek_letter_at(std::string_view text) {
     const auto starts = [&](const Replacement& r) { return text.starts_with(r.second); };
     if (text.empty() || static_cast<unsigned char>(text.front()) < 0x80) return std::nullopt;

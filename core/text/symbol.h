@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/text/text.h"
 
@@ -21,6 +22,14 @@ struct Symbol {
 };
 Symbol parse_symbol(std::string_view plain);
 Text to_text(const Symbol& symbol);
+
+/// A subscript or superscript as ISO 80000-1 sets it: a single small letter (or Greek one) is a quantity or a
+/// running number, and so are several of h, i, j, k: italic. Words, labels and figures are upright.
+struct ScriptPart {
+    std::string letters;
+    bool italic = false;
+};
+std::vector<ScriptPart> script_parts(std::string_view script);
 
 /// A Greek letter at the beginning of a text: its name ("alpha") and its length in bytes.
 struct GreekLetter {

@@ -13,7 +13,7 @@ namespace {
 /// Numbers from 0.001 to 100 000 are written out.
 int exponent_for(double largest, double step) {
     if (largest < 1e5 && (largest >= 0.01 || step >= 1e-3)) return 0;
-    return 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
+    return axis_exponent(largest);
 }
 
 Ticks one_two_five(double low, double high, const NumberLocale& locale) {
@@ -36,11 +36,17 @@ Ticks linear_on_logarithmic(double low, double high, int most, const NumberLocal
 
 }  // namespace
 
-Ticks linear_ticks(double low, double high, int most, const NumberLocale& locale, bool written_out) {
+int axis_exponent(double largest) {
+    if (!(largest > 0.0) || !std::isfinite(largest)) return 0;
+    return 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
+}
+
+Ticks linear_ticks(double low, double high, int most, const NumberLocale& locale,
+                   std::optional<int> exponent) {
     Ticks result;
     if (!(high > low)) return result;
     const double step = round_number_above((high - low) / std::max(most, 1));
-    if (!written_out) result.exponent = exponent_for(std::max(std::abs(low), std::abs(high)), step);
+    result.exponent = exponent.value_or(exponent_for(std::max(std::abs(low), std::abs(high)), step));
     const double unit = std::pow(10.0, result.exponent);
     const int decimals = decimals_of_step(step / unit);
     const double slack = 1e-9 * (high - low);
@@ -64,16 +70,11 @@ Ticks logarithmic_ticks(double low, double high, int most, const NumberLocale& l
     return enough ? fine : linear_on_logarithmic(low, high, most, locale);
 }
 
-Text title_with_exponent(const Text& title, int exponent) {
-    if (exponent == 0) return title;
-    const std::string power = power_of_ten(exponent), letters = title.letters();
-    const auto with = [&](std::size_t at, std::size_t replaced, const std::string& inserted) {
-        return title.part(0, at) + inserted + title.part(at + replaced);
-    };
-    const std::size_t open = letters.rfind(" ("), reciprocal = letters.rfind("(1/");
-    if (reciprocal != std::string::npos) return with(reciprocal + 1, 1, power);
-    if (open == std::string::npos || !letters.ends_with(')')) return title + (" (" + power + ")");
-    return with(open + 2, 0, power + " ");
+Text title_with_unit(const Text& words, const std::string& unit, int exponent) {
+    const std::string power = exponent == 0 ? std::string() : power_of_ten(exponent);
+    if (power.empty()) return unit.empty() ? words : words + (" (" + unit + ")");
+    if (unit.empty()) return words + (" (" + power + ")");
+    return words + (" (" + (unit.starts_with("1/") ? power + unit.substr(1) : power + " " + unit) + ")");
 }
 
 }  // namespace covaria

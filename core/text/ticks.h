@@ -1,6 +1,7 @@
 // Where an axis has its ticks and what they say: steps of 1, 2 or 5 times a power of ten.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,14 @@ struct Ticks {
 };
 
 /// Ticks inside [low, high], no more than `most` + 1; all texts have the same number of decimals.
-/// `written_out`: without a common power of ten.
+/// `exponent`: their power of ten; empty: what suits the range.
 Ticks linear_ticks(double low, double high, int most, const NumberLocale& locale = {},
-                   bool written_out = false);
+                   std::optional<int> exponent = {});
+/// The power of ten, a multiple of three, of an axis to `largest` whose numbers are not written out.
+int axis_exponent(double largest);
 /// The same for log10 of the value: whole decades, or 1-2-5 inside a decade.
 Ticks logarithmic_ticks(double low, double high, int most, const NumberLocale& locale = {});
-/// "x (mm)" with 10^-6 becomes "x (10⁻⁶ mm)", "u(x)" becomes "u(x) (10⁻⁶)".
-Text title_with_exponent(const Text& title, int exponent);
+/// "x (mm)" of x in mm; with 10^-6 "x (10⁻⁶ mm)", "density (10⁻⁶/mm)", "u(x) (10⁻⁶)".
+Text title_with_unit(const Text& words, const std::string& unit, int exponent = 0);
 
 }  // namespace covaria

@@ -23,17 +23,16 @@ double widest(const Ticks& ticks, const QFont& font) {
 
 /// The title, else its short form, else the words shortened before the unit ("Wahrsch…dichte (1/mm)").
 Text fitting_title(const PlotAxis& axis, int exponent, const QFont& font, double room) {
-    const Text title = title_with_exponent(axis.title, exponent);
-    if (text_width(title, font) <= room) return title;
-    const Text shorter = axis.short_title.empty() ? title : title_with_exponent(axis.short_title, exponent);
-    if (text_width(shorter, font) <= room) return shorter;
-    const std::size_t unit_at = shorter.letters().rfind(" (");
-    if (unit_at == std::string::npos) return shortened(shorter, font, room);
-    const Text unit = shorter.part(unit_at);
+    const auto titled = [&](const Text& words) { return title_with_unit(words, axis.unit, exponent); };
+    const Text& shorter = axis.short_title.empty() ? axis.title : axis.short_title;
+    for (const Text& words : {axis.title, shorter})
+        if (const Text title = titled(words); text_width(title, font) <= room) return title;
+    const Text unit = titled({});  // " (1/mm)"
+    if (unit.empty()) return shortened(shorter, font, room);
     const double left = room - text_width(unit, font);
-    if (left >= text_width("nnn…", font)) return shortened(shorter.part(0, unit_at), font, left) + unit;
-    const Text bare = shorter.part(unit_at + 1);
-    return text_width(bare, font) <= room ? bare : shortened(shorter, font, room);
+    if (left >= text_width("nnn…", font)) return titled(shortened(shorter, font, left));
+    const Text bare = unit.part(1);
+    return text_width(bare, font) <= room ? bare : shortened(titled(shorter), font, room);
 }
 
 /// The chart while it is laid out: what is there already, and the measures that everything is set by.
@@ -92,7 +91,7 @@ Ticks fitting_x_ticks(const Sheet& sheet) {
     const auto make = [&](int most) {
         return sheet.plot.x.logarithmic
                    ? logarithmic_ticks(view.x_low, view.x_high, most, sheet.numbers)
-                   : linear_ticks(view.x_low, view.x_high, most, sheet.numbers, sheet.plot.x.written_out);
+                   : linear_ticks(view.x_low, view.x_high, most, sheet.numbers, sheet.plot.x.exponent);
     };
     const auto fits = [&](const Ticks& ticks) {
         if (ticks.ticks.size() < 2) return true;
@@ -108,7 +107,7 @@ Ticks fitting_y_ticks(const Sheet& sheet, double height) {
     const auto make = [&](int most) {
         return sheet.plot.y.logarithmic
                    ? logarithmic_ticks(view.y_low, view.y_high, most, sheet.numbers)
-                   : linear_ticks(view.y_low, view.y_high, most, sheet.numbers, sheet.plot.y.written_out);
+                   : linear_ticks(view.y_low, view.y_high, most, sheet.numbers, sheet.plot.y.exponent);
     };
     const auto fits = [&](const Ticks& ticks) {
         return static_cast<double>(ticks.ticks.size()) * 1.2 * sheet.line <= height;
@@ -132,7 +131,7 @@ public:
             sheet_.add_text(tick.text, {left, top}, TextKind::figures);
         }
         if (sheet_.plot.x.title.empty()) return;
-        const Text title = title_with_exponent(sheet_.plot.x.title, sheet_.out.x.exponent);
+        const Text title = title_with_unit(sheet_.plot.x.title, sheet_.plot.x.unit, sheet_.out.x.exponent);
         const double width = text_width(title, sheet_.out.fonts.label);
         const double middle =
             std::min(geometry.area.center().x(), sheet_.size.width() - sheet_.edge - 0.5 * width);

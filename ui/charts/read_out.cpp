@@ -11,21 +11,18 @@
 namespace covaria::ui {
 namespace {
 
-/// "x = −120.3 mm" from the title "x (mm)".
-Text named(const Text& title, const Text& number) {
-    const std::string letters = title.letters();
-    const std::size_t open = letters.rfind(" (");
-    const bool has_unit = open != std::string::npos && letters.ends_with(')');
-    const std::string unit = has_unit ? letters.substr(open + 2, letters.size() - open - 3) : "";
+/// "x = −120.3 mm"
+Text named(const Text& title, const Text& number, const std::string& unit) {
     const std::string behind = unit.empty() ? "" : (unit == "°" ? "" : "\u00a0") + unit;
-    return (has_unit ? title.part(0, open) : title) + " = " + number + behind;
+    return title + " = " + number + behind;
 }
 
 /// To a thousandth of the range that is shown.
 Text value_text(const PlotAxis& axis, double value, double low, double high) {
     const double range = axis.logarithmic ? value : high - low;
     return named(axis.title,
-                 grouped_number(value, std::max(0, decimals_for(1e-3 * range, 1)), user_numbers()));
+                 grouped_number(value, std::max(0, decimals_for(1e-3 * range, 1)), user_numbers()),
+                 axis.unit);
 }
 
 struct Reader {
@@ -47,8 +44,9 @@ struct Reader {
         const std::string number = grouped_number(z, decimals, user_numbers());
         const Text &x = plot.x.categories[column], &y = plot.y.categories[row];
         if (plot.x.title.empty() || plot.y.title.empty()) return ReadOut{y + "; " + x + ": " + number, {}};
-        return ReadOut{
-            named(plot.x.title, x) + "; " + named(plot.y.title, y) + ": " + named(map.name, number), {}};
+        return ReadOut{named(plot.x.title, x, plot.x.unit) + "; " + named(plot.y.title, y, plot.y.unit) +
+                           ": " + named(map.name, number, map.unit),
+                       {}};
     }
 
     std::optional<ReadOut> bar(const PlotSeries& bars, QPointF at) const {

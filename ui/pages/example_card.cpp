@@ -65,6 +65,17 @@ int paint_lines(QPainter& painter, const QString& words, const QFont& font, cons
 
 }  // namespace
 
+void paint_card_picture(QPainter& painter, const QRectF& area, const QPixmap& picture,
+                        const QPalette& palette) {
+    const QSizeF whole = picture.size(), part = area.size().scaled(whole, Qt::KeepAspectRatio);
+    const QPointF corner(0.5 * (whole.width() - part.width()), 0.5 * (whole.height() - part.height()));
+    painter.drawPixmap(area, picture, QRectF(corner, part));
+    if (!Theme::of(palette).is_dark()) return;
+    QColor veil = palette.color(QPalette::Base);
+    veil.setAlphaF(0.3F);
+    painter.fillRect(area, veil);
+}
+
 ExampleCard::ExampleCard(const QString& title, const QString& summary, const QString& picture,
                          QWidget* parent)
     : QAbstractButton(parent), summary_(summary), picture_(picture) {
@@ -108,13 +119,7 @@ void ExampleCard::paintEvent(QPaintEvent*) {
     if (picture_.isNull()) {
         paint_placeholder(painter, top, palette());
     } else {
-        const QSizeF whole = picture_.size();
-        const double scale = std::max(top.width() / whole.width(), top.height() / whole.height());
-        const QSizeF part(top.width() / scale, top.height() / scale);
-        painter.drawPixmap(
-            QRectF(top), picture_,
-            QRectF(QPointF(0.5 * (whole.width() - part.width()), 0.5 * (whole.height() - part.height())),
-                   part));
+        paint_card_picture(painter, top, picture_, palette());
     }
     painter.restore();
     const bool marked = hasFocus() || underMouse();

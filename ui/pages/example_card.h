@@ -27,4 +27,8 @@ private:
     QPixmap picture_;
 };
 
+/// A shipped picture, which is light: its middle fills the area; in a dark window it is dimmed.
+void paint_card_picture(QPainter& painter, const QRectF& area, const QPixmap& picture,
+                        const QPalette& palette);
+
 }  // namespace covaria::ui

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTextBrowser>
@@ -13,11 +14,13 @@
 #include "core/base/resource_path.h"
 #include "core/kinds/registries.h"
 #include "core/made/library.h"
+#include "ui/pages/example_card.h"
 #include "ui/pages/library_menu.h"
 #include "ui/pages/start_page.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
+#include "ui/theme/theme.h"
 
 namespace covaria::ui {
 namespace {
@@ -42,22 +45,25 @@ QString icon_of_category(const AssetEntry& asset) {
     return QStringLiteral("artefact");
 }
 
-/// The picture cut to the card's form; an icon in the middle of it where there is none.
+/// The picture in a frame; an icon in the middle of it where there is none.
 QPixmap card_pixmap(const QString& file, const QString& icon_name, const QPalette& palette, double ratio) {
     QPixmap card(card_picture * ratio);
     card.setDevicePixelRatio(ratio);
-    card.fill(palette.color(QPalette::AlternateBase));
+    card.fill(Qt::transparent);
     QPainter painter(&card);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    const QPixmap picture(file);
-    if (!picture.isNull()) {
-        const QSize part = card_picture.scaled(picture.size(), Qt::KeepAspectRatio);
-        const QRect middle(
-            QPoint((picture.width() - part.width()) / 2, (picture.height() - part.height()) / 2), part);
-        painter.drawPixmap(QRect(QPoint(), card_picture), picture, middle);
-    } else {
-        icon(icon_name).paint(&painter, QRect(QPoint(), card_picture).adjusted(54, 24, -54, -24));
-    }
+    painter.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::Antialiasing);
+    const QRectF area = QRect(QPoint(), card_picture);
+    QPainterPath frame;
+    frame.addRoundedRect(area.adjusted(0.5, 0.5, -0.5, -0.5), 5.0, 5.0);
+    painter.setClipPath(frame);
+    painter.fillRect(area, palette.color(QPalette::AlternateBase));
+    if (const QPixmap picture(file); !picture.isNull())
+        paint_card_picture(painter, area, picture, palette);
+    else
+        icon(icon_name).paint(&painter, area.toRect().adjusted(54, 24, -54, -24));
+    painter.setClipping(false);
+    painter.setPen(mix(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.2));
+    painter.drawPath(frame);
     return card;
 }
 

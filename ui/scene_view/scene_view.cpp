@@ -117,7 +117,9 @@ void SceneView::send_scene() {
         service_.post(
             [shown = scene_, framed = framed_ && !moved_, reserved = pixels_of_cube(),
              first = std::exchange(starts_over_, false)](SceneRenderer& renderer) {
-                const bool other = renderer.scene().title != shown->title;
+                // Results add lines to the legend that a framed scene stands beside.
+                const bool other = renderer.scene().title != shown->title ||
+                                   renderer.scene().legend.size() < shown->legend.size();
                 renderer.set_scene(*shown);
                 renderer.set_reserved(reserved);
                 if (first)

@@ -46,8 +46,8 @@ public:
     Box words(const Text& words, const QFont& font) const {
         Box line, last;  // a script hangs on the last letters, however low an earlier one goes
         for (const Text::Span& span : words.spans()) {
-            const QString letters = to_qt(span.letters);
-            const Box part = text(letters, span.script == Script::line ? font : smaller(font), span.italic);
+            const Box part = span.script == Script::line ? text(to_qt(span.letters), font, span.italic)
+                                                         : script(span.letters, font);
             if (span.script == Script::line) line = beside(std::move(line), std::exchange(last, part));
             if (span.script == Script::below) last = with_scripts(std::move(last), part, {}, font);
             if (span.script == Script::above) last = with_scripts(std::move(last), {}, part, font);
@@ -106,15 +106,19 @@ private:
         return left;
     }
 
-    /// Single letters are variables; longer ones are words.
-    Box letters(const std::string& of, const QFont& font) const {
-        const QString shown = to_qt(of);
-        return shown.isEmpty() ? Box{} : text(shown, font, shown.size() <= 2);
+    /// Below or above what has this font.
+    Box script(const std::string& letters, const QFont& font) const {
+        Box box;
+        for (const ScriptPart& part : script_parts(letters))
+            box = beside(std::move(box), text(to_qt(part.letters), smaller(font), part.italic));
+        return box;
     }
 
+    /// Single letters, with an accent or a Δ, are variables; longer ones are words.
     Box symbol(const Symbol& s, const QFont& font) const {
-        return with_scripts(letters(s.base, font), letters(s.subscript, smaller(font)),
-                            letters(s.superscript, smaller(font)), font);
+        const QString base = to_qt(s.base);
+        return with_scripts(base.isEmpty() ? Box{} : text(base, font, base.size() <= 2),
+                            script(s.subscript, font), script(s.superscript, font), font);
     }
 
     Box sign(const QString& words, const QFont& font) const {

@@ -9,8 +9,10 @@
 namespace covaria {
 namespace {
 
-constexpr double smallest = 0.8;  // of the size it would have in the whole picture
-constexpr double step = 6.0;      // pixels
+// Of the size it would have in the whole picture. A long scene, which fills the width of a picture that is
+// not much wider than high, needs 0.7 to pass below a legend of six lines.
+constexpr double smallest = 0.65;
+constexpr double step = 6.0;  // pixels
 
 /// Of a projected box, and how far it reaches.
 struct Shape {
@@ -73,8 +75,13 @@ Camera clear_of_corner(const Camera& camera, const SceneBounds& bounds, PictureS
     for (double scale = 1.0; scale >= smallest; scale -= 0.02) {
         const Camera farther = zoomed(camera, scale);
         const Shape shape = shape_of(farther, bounds, size);
-        if (const auto way = way_out(shape, size, right, bottom, room))
-            return panned(farther, size, way->x, way->y);
+        const auto way = way_out(shape, size, right, bottom, room);
+        if (!way) continue;
+        const Camera moved = panned(farther, size, way->x, way->y);
+        // In a perspective, what is far away has moved less than that.
+        constexpr double rounding = 1e-6;
+        if (is_clear(shape_of(moved, bounds, size), 0.0, 0.0, right - rounding, bottom - rounding))
+            return moved;
     }
     return camera;
 }

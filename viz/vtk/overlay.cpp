@@ -63,7 +63,7 @@ bool Overlay::is_free(const ScreenRect& rect) const {
 void Overlay::paint_head(const std::vector<HeadLine>& lines) {
     // Where the scene reaches under the legend, it steps back.
     const ScreenRect ground = legend_ground(lines, view_.ratio, masks_);
-    if (ground.width > 0.0) canvas_.rectangle(ground, ground_top(view_.palette), 0.8);
+    if (ground.width > 0.0) canvas_.rectangle(ground, ground_top(view_.palette), ground_opacity);
     for (const HeadLine& line : lines) {
         write(line.word, line.x, line.y);
         if (line.legend)

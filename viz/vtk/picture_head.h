@@ -17,6 +17,7 @@ struct Word {
 
 inline constexpr double letter_size = 13.0;
 inline constexpr double picture_margin = 14.0;
+inline constexpr double ground_opacity = 0.8;  ///< under words that stand on what is drawn
 
 /// A line of the title, or of the legend.
 struct HeadLine {

@@ -36,7 +36,7 @@ std::vector<ScreenRect> Overlay::what_labels_avoid() const {
     std::vector<ScreenRect> drawn;
     if (view_.layers[Layer::links])
         for (const SceneLink& link : scene_.links)
-            if (link.radius > 0.0) add_tube(link.from, link.to, link.radius, drawn);
+            add_tube(link.from, link.to, link.radius, drawn);  // a thin line has a radius of 0
     if (view_.layers[Layer::frames])
         for (const SceneFrame& frame : scene_.frames)
             for (int i = 0; i < 3; ++i)
@@ -102,6 +102,9 @@ std::vector<Overlay::PlannedLabel> Overlay::paint_where_free(const std::vector<P
             continue;
         }
         paint_leader(requests[i], *placed[i]);
+        // Without a place of its own it is read on a ground, as the legend.
+        if (std::ranges::any_of(drawn, [&](const ScreenRect& d) { return placed[i]->overlaps(d); }))
+            canvas_.rectangle(*placed[i], ground_top(view_.palette), ground_opacity);
         put(labels[i].word, placed[i]->x + px(1), placed[i]->y);
     }
     return without_room;

@@ -48,6 +48,18 @@ const std::vector<ModelEquation>& curve_equations() {
     return all;
 }
 
+/// The curve with the terms that it has: "b(x) = y₁ + y₂ (x − x₀)".
+ModelEquation curve_equation(const CurveSetup& setup) {
+    std::string sum;
+    for (std::size_t power = setup.first_power(); power <= setup.degree; ++power) {
+        if (!sum.empty()) sum += " + ";
+        sum += symbol_to_unicode("y_" + std::to_string(power + 1));
+        if (power > 0) sum += " (x − x₀)";
+        if (power > 1) sum += unicode_superscripts(std::to_string(power)).value_or("");
+    }
+    return {"b(x) = " + sum, curve_equations().front().source};
+}
+
 class CalibrationCurve : public EquationModel<CalibrationCurve> {
 public:
     CalibrationCurve(CurveSetup setup, Fit fit, std::vector<InversePlace> inverse)
@@ -74,7 +86,7 @@ public:
     Layout layout(std::span<const double>) const override { return {}; }
     std::vector<ModelEquation> formulas() const override {
         const std::vector<ModelEquation>& all = curve_equations();
-        return {all.front(), all[setup_.from_residuals ? 1 : 2]};
+        return {curve_equation(setup_), all[setup_.from_residuals ? 1 : 2]};
     }
     std::vector<DataTable> evaluation() const override {
         return curve::curve_evaluation(setup_, fit_, inverse_);

@@ -55,7 +55,7 @@ PlotSpecification figure_of(const ObservedQuantity& quantity) {
     }
     plot.x = {"number of the observation", 0.5, static_cast<double>(longest) + 0.5};
     plot.y.title = symbol_text(quantity.symbol);
-    if (quantity.unit.text() != "1") plot.y.title += Text(" (" + quantity.unit.display() + ")");
+    if (quantity.unit.text() != "1") plot.y.unit = quantity.unit.display();
     mark_mean(quantity, plot);
     return plot;
 }

@@ -20,7 +20,8 @@ std::string lower_key(const ForceChannel& channel) {
 
 PlotAxis load_axis(const ForceChannel& channel) {
     PlotAxis axis;
-    axis.title = std::string("load ") + channel.kind().key + " (" + channel.load_unit().display() + ")";
+    axis.title = std::string("load ") + channel.kind().key;
+    axis.unit = channel.load_unit().display();
     axis.low = 0.0;
     axis.high = 1.04 * channel.rated_load;
     return axis;
@@ -32,8 +33,9 @@ PlotSpecification plan_figure(const Calibration& calibration) {
     PlotSpecification plot;
     plot.id = "plan";
     plot.title = "Loads of one axis against time";
-    plot.x.title = "time (min)";
-    plot.y = {"load (% of rated load)", 0.0, 108.0, false, {}};
+    plot.x.title = "time";
+    plot.x.unit = "min";
+    plot.y = {"per cent of rated load", 0.0, 108.0, false, {}};
     PlotSeries line{"", SeriesKind::line, SeriesRole::data, {}, {}, {}, 0.0};
     double now = 0.0;
     const auto hold = [&](double percent, double seconds) {
@@ -66,7 +68,8 @@ public:
 
     PlotSpecification curve() const {
         PlotSpecification plot = empty("curve", "Calibration curve of ");
-        plot.y.title = "net reading (mV/V)";
+        plot.y.title = "net reading";
+        plot.y.unit = "mV/V";
         PlotSeries up{"increasing, mean", SeriesKind::line, SeriesRole::data, {0.0}, {0.0}, {}, 0.0};
         PlotSeries down{"decreasing, mean", SeriesKind::points, SeriesRole::emphasis, {}, {}, {}, 0.0};
         for (const StepStatistics& step : calibration_.steps[c_]) {
@@ -82,7 +85,8 @@ public:
 
     PlotSpecification residuals() const {
         PlotSpecification plot = empty("residuals", "Residuals from the line through zero of ");
-        plot.y.title = "residual (µV/V)";
+        plot.y.title = "residual";
+        plot.y.unit = "µV/V";
         PlotSeries up{"increasing", SeriesKind::points, SeriesRole::data, {}, {}, {}, 0.0};
         PlotSeries down{"decreasing", SeriesKind::points, SeriesRole::emphasis, {}, {}, {}, 0.0};
         for (const Run& run : calibration_.series[c_].runs) {
@@ -97,7 +101,8 @@ public:
     /// Deviation from the straight line between zero and rated load, so that the loop is wide.
     PlotSpecification loop() const {
         PlotSpecification plot = empty("loop", "Hysteresis loop, magnified, of ");
-        plot.y.title = "deviation from the line (µV/V)";
+        plot.y.title = "deviation from the line";
+        plot.y.unit = "µV/V";
         const double line = channel_.rated_output / channel_.rated_load;
         PlotSeries up{"increasing", SeriesKind::line, SeriesRole::data, {0.0}, {0.0}, {}, 0.0};
         PlotSeries down{"decreasing", SeriesKind::line, SeriesRole::emphasis, {}, {}, {}, 0.0};
@@ -170,7 +175,8 @@ PlotSpecification interference_figure(const Calibration& calibration) {
     plot.y.title = "sensor";
     PlotSeries cells;
     cells.kind = SeriesKind::heat_map;
-    cells.name = "interference (%)";
+    cells.name = "interference";
+    cells.unit = "%";
     const std::size_t n = calibration.size();
     double largest = 0.0;
     for (std::size_t c = 0; c < n; ++c) {

@@ -41,10 +41,8 @@ public:
     std::vector<PlotSpecification> figures() const override { return force_channels::figures(setup_); }
 
     Layout layout(std::span<const double>) const override {
-        Layout layout = setup_.sensor.asset->layout();
+        Layout layout = layout_for_loads(setup_.sensor);
         const Eigen::Isometry3d& X_WS = setup_.sensor->placement();
-        for (LayoutFrame& frame : layout.frames) frame.source = {};
-        layout.points.push_back({.name = "", .p_W = X_WS.translation()});
         for (const ForceChannel& channel : setup_.channels()) {
             LayoutVector vector{
                 .name = channel.kind().key, .at_W = X_WS.translation(), .group = channel.kind().key};

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/unit.h"
-#include "core/model/capability.h"
+#include "core/model/offered.h"
 
 namespace covaria {
 
@@ -83,5 +83,8 @@ public:
     virtual const Eigen::Isometry3d& placement() const = 0;
     virtual double height() const = 0;  ///< of its housing, m
 };
+
+/// The sensor in an analysis of its loads, which are along its own axes: none of it can be dragged there.
+Layout layout_for_loads(const Offered<ForceSensorSource>& sensor);
 
 }  // namespace covaria

@@ -32,9 +32,7 @@ public:
     std::vector<PlotSpecification> figures() const override { return force_loads::figures(setup_); }
 
     Layout layout(std::span<const double> x) const override {
-        Layout layout = setup_.sensor.asset->layout();
-        for (LayoutFrame& frame : layout.frames) frame.source = {};
-        layout.points.push_back({.name = "", .p_W = setup_.sensor->placement().translation()});
+        Layout layout = layout_for_loads(setup_.sensor);
         std::vector<double> y(outputs_.size());
         if (!evaluate(x, y)) return layout;
         for (std::size_t k = 0; k < setup_.cases.size(); ++k)

@@ -287,6 +287,16 @@ TEST(Typeset, WritesMathml) {
               "mrow></math>");
 }
 
+TEST(Typeset, SubscriptsThatAreWordsAreUprightInMathml) {
+    TextProblems problems;
+    const std::vector<Formula> all = formulas(parse("y = m_Rc + delta_m_Rc + l_S", problems));
+    ASSERT_EQ(all.size(), 1u);
+    const std::string written = to_mathml(all[0]);
+    EXPECT_NE(written.find("<msub><mi>m</mi><mi>Rc</mi></msub>"), std::string::npos) << written;
+    EXPECT_NE(written.find("<mrow><mi>m</mi><mi>,Rc</mi></mrow>"), std::string::npos) << written;
+    EXPECT_NE(written.find("<mi mathvariant=\"normal\">S</mi>"), std::string::npos) << written;
+}
+
 /// What is wrong, first message; "" if nothing is. t, t_1, t_2 in degC, T in K, x a number.
 std::string objection(const std::string& text, std::optional<Unit> wanted = std::nullopt) {
     TextProblems problems;

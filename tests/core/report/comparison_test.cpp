@@ -152,7 +152,7 @@ TEST(Comparison, DistributionsLieOverEachOther) {
         EXPECT_NEAR(area, 1.0, 1e-3) << "a density in the unit of the axis, the same for both";
     }
     EXPECT_NEAR(plot.x.low, -120'000.0 - 4.5 * 1000.0, 1e-9);
-    EXPECT_EQ(to_unicode(plot.x.title), "x (µm)");
+    EXPECT_EQ(plot.x.unit, "µm");
 }
 
 TEST(Comparison, TheChangesOfABudgetAreBars) {

@@ -27,10 +27,12 @@ TEST(HistogramPlot, IsTheDensityInDisplayUnits) {
     const PlotSpecification plot = histogram_plot(test::plot_sample(), 0);
     EXPECT_EQ(plot.id, "histogram-x-pose-7");
     EXPECT_EQ(to_unicode(plot.title), "Distribution of x (pose 7)");
-    EXPECT_EQ(to_unicode(plot.x.title), "x (mm)");
-    EXPECT_EQ(to_unicode(plot.y.title), "probability density (1/mm)");
-    EXPECT_EQ(to_unicode(plot.y.short_title), "density (1/mm)");
-    EXPECT_TRUE(plot.x.written_out) << "as the labels of its marks";
+    EXPECT_EQ(to_unicode(plot.x.title), "x");
+    EXPECT_EQ(plot.x.unit, "mm");
+    EXPECT_EQ(to_unicode(plot.y.title), "probability density");
+    EXPECT_EQ(plot.y.unit, "1/mm");
+    EXPECT_EQ(to_unicode(plot.y.short_title), "density");
+    EXPECT_EQ(plot.x.exponent, 0) << "as the labels of its marks";
     const PlotSeries& bars = plot.series.at(0);
     EXPECT_EQ(bars.kind, SeriesKind::bars);
     EXPECT_NEAR(area_of(bars), 1.0, 1e-5);
@@ -72,6 +74,31 @@ TEST(HistogramPlot, LabelsHaveTheDecimalSignThatIsAskedFor) {
         for (const PlotMark& mark : plot.marks) labels += to_unicode(mark.label) + "\n";
         EXPECT_NE(labels.find(','), std::string::npos) << labels;
         EXPECT_EQ(labels.find('.'), std::string::npos) << labels;
+    }
+}
+
+// In metres numbers of some micrometres need a power of ten: one for the axis and all that is said on it.
+TEST(HistogramPlot, MarksHaveThePowerOfTenOfTheirAxis) {
+    UncertaintyResult result = test::plot_sample();
+    OutputResult& y = result.outputs[0];
+    MonteCarloOutput& mc = *y.monte_carlo;
+    const double unit = mc.standard_uncertainty / 1.8e-8;  // mm: u = 18 nm
+    for (double* number :
+         {&y.estimate, &y.first_order.estimate, &mc.mean, &mc.symmetric.low, &mc.symmetric.high,
+          &mc.histogram.low, &mc.histogram.high, &mc.minimum, &mc.maximum})
+        *number = (*number + 0.120) / unit;  // its mean was -120 mm
+    for (double* number :
+         {&y.first_order.standard_uncertainty, &y.standard_uncertainty, &y.expanded_uncertainty,
+          &mc.standard_uncertainty, &mc.standard_error_of_uncertainty})
+        *number /= unit;
+    for (ConvergencePoint& point : result.convergence) point.standard_uncertainty[0] /= unit;
+    for (const PlotSpecification& plot : {histogram_plot(result, 0), convergence_plot(result, 0)}) {
+        ASSERT_FALSE(plot.marks.empty()) << to_unicode(plot.title);
+        const auto exponent = plot.id.starts_with("histogram") ? plot.x.exponent : plot.y.exponent;
+        EXPECT_EQ(exponent, -6) << plot.id;
+        for (const PlotMark& mark : plot.marks)
+            EXPECT_NE(to_unicode(mark.label).find("×10⁻⁶\u00a0mm"), std::string::npos)
+                << to_unicode(mark.label);
     }
 }
 
@@ -263,7 +290,8 @@ TEST(EmptyPlots, ZeroUncertaintyHasNoDistribution) {
 TEST(PlotCsv, HasColumnsPerSeriesAndQuotesCommas) {
     PlotSpecification plot;
     plot.x.title = "x, y";
-    plot.y.title = "u (mm)";
+    plot.y.title = "u";
+    plot.y.unit = "mm";
     plot.series.push_back({"a", SeriesKind::line, SeriesRole::data, {1.0, 2.5}, {0.1, 0.2}, {}, 0.0});
     plot.series.push_back({"", SeriesKind::line, SeriesRole::fit, {3.0}, {1e-9}, {}, 0.0});
     EXPECT_EQ(plot_csv(plot), "\"a: x, y\",a: u (mm),\"x, y\",u (mm)\r\n1,0.1,3,1e-09\r\n2.5,0.2,,\r\n");

@@ -96,6 +96,24 @@ TEST(SymbolsText, AHyphenBetweenFiguresIsOfTheSubscript) {
     EXPECT_EQ(to_html(running_text("z_i-1")), "<i>z</i><sub>i</sub>-1");
 }
 
+TEST(ScriptParts, WordsAndLabelsAreUpright) {
+    const auto shown = [](const char* script) {
+        std::string all;
+        for (const ScriptPart& part : script_parts(script))
+            all += part.italic ? "/" + part.letters + "/" : part.letters;
+        return all;
+    };
+    EXPECT_EQ(shown("Rc"), "Rc");
+    EXPECT_EQ(shown("m,Rc"), "/m/,Rc") << "of the mass, of the reference";
+    EXPECT_EQ(shown("1x"), "1/x/");
+    EXPECT_EQ(shown("ij"), "/ij/");
+    EXPECT_EQ(shown("α"), "/α/");
+    EXPECT_EQ(shown("cal"), "cal");
+    EXPECT_EQ(shown("S"), "S") << "a label";
+    EXPECT_EQ(shown("12"), "12");
+    EXPECT_EQ(shown(""), "");
+}
+
 TEST(TitleText, IsASymbolWhereItLooksLikeOne) {
     for (const char* title : {"u_x", "alpha", "x"}) EXPECT_TRUE(looks_like_symbol(title)) << title;
     for (const char* title : {"point", "side length", ""}) EXPECT_FALSE(looks_like_symbol(title)) << title;

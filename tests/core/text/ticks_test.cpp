@@ -58,9 +58,14 @@ TEST(LinearTicks, TakeLargeAndSmallPowersOutOfTheTexts) {
     EXPECT_EQ(texts(small), Texts({"0", "2", "4"}));
     EXPECT_EQ(linear_ticks(0.0, 50'000.0, 5).exponent, 0);
     EXPECT_EQ(linear_ticks(0.0, 0.05, 5).exponent, 0);
-    const Ticks written_out = linear_ticks(50'000'600.0, 50'001'000.0, 3, {}, true);
+    const Ticks written_out = linear_ticks(50'000'600.0, 50'001'000.0, 3, {}, 0);
     EXPECT_EQ(written_out.exponent, 0);
     EXPECT_EQ(written_out.ticks.front().text, "50\u202f000\u202f600");
+    const Ticks asked_for = linear_ticks(1.6e-5, 2.0e-5, 2, {}, -6);
+    EXPECT_EQ(asked_for.exponent, -6);
+    EXPECT_EQ(texts(asked_for), Texts({"16", "18", "20"}));
+    EXPECT_EQ(axis_exponent(1.8e-5), -6);
+    EXPECT_EQ(axis_exponent(3e6), 6);
 }
 
 TEST(LogarithmicTicks, AreDecadesOrOneTwoFive) {
@@ -71,15 +76,16 @@ TEST(LogarithmicTicks, AreDecadesOrOneTwoFive) {
 }
 
 TEST(TickTitles, TellThePower) {
-    const auto shown = [](const char* title, int exponent) {
-        return to_unicode(title_with_exponent(title, exponent));
+    const auto shown = [](const char* words, const char* unit, int exponent) {
+        return to_unicode(title_with_unit(words, unit, exponent));
     };
-    EXPECT_EQ(shown("x (mm)", 0), "x (mm)");
-    EXPECT_EQ(shown("x (mm)", -6), "x (10⁻⁶ mm)");
-    EXPECT_EQ(shown("probability density (1/mm)", 6), "probability density (10⁶/mm)");
-    EXPECT_EQ(shown("x", 12), "x (10¹²)");
-    EXPECT_EQ(shown("u(x)", -6), "u(x) (10⁻⁶)");
-    EXPECT_EQ(shown("u(x) (mm)", -3), "u(x) (10⁻³ mm)");
+    EXPECT_EQ(shown("x", "mm", 0), "x (mm)");
+    EXPECT_EQ(shown("x", "mm", -6), "x (10⁻⁶ mm)");
+    EXPECT_EQ(shown("probability density", "1/mm", 6), "probability density (10⁶/mm)");
+    EXPECT_EQ(shown("x", "", 12), "x (10¹²)");
+    EXPECT_EQ(shown("x", "", 0), "x");
+    EXPECT_EQ(shown("u(x)", "", -6), "u(x) (10⁻⁶)");
+    EXPECT_EQ(shown("u(x)", "mm", -3), "u(x) (10⁻³ mm)");
 }
 
 TEST(RoundNumbers, NearestBelowAboveAndTexts) {

@@ -170,11 +170,14 @@ TEST(ReadOut, KnowsBarsCellsAndPoints) {
               "quantile of the standard normal distribution = 0.000, quantile of z = 1174.909\u00a0mm");
     EXPECT_EQ(at(plots[2], -2.0, 1175.3), "nothing");
     PlotSpecification map = plots[4];
-    map.x.title = "east (m)";
-    map.y.title = "height (mm)";
+    map.x.title = "east";
+    map.x.unit = "m";
+    map.y.title = "height";
+    map.y.unit = "mm";
     map.x.categories[1] = "20";
     map.y.categories[0] = "500";
-    map.series[0].name = "U(x) (mm)";
+    map.series[0].name = "U(x)";
+    map.series[0].unit = "mm";
     EXPECT_EQ(at(map, 1.0, 0.0), "east = 20\u00a0m; height = 500\u00a0mm: U(x) = −0.800\u00a0mm");
     EXPECT_TRUE(
         at(plots[6], 6.0, plots[6].marks[0].at).starts_with("number of trials = 1\u202f000\u202f000"));

@@ -48,8 +48,9 @@ TEST(ChartLayout, KeepsTextsWholeAndApart) {
 
 TEST(ChartLayout, ShortensTheTitleOfAnAxisAndKeepsANoun) {
     PlotSpecification plot = test::all_plots()[0];
-    plot.y.title = "probability density (1/mm)";
-    plot.y.short_title = "density (1/mm)";
+    plot.y.title = "probability density";
+    plot.y.unit = "1/mm";
+    plot.y.short_title = "density";
     const auto title = [&](QSize size) {
         for (const PlacedText& text : layout_chart(plot, size, whole_view(plot)).texts)
             if (text.kind == TextKind::axis_title && text.upwards) return to_unicode(text.text);
@@ -57,7 +58,8 @@ TEST(ChartLayout, ShortensTheTitleOfAnAxisAndKeepsANoun) {
     };
     EXPECT_EQ(title({600, 400}), "probability density (1/mm)");
     EXPECT_EQ(title({600, 150}), "density (1/mm)");
-    plot.y.title = "Anteil an der Varianz der Ausgangsgröße (%)";
+    plot.y.title = "Anteil an der Varianz der Ausgangsgröße";
+    plot.y.unit = "%";
     plot.y.short_title = {};
     EXPECT_TRUE(title({600, 220}).starts_with("Anteil")) << title({600, 220});
     EXPECT_TRUE(title({600, 220}).ends_with(" (%)")) << title({600, 220});

@@ -1,12 +1,14 @@
 // Library and templates through the real widgets, and an analysis that lacks something.
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPainter>
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QTranslator>
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/document/project_edits.h"
+#include "ui/pages/example_card.h"
 #include "ui/pages/library_browser.h"
 #include "ui/pages/project_pane.h"
 #include "ui/pages/results_pane.h"
@@ -34,6 +36,28 @@ TEST_F(LibrarySession, ATrackerIsFoundByItsNameAndTakenIntoTheProject) {
     library.search().setText(QStringLiteral("no such thing"));
     EXPECT_EQ(library.cards().count(), 0);
     EXPECT_FALSE(library.take_button().isEnabled());
+}
+
+// The shipped pictures are light.
+TEST_F(LibrarySession, ADarkWindowDimsThePicturesOfItsCards) {
+    QPixmap light(640, 400);
+    light.fill(Qt::white);
+    const auto middle = [&](const QColor& base) {
+        QPixmap card(160, 100);
+        QPalette palette;
+        palette.setColor(QPalette::Base, base);
+        palette.setColor(QPalette::Window, base);
+        QPainter painter(&card);
+        paint_card_picture(painter, QRectF(0, 0, 160, 100), light, palette);
+        painter.end();
+        return card.toImage().pixelColor(80, 50).lightness();
+    };
+    EXPECT_EQ(middle(Qt::white), 255);
+    EXPECT_LT(middle(QColor(30, 32, 36)), 215);
+    LibraryBrowser& library = window_->library();
+    library.fill();
+    const QImage card = library.cards().item(0)->icon().pixmap(160, 100).toImage();
+    EXPECT_LT(card.pixelColor(0, 0).alpha(), 128) << "its corners are round";
 }
 
 // In a window of another language: the shown words are found, whatever their case, and the English ones.

@@ -56,7 +56,8 @@ TEST_F(StudySession, AStudyIsAddedChangedRunAndTakenBack) {
     EXPECT_EQ(study_status().result->points.size(), 5u);
     show_study_tab();
     EXPECT_FALSE(tab().chart().plot().series.empty());
-    EXPECT_EQ(tab().chart().plot().x.title, "Targets, B: y (m)");
+    EXPECT_EQ(tab().chart().plot().x.title, "Targets, B: y");
+    EXPECT_EQ(tab().chart().plot().x.unit, "m");
     window_->document().undo_stack().undo();
     ASSERT_TRUE(wait_for([this] { return !study_status().is_current(); }));
     EXPECT_TRUE(tab().state_words().contains(QStringLiteral("Out of date")));

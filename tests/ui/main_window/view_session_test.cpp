@@ -154,6 +154,28 @@ TEST_F(ViewSession, TheProjectionIsSwitched) {
     EXPECT_FALSE(camera().perspective);
 }
 
+TEST_F(ViewSession, AFramedSceneIsFramedAgainWhenResultsLengthenItsLegend) {
+    view().setFixedSize(700, 420);
+    QCoreApplication::processEvents();
+    auto without = std::make_shared<Scene>(*view().scene()), with = std::make_shared<Scene>(*without);
+    without->legend.clear();
+    with->legend.assign(8, {LegendMark::ellipsoid, Role::output, "outputs: coverage ellipsoids"});
+    view().show_scene(without);
+    view().fit();
+    const Camera before = camera();
+    view().show_scene(with);
+    const Camera after = camera();
+    EXPECT_NE(after, before) << "beside the legend";
+    view().fit();
+    EXPECT_EQ(camera(), after);
+    QTest::keyClick(&view(), Qt::Key_Left);
+    const Camera turned = camera();
+    with = std::make_shared<Scene>(*with);
+    with->legend.resize(9, with->legend.front());
+    view().show_scene(with);
+    EXPECT_EQ(camera(), turned) << "the user has chosen this view";
+}
+
 TEST_F(ViewSession, AViewIsSavedUndoneAndShownAgain) {
     view().setFixedSize(540, 320);  // whatever room the panes beside it take
     QCoreApplication::processEvents();

@@ -90,6 +90,16 @@ TEST(Camera, KeepsTheSceneClearOfACorner) {
     EXPECT_GT(left, 20) << "where nothing was covered";
 }
 
+/// A long network of instruments, in a pane of a window with the legend of its results.
+TEST(Camera, ALongScenePassesBelowALongLegend) {
+    const SceneBounds box{{-0.7, -1.7, -1.4}, {10.7, 1.7, 1.3}};
+    const ScreenRect legend{9, 40, 230, 95};
+    for (const PictureSize picture : {PictureSize{700, 420}, PictureSize{620, 380}}) {
+        const Camera fit = view_of(box, StandardView::iso, picture, 50.0);
+        EXPECT_NE(clear_of_corner(fit, box, picture, legend, 50.0), fit) << picture.width;
+    }
+}
+
 TEST(Camera, PerspectiveShowsNearThingsLarger) {
     Camera camera = iso();
     camera.perspective = true;

@@ -178,13 +178,15 @@ TEST(Words, LabelsAtOnePlaceAreOneLabel) {
     EXPECT_TRUE(std::ranges::count(words, "axis 5") == 1 && std::ranges::count(words, "axis 6") == 1);
 }
 
-// A tube across the usual places of a label.
-TEST(Words, LabelsKeepOffTubes) {
+// A tube, or a thin line of sight, across the usual places of a label.
+class LabelBesideALink : public testing::TestWithParam<double> {};
+
+TEST_P(LabelBesideALink, KeepsOffIt) {
     Scene scene;
     scene.size = 1.0;
     SceneLink& link = scene.links.emplace_back();
     link.to = {0.4, 0, 0.4};
-    link.radius = 0.03;
+    link.radius = GetParam();
     scene.labels.push_back({"joint", Eigen::Vector3d::Zero(), 0.01, Role::text, 20, ""});
     detail::OverlayView look;
     const PictureSize size{800, 600};
@@ -200,6 +202,30 @@ TEST(Words, LabelsKeepOffTubes) {
         const Pixel at = project(look.camera, size, along * scene.links[0].to);
         EXPECT_FALSE(rect.overlaps({at.x, at.y, 1e-6, 1e-6})) << along;
     }
+}
+
+INSTANTIATE_TEST_SUITE_P(Words, LabelBesideALink, testing::Values(0.03, 0.0));
+
+// Lines of sight on all sides of a label: what is behind it does not show through its letters.
+TEST(Words, ALabelThatCoversLinesHasAGround) {
+    Scene scene;
+    scene.size = 1.0;
+    for (int i = -20; i <= 20; ++i)
+        scene.links.push_back({.from = {-0.4, 0, 0.02 * i}, .to = {0.4, 0, 0.02 * i}});
+    scene.labels.push_back({"L          L", Eigen::Vector3d::Zero(), 0.01, Role::text, 20, ""});
+    detail::OverlayView look;
+    const PictureSize size{800, 600};
+    look.camera = view_of({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}}, StandardView::front, size);
+    detail::TextMasks masks;
+    Image image{size.width, size.height, {}};
+    image.rgba.assign(std::size_t(4) * 800 * 600, 0);  // as dark as lines can be
+    detail::Overlay overlay(scene, look, image, masks);
+    overlay.paint();
+    ASSERT_EQ(overlay.words().size(), 1U);
+    const ScreenRect& rect = overlay.words().front().rect;
+    const auto x = std::size_t(rect.x + rect.width / 2), y = std::size_t(rect.y + rect.height / 2);
+    EXPECT_GT(image.rgba[4 * (800 * y + x)], 150) << "between its words";
+    EXPECT_EQ(image.rgba[0], 0) << "nowhere else";
 }
 
 // Numbers so long that few have room: two of them, or none.

@@ -27,6 +27,16 @@ TEST(CalibrationCurve, APolynomialGoesThroughItsPoints) {
     for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(result.outputs[k].estimate, expected[k], 1e-9);
 }
 
+TEST(CalibrationCurve, TheFormulaHasTheTermsOfItsDegree) {
+    const auto formula = [](int degree) {
+        Problems problems;
+        const auto model = model_of(setup_of(five(), "residuals", degree), problems);
+        return model ? model->formulas().front().text : "";
+    };
+    EXPECT_EQ(formula(1), "b(x) = y₁ + y₂ (x − x₀)");
+    EXPECT_EQ(formula(2), "b(x) = y₁ + y₂ (x − x₀) + y₃ (x − x₀)²");
+}
+
 // One s for all coefficients: its n - p degrees of freedom hold for every result and any origin. The
 // coverage interval by Monte Carlo is that of one t distribution.
 TEST(CalibrationCurve, EveryResultHasTheDegreesOfFreedomOfTheResiduals) {

@@ -194,6 +194,8 @@ TEST(ForceLoads, VectorsCarryTheirUncertainty) {
         x.push_back(estimate_of(prepared->inputs, i));
     const Layout layout = prepared->model->layout(x);
     ASSERT_EQ(layout.vectors.size(), 6u);  // force and moment of three cases
+    ASSERT_EQ(layout.notes.size(), 1u);
+    EXPECT_EQ(layout.notes[0].english(), "results: in the frame of the sensor");
     // The sensor is turned by 90° about z: 50, -30, 80 N and 0.4, -0.6, 0.2 N m along its own axes.
     const LayoutVector &force = layout.vectors[0], &moment = layout.vectors[1];
     EXPECT_LT((force.vector_W - Eigen::Vector3d(30, 50, 80)).norm(), 1e-9);
