@@ -25,7 +25,7 @@ constexpr double wide_range = 30.0;  // highest by lowest value, from which an a
 constexpr int value_digits = 6;
 
 /// As that of an axis.
-std::string unit_text(const Unit& unit) {
+std::string axis_unit(const Unit& unit) {
     return unit == Unit{} ? std::string() : unit.display();
 }
 
@@ -133,10 +133,10 @@ PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen,
     const StudyAxisValues& axis = study.axes.front();
     plot.title = study.name;
     plot.x.title = axis.title.in(language);
-    plot.x.unit = unit_text(axis.unit);
+    plot.x.unit = axis_unit(axis.unit);
     plot.x.logarithmic = axis.logarithmic;
     plot.y.title = language.say(plot_words::uncertainty);
-    plot.y.unit = unit_text(chosen.unit);
+    plot.y.unit = axis_unit(chosen.unit);
     const std::vector<StudyQuantity> lines = companions(study_quantities(study, language), study, chosen);
     for (std::size_t k = 0; k < lines.size(); ++k) {
         std::vector<double> y;
@@ -176,7 +176,7 @@ Plane plane_of(const StudyResult& study, const StudyView& view) {
 
 Text title_of(const StudyResult& study, const StudyView& view, const StudyQuantity& quantity,
               const DocumentLanguage& language) {
-    Text title = study.name + ": " + title_with_unit(quantity.title, unit_text(quantity.unit));
+    Text title = study.name + ": " + title_with_unit(quantity.title, axis_unit(quantity.unit));
     if (study.axes.size() < 3) return title;
     const StudyAxisValues& axis = study.axes[std::min<std::size_t>(view.fixed_axis, 2)];
     const double value = axis.values[std::min(view.slice, axis.values.size() - 1)];
@@ -188,7 +188,7 @@ Text title_of(const StudyResult& study, const StudyView& view, const StudyQuanti
 PlotAxis category_axis(const StudyAxisValues& values, bool downwards, const DocumentLanguage& language) {
     PlotAxis axis;
     axis.title = values.title.in(language);
-    axis.unit = unit_text(values.unit);
+    axis.unit = axis_unit(values.unit);
     for (const double value : values.values) axis.categories.push_back(value_text(value, language.numbers()));
     if (downwards) std::reverse(axis.categories.begin(), axis.categories.end());
     return axis;
@@ -211,7 +211,7 @@ PlotSpecification map(const StudyResult& study, const Plane& plane, const StudyQ
     PlotSeries cells;
     cells.kind = SeriesKind::heat_map;
     cells.name = quantity.title;
-    cells.unit = unit_text(quantity.unit);
+    cells.unit = axis_unit(quantity.unit);
     for (std::size_t j = plot.y.categories.size(); j-- > 0;)
         for (std::size_t i = 0; i < plot.x.categories.size(); ++i)
             cells.z.push_back(shown(study, quantity, point_of(study, plane, i, j)));
@@ -226,10 +226,10 @@ PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
     PlotSpecification plot;
     const StudyAxisValues &x = study.axes[plane.x], &other = study.axes[plane.y];
     plot.x.title = x.title.in(language);
-    plot.x.unit = unit_text(x.unit);
+    plot.x.unit = axis_unit(x.unit);
     plot.x.logarithmic = x.logarithmic;
     plot.y.title = quantity.title;
-    plot.y.unit = unit_text(quantity.unit);
+    plot.y.unit = axis_unit(quantity.unit);
     const std::size_t n = other.values.size(), lines = std::min(n, family.size());
     for (std::size_t k = 0; k < lines; ++k) {
         const std::size_t j = lines > 1 ? k * (n - 1) / (lines - 1) : 0;
