@@ -62,8 +62,7 @@ int main(int argc, char** argv) {
     app.add_option("FILE", file, "project file, or report (PDF) that carries one, to open in the window")
         ->check(CLI::ExistingFile);
     std::string language;
-    app.add_option("--language", language,
-                   "of the window, this time: de, zh_CN; the preferences have the others")
+    app.add_option("--language", language, "of the window, this time: " + languages_of_window())
         ->check(
             CLI::Validator([](const std::string& code) { return complaint_about_language(code); }, "CODE"));
     const std::vector<Command> commands = all_commands(app);

@@ -60,12 +60,16 @@ int run_window(const std::string& file, const std::string& language) {
     return QApplication::exec();
 }
 
-std::string complaint_about_language(const std::string& code) {
-    if (!ui::offered_language(QString::fromStdString(code)).isEmpty()) return {};
+std::string languages_of_window() {
     std::string codes;
     for (const ui::Language& offered : ui::offered_languages())
         codes += (codes.empty() ? "" : ", ") + offered.code.toStdString();
-    return "there is no language \"" + code + "\"; there are: " + codes;
+    return codes;
+}
+
+std::string complaint_about_language(const std::string& code) {
+    if (!ui::offered_language(QString::fromStdString(code)).isEmpty()) return {};
+    return "there is no language \"" + code + "\"; there are: " + languages_of_window();
 }
 
 }  // namespace covaria
