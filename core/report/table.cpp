@@ -34,11 +34,15 @@ Quantity Measured::in(const DisplayUnits& units) const {
     return {shown.interval_from_si(si * units.of(per).interval_to_si(1.0)), shown};
 }
 
+const Column* Table::find(std::string_view key) const {
+    const auto it = std::ranges::find(columns, key, &Column::key);
+    return it == columns.end() ? nullptr : &*it;
+}
+
 const Column& Table::operator[](std::string_view key) const {
-    const auto it =
-        std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.key == key; });
-    if (it == columns.end()) throw std::out_of_range("no column " + std::string(key) + " in table " + id);
-    return *it;
+    const Column* found = find(key);
+    if (!found) throw std::out_of_range("no column " + std::string(key) + " in table " + id);
+    return *found;
 }
 
 DataTable data_table(const Table& table, const std::vector<std::string>& keys, const DisplayUnits& units) {
@@ -86,7 +90,9 @@ std::optional<double> largest_of_row(const Table& table, const Column& column, s
     const Unit unit = std::get<Measured>(column.cell(row)).in(units).unit;
     double largest = 0.0;
     for (const std::string& key : column.rule.row) {
-        const Cell cell = table.cell(row, key);
+        const Column* other = table.find(key);
+        if (!other) continue;
+        const Cell cell = other->cell(row);
         const auto* number = std::get_if<Measured>(&cell);
         const Quantity shown = number ? number->in(units) : Quantity{};
         if (number && shown.unit == unit && std::isfinite(shown.value))

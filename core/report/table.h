@@ -43,7 +43,8 @@ struct NumberRule {
     int digits = 0;          ///< significant ones in print
     int decimals = -1;       ///< fixed instead
     std::string match = {};  ///< key of the column whose number (an uncertainty) decides the decimals
-    /// Keys of columns of its row, its own among them: in one unit they have one power of ten.
+    /// Keys of columns, its own among them: those that the table has share one power of ten in a row, in one
+    /// unit.
     std::vector<std::string> row = {};
     bool input = false;  ///< matched only where it was computed: a typed estimate keeps its digits
     bool typed = false;  ///< every digit that was typed
@@ -94,6 +95,7 @@ struct Table {
     Column& add(std::string key, std::function<Cell(std::size_t row)> cell) {
         return columns.emplace_back(Column{std::move(key), std::move(cell)});
     }
+    const Column* find(std::string_view key) const;
     /// The column of that key, which there is.
     const Column& operator[](std::string_view key) const;
     Cell cell(std::size_t row, std::string_view key) const { return (*this)[key].cell(row); }

@@ -108,15 +108,15 @@ Study new_study(const Project& project, const AnalysisEntry& analysis) {
 
 namespace {
 
-/// What is chosen most: where an instrument stands; last what nobody can choose.
+/// What is chosen most: where an instrument stands, then other poses; last what nobody can choose.
 int rank_as_variable(const Project& project, const StudyTargetChoice& choice) {
     const StudyTarget& target = choice.target;
-    if (target.measured) return 3;
-    if (target.kind == StudyTarget::Kind::column) return 2;  // all rows by one factor
-    if (target.kind != StudyTarget::Kind::pose) return 1;
-    if (target.asset == StudyTarget::analysis) return 0;
+    if (target.measured) return 4;
+    if (target.kind == StudyTarget::Kind::column) return 3;  // all rows by one factor
+    if (target.kind != StudyTarget::Kind::pose) return 2;
+    if (target.asset == StudyTarget::analysis) return 1;
     const AssetDescriptor* kind = find_asset_kind(project.assets[target.asset].kind);
-    return kind && kind->category == AssetCategory::instrument ? 0 : 1;
+    return kind && kind->category == AssetCategory::instrument ? 0 : 2;
 }
 
 }  // namespace

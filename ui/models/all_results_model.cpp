@@ -72,8 +72,7 @@ Table AllResultsModel::joined(const std::vector<std::vector<std::size_t>>& outpu
         all.columns.push_back(std::move(column));
     }
     const auto limit = [&](const char* key, const std::string& head) {
-        const auto column = std::find_if(all.columns.begin(), all.columns.end(),
-                                         [&](const Column& one) { return one.key == key; });
+        const auto column = std::ranges::find(all.columns, key, &Column::key);
         column->window(head, to_std(tr("Coverage interval of the result line"))).match("rounding");
     };
     const IntervalHeads heads = interval_heads(coverage_probability(), language_of_window());
