@@ -10,6 +10,7 @@
 #include "core/report/comparison_columns.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/forms/form_labels.h"
 #include "ui/pages/empty_note.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/run/result_words.h"
@@ -108,6 +109,7 @@ QWidget* CompareTab::make_body() {
     budget_->set_columns(QStringLiteral("budget-changes"), {QStringLiteral("Origin")});
     chart_list_ = new QComboBox;
     chart_list_->setAccessibleName(tr("Chart"));
+    may_be_narrow(*chart_list_);
     chart_list_->addItems({tr("Distributions"), tr("Changes of the budget")});
     chart_ = new ChartView;
     auto* charts = new QWidget;

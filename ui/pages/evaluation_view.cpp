@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/chart_view.h"
+#include "ui/forms/form_labels.h"
 #include "ui/pages/side_by_side.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
@@ -28,6 +29,7 @@ EvaluationView::EvaluationView(Qt::Orientation orientation, QWidget* parent)
     text_->document()->setDefaultStyleSheet(QStringLiteral("td { white-space: nowrap }"));
     text_->setAccessibleName(tr("Tables of the evaluation"));
     list_->setAccessibleName(tr("Chart"));
+    may_be_narrow(*list_);  // the titles of charts are long, and a form's pane is not wide
     list_->setToolTip(tr("Which chart of the evaluation is shown"));
     chart_->setMinimumSize(220, 160);
     auto* column = new QVBoxLayout(charts_);

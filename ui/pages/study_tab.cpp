@@ -56,12 +56,10 @@ void StudyTab::make_head() {
         auto* made = new TypesetComboBox;
         made->setAccessibleName(name);
         made->setToolTip(tip);
-        may_be_narrow(*made);
         return made;
     };
     list_ = combo(tr("Study"), tr("Study of this analysis"));
-    list_->setMinimumWidth(list_->minimumSizeHint().width());  // as little as the others if need be
-    list_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    narrow_if_need_be(*list_);
     run_ = new QPushButton(tr("Run Study"));
     edit_ = new QPushButton(tr("Edit …"));
     edit_->setToolTip(tr("Axes, outputs and method of the study, in the properties of the analysis"));
@@ -69,6 +67,7 @@ void StudyTab::make_head() {
     kind_ = combo(tr("Kind of chart"), tr("A map, or lines over the first axis"));
     kind_->addItems({tr("Map"), tr("Lines")});
     fixed_ = combo(tr("Axis of the slices"), tr("Which axis the slices are across"));
+    for (TypesetComboBox* each : {quantity_, kind_, fixed_}) may_be_narrow(*each);
     slice_ = new QSlider(Qt::Horizontal);
     slice_->setAccessibleName(tr("Slice"));
     slice_->setFixedWidth(110);
