@@ -4,7 +4,6 @@
 #include <QEvent>
 #include <QScrollBar>
 #include <QSignalBlocker>
-#include <QSplitter>
 #include <QTextBrowser>
 #include <QTextOption>
 #include <QVBoxLayout>
@@ -37,12 +36,9 @@ EvaluationView::EvaluationView(Qt::Orientation orientation, QWidget* parent)
     column->setSpacing(2);
     column->addWidget(list_);
     column->addWidget(chart_, 1);
-    auto* splitter = new QSplitter(orientation);
-    splitter->setChildrenCollapsible(false);
-    splitter->addWidget(text_);
-    splitter->addWidget(charts_);
-    splitter->setSizes({1000, 1000});
-    if (orientation == Qt::Horizontal) widen_to_content(*splitter, *text_);
+    QSplitter* splitter =
+        orientation == Qt::Horizontal ? side_by_side(text_, charts_) : one_above_other(text_, charts_);
+    widen_to_content(*splitter, *text_);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(splitter);

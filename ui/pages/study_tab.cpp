@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "core/text/numbers.h"
@@ -12,6 +11,7 @@
 #include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
 #include "ui/pages/empty_note.h"
+#include "ui/pages/side_by_side.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/elided_label.h"
@@ -24,11 +24,8 @@ StudyTab::StudyTab(Document& document, AnalysisRunner& runner, Selection& select
     make_head();
     chart_ = new ChartView;
     table_ = new SortableTable(model_, tr("study"));
-    body_ = new QSplitter(Qt::Horizontal);
-    body_->setChildrenCollapsible(false);
-    body_->addWidget(chart_);
-    body_->addWidget(table_);
-    body_->setSizes({1000, 1000});
+    body_ = side_by_side(chart_, table_);
+    widen_to_content(*body_, *table_);
     what_to_do_ = new EmptyNote;
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
