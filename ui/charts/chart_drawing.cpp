@@ -73,9 +73,10 @@ void draw_horizontal_bars(QPainter& painter, const ChartDrawing& chart, const Pl
     const PlotGeometry& geometry = chart.layout.geometry;
     painter.setPen(Qt::NoPen);
     painter.setBrush(chart.theme.filling(series.role));
+    const double half = half_bar(geometry, series, chart.layout.fonts.scale);
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-        const QPointF a = geometry.at(0.0, series.y[i] - 0.5 * series.bar_width);
-        const QPointF b = geometry.at(series.x[i], series.y[i] + 0.5 * series.bar_width);
+        const QPointF a = geometry.at(0.0, series.y[i] - half);
+        const QPointF b = geometry.at(series.x[i], series.y[i] + half);
         const QRectF bar = QRectF(a, b).normalized().intersected(geometry.area);
         if (!bar.isEmpty()) painter.drawRect(bar);
     }

@@ -114,4 +114,10 @@ QPointF PlotGeometry::coordinates_at(QPointF place) const {
     return {view.x_low + x * (view.x_high - view.x_low), view.y_low + y * (view.y_high - view.y_low)};
 }
 
+double half_bar(const PlotGeometry& geometry, const PlotSeries& bars, double scale) {
+    constexpr double thickest = 40.0;
+    const double row = std::abs(geometry.y_at(1.0) - geometry.y_at(0.0));
+    return 0.5 * std::min(bars.bar_width, thickest * scale / row);
+}
+
 }  // namespace covaria::ui

@@ -33,4 +33,8 @@ struct PlotGeometry {
     QPointF coordinates_at(QPointF place) const;
 };
 
+/// Of horizontal bars, in coordinates of their axis: few of them do not become blocks as high as the chart.
+/// `scale` is that of the chart's fonts.
+double half_bar(const PlotGeometry& geometry, const PlotSeries& bars, double scale);
+
 }  // namespace covaria::ui

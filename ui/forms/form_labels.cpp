@@ -52,6 +52,13 @@ void may_be_narrow(QComboBox& box) {
     widen();
 }
 
+void narrow_if_need_be(QComboBox& box) {
+    may_be_narrow(box);
+    box.setMinimumWidth(box.minimumSizeHint().width());  // before what is longer counts
+    box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    box.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
 void keep_letters(QLineEdit& edit, int letters) {
     follow_font(edit, [&edit, letters] {
         edit.setMinimumWidth(letters * edit.fontMetrics().horizontalAdvance(QLatin1Char('0')) + 12);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "ui/forms/cell_delegate.h"
 #include "ui/models/cell_blocks.h"
@@ -131,17 +132,44 @@ void SpreadsheetView::shrink_columns(const std::set<int>& columns) {
     give_way();
 }
 
-/// The second column, where it has names, leaves room for the numbers as far as names are still told apart.
-void SpreadsheetView::give_way() {
-    constexpr int names = 1, least = 110;
-    if (model_.columnCount() <= names || given_widths_.contains(names)) return;
-    const int room = viewport()->width() - (horizontalHeader()->length() - columnWidth(names));
-    const int whole = std::max(sizeHintForColumn(names), horizontalHeader()->sectionSizeHint(names));
+/// Whether a column has words, and no width of the user's; with what it needs, and what tells them apart.
+std::optional<SpreadsheetView::Words> SpreadsheetView::words(int column) const {
+    constexpr int told_apart = 110;
     const bool has_numbers =
-        model_.index(0, names).data(Qt::TextAlignmentRole).toInt() & static_cast<int>(Qt::AlignRight);
-    if (whole < least || has_numbers) return;
+        model_.index(0, column).data(Qt::TextAlignmentRole).toInt() & static_cast<int>(Qt::AlignRight);
+    if (has_numbers || given_widths_.contains(column) || isColumnHidden(column)) return {};
+    const int head = horizontalHeader()->sectionSizeHint(column);
+    const int whole = std::min(std::max(sizeHintForColumn(column), head), widest_column);
+    const int least = std::max(told_apart, head);
+    if (whole < least) return {};
+    return Words{column, whole, least};
+}
+
+/// Names, in the second column, leave room for the numbers as far as they are still told apart; other words,
+/// the last first, where all columns are in view for it.
+void SpreadsheetView::give_way() {
+    constexpr int names = 1;
+    if (model_.columnCount() <= names) return;
+    std::vector<Words> giving;
+    if (const auto found = words(names)) giving.push_back(*found);
+    const bool has_names = !giving.empty();
+    for (int column = model_.columnCount() - 1; column > names; --column)
+        if (const auto found = words(column)) giving.push_back(*found);
+    int missing = horizontalHeader()->length() - viewport()->width();
+    int spare = 0;
+    for (const Words& column : giving) {
+        missing += column.whole - columnWidth(column.at);
+        spare += column.whole - column.least;
+    }
     fitting_ = true;
-    setColumnWidth(names, std::clamp(room, least, std::min(whole, widest_column)));
+    for (std::size_t i = 0; i < giving.size(); ++i) {
+        const Words& column = giving[i];
+        const bool gives = missing <= spare || (has_names && i == 0);
+        const int given = gives ? std::clamp(missing, 0, column.whole - column.least) : 0;
+        setColumnWidth(column.at, column.whole - given);
+        missing -= given;
+        spare -= column.whole - column.least;
+    }
     fitting_ = false;
 }
 

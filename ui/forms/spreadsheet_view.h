@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QTableView>
+#include <optional>
 #include <set>
 
 #include "ui/models/spreadsheet_model.h"
@@ -49,6 +50,11 @@ private:
     void update_actions();
     void fit_columns(int first, int last);
     void shrink_columns(const std::set<int>& columns);
+    /// Widths of a column of words.
+    struct Words {
+        int at, whole, least;
+    };
+    std::optional<Words> words(int column) const;
     void give_way();
     void move_down();
     void begin_row_below();

@@ -41,9 +41,12 @@ private:
     }
     int room() const {
         int room = page_->width();
-        for (const QWidget* around = editor_.parentWidget(); around != page_; around = around->parentWidget())
-            if (const QLayout* layout = around->layout())
-                room -= layout->contentsMargins().left() + layout->contentsMargins().right();
+        const auto take = [&room](const QMargins& margins) { room -= margins.left() + margins.right(); };
+        for (const QWidget* around = editor_.parentWidget(); around != page_;
+             around = around->parentWidget()) {
+            take(around->contentsMargins());  // the frame of a group
+            if (const QLayout* layout = around->layout()) take(layout->contentsMargins());
+        }
         // Forms count it in rows too whose field stands below its label.
         return room - editor_.style()->pixelMetric(QStyle::PM_LayoutHorizontalSpacing, nullptr, &editor_);
     }

@@ -3,14 +3,15 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "core/report/comparison_columns.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/forms/form_labels.h"
 #include "ui/pages/empty_note.h"
+#include "ui/pages/side_by_side.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/document_language.h"
@@ -108,6 +109,7 @@ QWidget* CompareTab::make_body() {
     budget_->set_columns(QStringLiteral("budget-changes"), {QStringLiteral("Origin")});
     chart_list_ = new QComboBox;
     chart_list_->setAccessibleName(tr("Chart"));
+    may_be_narrow(*chart_list_);
     chart_list_->addItems({tr("Distributions"), tr("Changes of the budget")});
     chart_ = new ChartView;
     auto* charts = new QWidget;
@@ -116,14 +118,10 @@ QWidget* CompareTab::make_body() {
     column->setSpacing(0);
     column->addWidget(chart_list_);
     column->addWidget(chart_, 1);
-    auto* tables = new QSplitter(Qt::Vertical);
-    tables->addWidget(results_);
-    tables->addWidget(budget_);
-    auto* body = new QSplitter(Qt::Horizontal);
-    body->addWidget(tables);
-    body->addWidget(charts);
-    body->setSizes({3000, 2000});
-    for (QSplitter* splitter : {tables, body}) splitter->setChildrenCollapsible(false);
+    QSplitter* tables = one_above_other(results_, budget_);
+    widen_to_content(*tables, *results_);
+    QSplitter* body = side_by_side(tables, charts, 3, 2);
+    for (SortableTable* table : {results_, budget_}) widen_to_content(*body, *table);
     return body;
 }
 

@@ -10,6 +10,7 @@
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/forms/form_labels.h"
 #include "ui/models/number_words.h"
 #include "ui/pages/data_table_html.h"
 #include "ui/pages/empty_note.h"
@@ -53,7 +54,7 @@ void DesignTab::make_head() {
     list_ = new QComboBox;
     list_->setAccessibleName(tr("Design"));
     list_->setToolTip(tr("Design of this analysis"));
-    list_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    narrow_if_need_be(*list_);
     const auto button = [](const QString& text, const char* name, const QString& tip) {
         auto* made = new QPushButton(text);
         made->setObjectName(QString::fromLatin1(name));

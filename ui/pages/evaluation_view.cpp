@@ -4,12 +4,12 @@
 #include <QEvent>
 #include <QScrollBar>
 #include <QSignalBlocker>
-#include <QSplitter>
 #include <QTextBrowser>
 #include <QTextOption>
 #include <QVBoxLayout>
 
 #include "ui/charts/chart_view.h"
+#include "ui/forms/form_labels.h"
 #include "ui/pages/side_by_side.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
@@ -28,6 +28,7 @@ EvaluationView::EvaluationView(Qt::Orientation orientation, QWidget* parent)
     text_->document()->setDefaultStyleSheet(QStringLiteral("td { white-space: nowrap }"));
     text_->setAccessibleName(tr("Tables of the evaluation"));
     list_->setAccessibleName(tr("Chart"));
+    may_be_narrow(*list_);  // the titles of charts are long, and a form's pane is not wide
     list_->setToolTip(tr("Which chart of the evaluation is shown"));
     chart_->setMinimumSize(220, 160);
     auto* column = new QVBoxLayout(charts_);
@@ -35,12 +36,9 @@ EvaluationView::EvaluationView(Qt::Orientation orientation, QWidget* parent)
     column->setSpacing(2);
     column->addWidget(list_);
     column->addWidget(chart_, 1);
-    auto* splitter = new QSplitter(orientation);
-    splitter->setChildrenCollapsible(false);
-    splitter->addWidget(text_);
-    splitter->addWidget(charts_);
-    splitter->setSizes({1000, 1000});
-    if (orientation == Qt::Horizontal) widen_to_content(*splitter, *text_);
+    QSplitter* splitter =
+        orientation == Qt::Horizontal ? side_by_side(text_, charts_) : one_above_other(text_, charts_);
+    widen_to_content(*splitter, *text_);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(splitter);

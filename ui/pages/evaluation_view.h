@@ -7,7 +7,6 @@
 #include "core/text/plot_specification.h"
 
 class QComboBox;
-class QSplitter;
 class QTextBrowser;
 
 namespace covaria::ui {

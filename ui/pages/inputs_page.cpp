@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -22,6 +21,7 @@
 #include "ui/models/roles.h"
 #include "ui/pages/evaluation_view.h"
 #include "ui/pages/scrolled.h"
+#include "ui/pages/side_by_side.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
@@ -51,11 +51,8 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     correlations_page_ = scrolled(correlations_);
     details->addTab(correlations_page_, tr("Correlations"));
     details->addTab(notes_, tr("Notes"));
-    auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->setChildrenCollapsible(false);
-    splitter->addWidget(table_);
-    splitter->addWidget(details);
-    splitter->setSizes({1000, 1300});
+    QSplitter* splitter = one_above_other(table_, details, 10, 13);
+    widen_to_content(*splitter, *table_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
     auto* note =

@@ -91,7 +91,7 @@ void ResultsPane::make_head() {
     output_ = new TypesetComboBox;
     output_->setToolTip(tr("Output quantity of the budget and the charts"));
     output_->setAccessibleName(tr("Output quantity"));
-    output_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    narrow_if_need_be(*output_);
     digits_ = new QSpinBox;
     digits_->setRange(fewest_digits, most_digits);
     digits_->setPrefix(tr("digits of U: "));

@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "core/text/numbers.h"
@@ -12,6 +11,7 @@
 #include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
 #include "ui/pages/empty_note.h"
+#include "ui/pages/side_by_side.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/elided_label.h"
@@ -24,11 +24,8 @@ StudyTab::StudyTab(Document& document, AnalysisRunner& runner, Selection& select
     make_head();
     chart_ = new ChartView;
     table_ = new SortableTable(model_, tr("study"));
-    body_ = new QSplitter(Qt::Horizontal);
-    body_->setChildrenCollapsible(false);
-    body_->addWidget(chart_);
-    body_->addWidget(table_);
-    body_->setSizes({1000, 1000});
+    body_ = side_by_side(chart_, table_);
+    widen_to_content(*body_, *table_);
     what_to_do_ = new EmptyNote;
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -56,12 +53,10 @@ void StudyTab::make_head() {
         auto* made = new TypesetComboBox;
         made->setAccessibleName(name);
         made->setToolTip(tip);
-        may_be_narrow(*made);
         return made;
     };
     list_ = combo(tr("Study"), tr("Study of this analysis"));
-    list_->setMinimumWidth(list_->minimumSizeHint().width());  // as little as the others if need be
-    list_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    narrow_if_need_be(*list_);
     run_ = new QPushButton(tr("Run Study"));
     edit_ = new QPushButton(tr("Edit …"));
     edit_->setToolTip(tr("Axes, outputs and method of the study, in the properties of the analysis"));
@@ -69,6 +64,7 @@ void StudyTab::make_head() {
     kind_ = combo(tr("Kind of chart"), tr("A map, or lines over the first axis"));
     kind_->addItems({tr("Map"), tr("Lines")});
     fixed_ = combo(tr("Axis of the slices"), tr("Which axis the slices are across"));
+    for (TypesetComboBox* each : {quantity_, kind_, fixed_}) may_be_narrow(*each);
     slice_ = new QSlider(Qt::Horizontal);
     slice_->setAccessibleName(tr("Slice"));
     slice_->setFixedWidth(110);

@@ -31,7 +31,7 @@ QPalette palette_of(const Neutrals& n, bool dark) {
         palette.setColor(role, n.text);
         palette.setColor(QPalette::Disabled, role, n.disabled);
     }
-    palette.setColor(QPalette::Disabled, QPalette::Highlight, n.grid);
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, n.band);
     palette.setColor(QPalette::Disabled, QPalette::HighlightedText, n.disabled);
     return palette;
 }

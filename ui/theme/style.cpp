@@ -51,15 +51,20 @@ void Style::drawPrimitive(PrimitiveElement element, const QStyleOption* option, 
     }
     const QPalette& palette = option->palette;
     const bool enabled = option->state & State_Enabled;
-    const QColor ground = palette.color(QPalette::Base);
-    const QColor ink = palette.color(enabled ? QPalette::Normal : QPalette::Disabled, QPalette::Text);
+    const auto group = enabled ? QPalette::Normal : QPalette::Disabled;
+    // In a selected row it is an outline: filled with the ground of the others it would look ticked.
+    const bool selected = option->state & State_Selected;
+    const QColor ground = selected ? QColor(Qt::transparent) : palette.color(QPalette::Base);
+    const QColor ink = palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     const double side = std::min(option->rect.width(), option->rect.height());
     const QRectF box(option->rect.x() + 0.5, option->rect.y() + 0.5, side - 1.0, side - 1.0);
     const bool marked = option->state & (State_HasFocus | State_MouseOver);
-    painter->setPen(
-        QPen(enabled && marked ? palette.color(QPalette::Highlight) : mix(ground, ink, 0.5), 1.0));
+    const QColor outline = selected            ? ink
+                           : enabled && marked ? palette.color(QPalette::Highlight)
+                                               : mix(ground, ink, 0.5);
+    painter->setPen(QPen(outline, 1.0));
     painter->setBrush(ground);
     painter->drawRoundedRect(box, 2.0, 2.0);
     painter->setPen(QPen(ink, 0.14 * side, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

@@ -50,7 +50,7 @@ Theme Theme::light() {
     n.panel = 0xf3f4f5;
     n.text = 0x1c1f23;
     n.quiet = 0x5d646c;
-    n.disabled = 0x9aa1a8;
+    n.disabled = 0x666d74;
     n.rule = 0x8b929a;
     n.grid = 0xe6e8ea;
     n.band = 0xf0f1f3;
@@ -71,7 +71,7 @@ Theme Theme::dark() {
     n.panel = 0x282c31;
     n.text = 0xe6e9ec;
     n.quiet = 0xa7aeb6;
-    n.disabled = 0x6d747c;
+    n.disabled = 0x9098a0;
     n.rule = 0x7c848d;
     n.grid = 0x33383e;
     n.band = 0x292e33;

@@ -17,7 +17,7 @@ struct Neutrals {
     QColor panel;      ///< of forms, docks, tool bars
     QColor text;       ///< what is read first
     QColor quiet;      ///< units, axis titles, notes
-    QColor disabled;   ///< text of what cannot be used
+    QColor disabled;   ///< text that stands back, but is read: what cannot be used, hints, notes
     QColor rule;       ///< axes, borders
     QColor grid;       ///< thin lines behind data
     QColor band;       ///< a shaded range

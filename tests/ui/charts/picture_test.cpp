@@ -76,6 +76,27 @@ TEST_F(ChartPicture, BarsEndAtTheirShares) {
     EXPECT_LT(at.y_at(0.0), at.y_at(1.0)) << "the largest is on top";
 }
 
+TEST_F(ChartPicture, ASingleBarIsNoBlock) {
+    PlotSpecification plot = test::all_plots()[3];
+    plot.y.categories.resize(1);
+    plot.series.resize(1);
+    PlotSeries& bar = plot.series.front();
+    bar.x.resize(1);
+    bar.y.resize(1);
+    const PlotGeometry at = geometry_of(plot);
+    ASSERT_GT(at.area.height(), 200.0);
+    const Theme theme = Theme::light();
+    draw({plot, theme, size, {}});
+    const QColor filling = theme.filling(SeriesRole::data);
+    const int x = int(at.x_at(0.5 * bar.x.front()));
+    int thick = 0;
+    for (int y = 0; y < image_.height(); ++y)
+        thick += int(test::difference(image_.pixelColor(x, y), filling) <= 2);
+    EXPECT_GT(thick, 20);
+    EXPECT_LE(thick, 41);
+    EXPECT_LE(test::nearest_difference(image_, at.at(0.5 * bar.x.front(), bar.y.front()), filling, 0), 2);
+}
+
 TEST_F(ChartPicture, MapCellsHaveTheColourOfTheirCoefficient) {
     const PlotSpecification plot = test::all_plots()[4];
     const PlotGeometry at = geometry_of(plot);

@@ -75,6 +75,28 @@ TEST(ApplyTheme, SetsStylePaletteAndFont) {
     }
 }
 
+// Dim text is read too: hints, notes, what is out of date or of a skewed distribution.
+TEST(ApplyTheme, DimTextCanBeReadOnEveryGround) {
+    for (const Theme& theme : {Theme::dark(), Theme::light()}) {
+        apply_theme(*qApp, theme);
+        const QPalette palette = QApplication::palette();
+        const QColor dim[] = {
+            palette.color(QPalette::PlaceholderText), palette.color(QPalette::Disabled, QPalette::Text),
+            palette.color(QPalette::Disabled, QPalette::WindowText),
+            palette.color(QPalette::Disabled, QPalette::ButtonText), theme.neutrals().quiet};
+        for (const QColor& ink : dim) {
+            for (const auto ground :
+                 {QPalette::Base, QPalette::AlternateBase, QPalette::Window, QPalette::Button})
+                EXPECT_GE(contrast(ink, palette.color(ground)), 4.5)
+                    << theme.is_dark() << ' ' << ink.name().toStdString() << " on " << int(ground);
+            EXPECT_GE(contrast(theme.neutrals().text, ink), 1.5) << "it stands back";
+        }
+        EXPECT_GE(contrast(palette.color(QPalette::Disabled, QPalette::HighlightedText),
+                           palette.color(QPalette::Disabled, QPalette::Highlight)),
+                  4.5);
+    }
+}
+
 TEST(Fonts, FiguresAreEquallyWide) {
     QFont font = with_tabular_figures(application_font());
     font.setPixelSize(100);

@@ -4,9 +4,14 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
 
 #include "ui/forms/form_labels.h"
+#include "ui/forms/whole_text.h"
 
 namespace covaria::ui::narrow_list_test {
 namespace {
@@ -35,6 +40,42 @@ TEST(NarrowList, MeasuresItsEntriesOnce) {
     EXPECT_GE(delegate->measured, 1);
     EXPECT_LE(delegate->measured, 4 * entries);
     EXPECT_GT(box.view()->minimumWidth(), box.sizeHint().width()) << "the list shows them whole";
+}
+
+TEST(NarrowList, InABarItIsNarrowIfNeedBe) {
+    QComboBox box;
+    narrow_if_need_be(box);
+    const int before = box.sizeHint().width();
+    box.addItem(QStringLiteral("a design with a name that is longer than most panes are wide, really"));
+    EXPECT_GT(box.sizeHint().width(), 2 * before) << "its entry is read where there is room";
+    QWidget pane;
+    auto* row = new QHBoxLayout(&pane);
+    row->addWidget(&box);
+    EXPECT_LT(pane.minimumSizeHint().width(), before + 100);
+    row->removeWidget(&box);
+    box.setParent(nullptr);
+}
+
+// The frame of a group around it counts: the page does not scroll sideways for a long choice.
+TEST(NarrowList, AChoiceIsWholeOnlyAsFarAsItsPageIsWide) {
+    QScrollArea area;
+    area.setWidgetResizable(true);
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    auto* group = new QGroupBox(QStringLiteral("a group"));
+    column->addWidget(group);
+    auto* box = new QComboBox;
+    (new QVBoxLayout(group))->addWidget(box);
+    may_be_narrow(*box);
+    keep_whole(*box);
+    box->addItem(QStringLiteral("a choice whose words would make any form wider than the pane it is in"));
+    area.setWidget(page);
+    area.resize(320, 200);
+    area.show();
+    QCoreApplication::processEvents();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(area.horizontalScrollBar()->maximum(), 0);
+    EXPECT_GT(box->minimumWidth(), 200) << "it has what room there is";
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The everyday budget, with the keyboard: a gauge block with five quantities and a correlation, from nothing
 // to a PDF.
 #include <QDir>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -236,6 +237,32 @@ TEST_F(BudgetSession, IsThereForEquationsOnly) {
     ASSERT_TRUE(wait_for([&] { return !cell(0, Section::share).isEmpty(); }));
     settle();
     keep_picture(QStringLiteral("budget-h1.png"));
+}
+
+// Words give way, the sources too: the last number, the index, is in view whole.
+TEST_F(BudgetSession, NoNumberIsCutWhileWordsCouldBe) {
+    const QString file = folder_.filePath(QStringLiteral("s1.covaria"));
+    ASSERT_TRUE(
+        QFile::copy(QStringLiteral(COVARIA_SOURCE_DIR "/projects/gum/s1-9.5-gauge-block.covaria"), file));
+    window_->resize(1920, 1080);
+    open(file);
+    ASSERT_TRUE(wait_for([&] { return sheet() && sheet()->isVisible(); }));
+    ASSERT_TRUE(wait_for([&] { return !cell(0, Section::share).isEmpty(); }));
+    settle();
+    const auto hidden = [&] { return sheet()->horizontalHeader()->length() - sheet()->viewport()->width(); };
+    EXPECT_TRUE(wait_for([&] { return hidden() <= 0; }, 3000)) << hidden() << " px are out of view";
+    for (int row = 0; row < 9; ++row)
+        for (const Section section : {Section::estimate, Section::u, Section::c, Section::share})
+            EXPECT_GE(sheet()->columnWidth(section),
+                      sheet()->sizeHintForIndex(window_->budget().model()->index(row, section)).width())
+                << row << ' ' << int(section);
+    for (const Section section : {Section::name, Section::stated, Section::source})
+        EXPECT_GE(sheet()->columnWidth(section), 110) << "words are told apart";
+    keep_picture(QStringLiteral("budget-s1-wide.png"));
+    window_->resize(1280, 800);
+    settle();
+    EXPECT_EQ(sheet()->columnWidth(Section::name), 110);
+    EXPECT_GT(sheet()->columnWidth(Section::stated), 200) << "it would scroll all the same";
 }
 
 // From a row of the budget to what is known about its quantity: by a double click on what is computed, and by
