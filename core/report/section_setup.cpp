@@ -44,13 +44,6 @@ std::string name_of_asset(const std::string& id, const ReportSource& source) {
     return analysis && !analysis->name.empty() ? analysis->name : id;
 }
 
-/// A unit that was typed ("um", "kg/m^3") as people read it.
-std::string shown_unit(const std::string& key, const std::string& text) {
-    const Result<Unit> unit =
-        names_unit(key) ? Unit::parse(text) : Result<Unit>(fail(ErrorCode::bad_input, ""));
-    return unit ? unit->display() : text;
-}
-
 TableCell cell_of(const ColumnSpec& spec, const Unit& unit, const SetupCell& cell,
                   const ReportSource& source) {
     if (const auto* number = std::get_if<double>(&cell)) return Quantity{*number, unit};
@@ -58,7 +51,7 @@ TableCell cell_of(const ColumnSpec& spec, const Unit& unit, const SetupCell& cel
     if (const auto* text = std::get_if<std::string>(&cell))
         return spec.kind == FieldKind::reference
                    ? name_of_asset(*text, source)
-                   : choice_title(spec.choices, shown_unit(spec.key, *text), source.in);
+                   : choice_title(spec.choices, shown_text(spec.key, *text), source.in);
     return std::monostate{};
 }
 
@@ -81,7 +74,7 @@ std::string setup_text(const FieldSpec& field, const SetupValue& value, const Re
     const auto* text = std::get_if<std::string>(&value);
     if (!text) return {};
     if (field.kind == FieldKind::reference) return name_of_asset(*text, source);
-    return choice_title(field.choices, shown_unit(field.key, *text), source.in);
+    return choice_title(field.choices, shown_text(field.key, *text), source.in);
 }
 
 TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const ReportSource& source) {

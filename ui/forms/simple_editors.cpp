@@ -2,10 +2,12 @@
 #include "ui/forms/simple_editors.h"
 
 #include <QAbstractItemView>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <algorithm>
 
+#include "core/setup/text_columns.h"
 #include "ui/document/project_edits.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/form_labels.h"
@@ -51,8 +53,12 @@ void NumberEditor::set_value(const SetupValue& value) {
 }
 
 TextEditor::TextEditor(const FieldSpec& field, QWidget* parent)
-    : FieldEditor(parent), edit_(fill(this, new QLineEdit(this), field)), help_(help_text(field)) {
+    : FieldEditor(parent),
+      key_(field.key),
+      edit_(fill(this, new QLineEdit(this), field)),
+      help_(help_text(field)) {
     keep_letters(*edit_);
+    edit_->installEventFilter(this);
     connect(edit_, &QLineEdit::textEdited, this, [this](const QString& text) {
         emit edited(text.isEmpty() ? SetupValue() : SetupValue(to_std(text)));
     });
@@ -60,8 +66,20 @@ TextEditor::TextEditor(const FieldSpec& field, QWidget* parent)
 
 void TextEditor::set_value(const SetupValue& value) {
     const std::string* text = std::get_if<std::string>(&value);
-    const QString shown = text ? to_qt(*text) : QString();
+    text_ = text ? *text : std::string();
+    show_text(edit_->hasFocus());
+}
+
+void TextEditor::show_text(bool as_typed) {
+    const QString shown = to_qt(as_typed ? text_ : shown_text(key_, text_));
     if (edit_->text() != shown) edit_->setText(shown);
+}
+
+/// "°C" is read, "degC" is edited.
+bool TextEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)
+        show_text(event->type() == QEvent::FocusIn);
+    return FieldEditor::eventFilter(watched, event);
 }
 
 void TextEditor::set_complaint(const QString& complaint) {

@@ -28,8 +28,12 @@ public:
     void set_value(const SetupValue& value) override;
     void set_complaint(const QString& complaint) override;
     void set_hint(const QString& hint) override { edit_->setPlaceholderText(hint); }
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void show_text(bool as_typed);
+
+    std::string key_, text_;
     QLineEdit* edit_;
     QString help_;
 };

@@ -311,8 +311,12 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     const bool of_result = section == c || section == contribution;
     const TableView view{of_result ? units_ : DisplayUnits(), 2, language_of_window()};
     const BudgetComponent& component = result_->budget.components[*components_[at]];
-    if (section == estimate && role == Qt::DisplayRole)
-        return to_qt(grouped_digits(format_typed(unit_of(row).from_si(component.estimate)), user_numbers()));
+    if (section == estimate && role == Qt::DisplayRole) {
+        if (row > 0 && symbol_of(row) == symbol_of(row - 1)) return {};  // it stands above
+        const double decisive = unit_of(row).interval_from_si(component.standard_uncertainty);
+        return to_qt(grouped_digits(format_estimate(unit_of(row).from_si(component.estimate), decisive),
+                                    user_numbers()));
+    }
     if (section == distribution)
         return role == Qt::DisplayRole ? QVariant(core_text(component.distribution)) : QVariant();
     const char* key = head_of(section).of_budget;

@@ -104,18 +104,6 @@ QString SetupTableModel::tooltip(const CellPosition& at) const {
     return below_stated_part(*field(), table_.rows[static_cast<std::size_t>(at.first)], help);
 }
 
-namespace {
-
-/// A unit as it is read: "Ω" for "ohm"; empty for the rest.
-QString shown_unit(const ColumnSpec& column, const SetupCell& cell) {
-    const std::string* text = std::get_if<std::string>(&cell);
-    if (!text || text->empty() || !names_unit(column.key)) return {};
-    const Result<Unit> unit = Unit::parse(*text);
-    return unit ? to_qt(unit->display()) : QString();
-}
-
-}  // namespace
-
 std::string SetupTableModel::written_out(const CellPosition& at, double number) const {
     const auto row = static_cast<std::size_t>(at.first), column = static_cast<std::size_t>(at.second);
     const bool observed = column < decimals_.size() && row < decimals_[column].size();
@@ -135,8 +123,9 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             if (const double* number = std::get_if<double>(&cell); number && rejected == rejected_.end())
                 return to_qt(grouped_digits(written_out(at, *number), user_numbers()));
-            if (const QString unit = shown_unit(spec, cell); rejected == rejected_.end() && !unit.isEmpty())
-                return unit;
+            if (const auto* text = std::get_if<std::string>(&cell);
+                text && names_unit(spec.key) && rejected == rejected_.end())
+                return to_qt(shown_text(spec.key, *text));
             [[fallthrough]];
         case Qt::EditRole:
             return rejected != rejected_.end() ? rejected->second.text : cell_text(spec, cell, QLocale());

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QLineEdit>
 
 #include "core/kinds/registries.h"
 #include "tests/ui/qt_application.h"
@@ -71,6 +72,24 @@ TEST_F(RegistryFormsTest, AnglesOfAStationAreNamedByItsConvention) {
     });
     for (int i = 0; i < 3; ++i)
         EXPECT_TRUE(angle(i)->accessibleName().endsWith(QStringLiteral("ωφκ")[i])) << i;
+}
+
+TEST_F(RegistryFormsTest, AUnitIsReadAsASignAndTypedAsAWord) {
+    const SetupAddress address{SetupOwner::analysis, add_analysis(document, "calibration-curve")};
+    document.apply("unit", [&](Project& project) {
+        find_setup(project, address)->values["x_unit"] = std::string("degC");
+    });
+    SetupForm form(document, address);
+    form.show();
+    QApplication::setActiveWindow(&form);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&form));
+    auto* unit = form.findChild<QLineEdit*>("x_unit");
+    ASSERT_NE(unit, nullptr);
+    EXPECT_EQ(unit->text(), QStringLiteral("°C"));
+    unit->setFocus();
+    EXPECT_EQ(unit->text(), QStringLiteral("degC"));
+    unit->clearFocus();
+    EXPECT_EQ(unit->text(), QStringLiteral("°C"));
 }
 
 }  // namespace
