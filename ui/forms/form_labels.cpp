@@ -53,7 +53,9 @@ void may_be_narrow(QComboBox& box) {
 }
 
 void narrow_if_need_be(QComboBox& box) {
+    constexpr int few_letters = 4;
     may_be_narrow(box);
+    box.setMinimumContentsLength(few_letters);
     box.setMinimumWidth(box.minimumSizeHint().width());  // before what is longer counts
     box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
     box.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);

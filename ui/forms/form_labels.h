@@ -17,7 +17,7 @@ QString as_label(const QString& words);
 
 /// A list in a form is as narrow as the form must be; opened it shows its entries whole.
 void may_be_narrow(QComboBox& box);
-/// In a bar it is as wide as its entries where there is room, and else as narrow as in a form.
+/// In a bar it is as wide as its entries where there is room, and else narrower than in a form.
 void narrow_if_need_be(QComboBox& box);
 
 /// Room for so many letters at least: a form that has less puts the field under its label.

@@ -22,7 +22,6 @@
 namespace covaria::ui {
 
 namespace {
-constexpr int most_rows_shown = 12;      // longer tables scroll
 constexpr int most_rows_measured = 200;  // of what is pasted or imported
 constexpr int widest_column = 320;       // that a column gets by itself
 }  // namespace
@@ -82,13 +81,20 @@ QAction* SpreadsheetView::add(const QString& text, const QKeySequence& key,
     return action;
 }
 
+void SpreadsheetView::set_most_rows(int rows) {
+    if (std::exchange(most_rows_, rows) != rows) updateGeometry();
+}
+
+int SpreadsheetView::height_with(int rows) const {
+    const int shown = std::clamp(model_.rowCount(), 1, rows);
+    const int height = horizontalHeader()->sizeHint().height() +
+                       shown * verticalHeader()->defaultSectionSize() + 2 * frameWidth();
+    const bool scrolls = horizontalHeader()->length() > viewport()->width();
+    return height + (scrolls ? horizontalScrollBar()->sizeHint().height() : 0);
+}
+
 QSize SpreadsheetView::sizeHint() const {
-    const int rows = std::clamp(model_.rowCount(), 1, most_rows_shown);
-    int height = horizontalHeader()->sizeHint().height() + rows * verticalHeader()->defaultSectionSize() +
-                 2 * frameWidth();
-    if (horizontalHeader()->length() > viewport()->width())
-        height += horizontalScrollBar()->sizeHint().height();
-    return {QTableView::sizeHint().width(), height};
+    return {QTableView::sizeHint().width(), height_with(most_rows_)};
 }
 
 QSize SpreadsheetView::minimumSizeHint() const {

@@ -24,6 +24,10 @@ public:
     QAction* append_row_action() const { return append_row_; }
     QAction* remove_rows_action() const { return remove_rows_; }
 
+    static constexpr int usual_rows = 12;  ///< longer tables scroll, unless their page has room to spare
+    void set_most_rows(int rows);
+    /// With as many of its rows in view, if it has them.
+    int height_with(int rows) const;
     /// As high as its rows, up to a limit.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -62,6 +66,7 @@ private:
 
     SpreadsheetModel& model_;
     std::set<int> given_widths_;  ///< columns that the user has resized
+    int most_rows_ = usual_rows;
     bool fitting_ = false;
     bool tabs_on_ = false;  ///< the current cell is about to change by Tab
     int began_ = -1;        ///< column where Tab began to go along the current row; -1: it did not

@@ -216,9 +216,8 @@ QVariant InputQuantitiesModel::headerData(int section, Qt::Orientation orientati
     }
     if (role != Qt::DisplayRole || section < 0) return {};
     if (orientation == Qt::Vertical) return section + 1;
-    const QStringList heads{tr("Symbol"),  tr("Input quantity"), tr("Estimate"),
-                            tr("Unit"),    QStringLiteral("u"),  tr("Components of uncertainty"),
-                            tr("Constant")};
+    const QStringList heads{tr("Symbol"),        tr("Input quantity"), tr("Estimate"), tr("Unit"),
+                            QStringLiteral("u"), tr("Components"),     tr("Constant")};
     return heads.value(section);
 }
 

@@ -96,7 +96,10 @@ void InputsPage::make_table() {
                                                      QHeaderView::Interactive);
     table_->viewport()->installEventFilter(this);
     connect(&filter_, &QAbstractItemModel::modelReset, this, &InputsPage::fit_components);
-    connect(&filter_, &QAbstractItemModel::dataChanged, this, &InputsPage::fit_components);
+    // The others fit their contents in their own time.
+    connect(table_->horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
+        if (column != InputQuantitiesModel::components_column) fit_components();
+    });
     table_->hideColumn(InputQuantitiesModel::name_column);
     table_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(table_, &QWidget::customContextMenuRequested, this, &InputsPage::show_menu);

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -160,8 +161,9 @@ void LibraryBrowser::fill() {
     for (const Entry& entry : entries_)
         if (collections_->findItems(entry.collection, Qt::MatchExactly).isEmpty())
             collections_->addItem(entry.collection);
-    collections_->setFixedWidth(std::max(
-        least_collections_width, collections_->sizeHintForColumn(0) + 2 * collections_->frameWidth() + 8));
+    collections_->setFixedWidth(std::max(least_collections_width,
+                                         collections_->sizeHintForColumn(0) + 2 * collections_->frameWidth() +
+                                             collections_->verticalScrollBar()->sizeHint().width()));
     show_collection(shown);
     refresh_cards();
 }

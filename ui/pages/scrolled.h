@@ -1,7 +1,9 @@
-// A page that needs less room than what is on it.
+// A page that needs less room than what is on it; its tables share what it has to spare.
 #pragma once
 
 #include <QScrollArea>
+
+#include "ui/forms/table_room.h"
 
 namespace covaria::ui {
 
@@ -10,6 +12,7 @@ inline QScrollArea* scrolled(QWidget* content) {
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
     area->setWidget(content);
+    new TableRoom(*area);
     return area;
 }
 

@@ -6,13 +6,17 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 
 #include "tests/ui/qt_application.h"
 #include "tests/ui/sample_schema.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/quantity_edit.h"
 #include "ui/forms/table_editor.h"
+#include "ui/forms/table_room.h"
 
 namespace covaria::ui::setup_form_test {
 namespace {
@@ -194,6 +198,36 @@ TEST_F(SetupFormTest, AColumnIsAsWideAsWhatIsTypedIntoIt) {
     view->setColumnWidth(1, 300);  // as the user wants it
     type(QStringLiteral("4"));
     EXPECT_EQ(view->columnWidth(1), 300);
+}
+
+TEST_F(SetupFormTest, ALongTableTakesTheRoomThatItsPageHasToSpare) {
+    auto* view = find<SpreadsheetView>("points");
+    while (view->model()->rowCount() < 22) view->append_row_action()->trigger();
+    QScrollArea area;
+    area.setWidgetResizable(true);
+    area.setWidget(form.get());
+    new TableRoom(area);
+    area.resize(600, 500);
+    area.show();
+    const auto rows_in_view = [view] {
+        return (view->viewport()->height() + 1) / view->verticalHeader()->defaultSectionSize();
+    };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return rows_in_view() == SpreadsheetView::usual_rows; }, 2000))
+        << rows_in_view();
+    area.resize(600, 1800);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->verticalScrollBar()->maximum() == 0; }, 2000))
+        << rows_in_view() << " rows of 22";
+    EXPECT_EQ(area.verticalScrollBar()->maximum(), 0);
+    const int between = 1800 - 5 * view->verticalHeader()->defaultSectionSize();
+    const int needed =
+        form->hasHeightForWidth() ? form->heightForWidth(form->width()) : form->sizeHint().height();
+    const int spare = area.viewport()->height() - needed;
+    area.resize(600, between - std::max(0, spare));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return rows_in_view() < 22; }, 2000));
+    QTest::qWait(50);
+    EXPECT_GT(rows_in_view(), SpreadsheetView::usual_rows) << "as many as there is room for";
+    EXPECT_EQ(area.verticalScrollBar()->maximum(), 0) << "the page does not scroll for them";
+    area.takeWidget();
 }
 
 TEST_F(SetupFormTest, BlocksAreCopiedAndPasted) {

@@ -1,9 +1,11 @@
 // Forms fit into their pane with a large font: nothing of them is reached by scrolling sideways only.
 #include <QDir>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTableView>
 
 #include "tests/ui/main_window/session_fixture.h"
 
@@ -112,6 +114,21 @@ TEST_F(LargeFontSession, ALongLabelStandsOverItsField) {
 TEST_F(LargeFontSession, NorWithTheUsualFont) {
     expect_all_fit(QStringLiteral("projects"));
     expect_all_fit(QStringLiteral("projects/gum"));
+}
+
+// The column of what is constant is in view too.
+TEST_F(LargeFontSession, NorDoTheInputsWithTheUsualFont) {
+    open(QStringLiteral(COVARIA_SOURCE_DIR "/projects/ballbar-tcp.covaria"));
+    select(SetupOwner::analysis, window_->document().project().analyses.front().id);
+    show_tab(QStringLiteral("Inputs"));
+    const QTableView* table = nullptr;
+    for (const auto* each : window_->properties().findChildren<QTableView*>())
+        if (each->accessibleName() == QStringLiteral("Input quantities")) table = each;
+    ASSERT_NE(table, nullptr);
+    ASSERT_TRUE(wait_for([&] { return table->model()->rowCount() > 20; }));
+    EXPECT_TRUE(wait_for([&] { return table->horizontalScrollBar()->maximum() == 0; }, 3000))
+        << table->horizontalHeader()->length() << " px in " << table->viewport()->width();
+    window_->runner().stop_all();
 }
 
 }  // namespace
