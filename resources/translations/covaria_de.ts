@@ -1639,10 +1639,6 @@
         <translation>angegeben als</translation>
     </message>
     <message>
-        <source>How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>Wie seine Unsicherheit bekannt ist; a und b sind dann: u; U und k; U und p in %; Halbbreite (und Ungenauigkeit oder Verhältnis von oberer zu unterer Seite); untere und obere Grenze; Anzeigeschritt; Fehlergrenze und % des Wertes; Anzahl der Zählereignisse; Anzahl der Beobachtungen im Mittelwert (zusammengefasst). Leer: eine Konstante.</translation>
-    </message>
-    <message>
         <source>constant</source>
         <translation>Konstante</translation>
     </message>
@@ -4787,10 +4783,6 @@
         <translation>Wahrscheinlichkeitsdichte</translation>
     </message>
     <message>
-        <source>probability density (1/%1)</source>
-        <translation>Wahrscheinlichkeitsdichte (1/%1)</translation>
-    </message>
-    <message>
         <source>normal, same mean and u</source>
         <translation>Normalverteilung, gleicher Mittelwert und gleiches u</translation>
     </message>
@@ -4903,10 +4895,6 @@
         <translation>Änderungen des Budgets von %1</translation>
     </message>
     <message>
-        <source>change of the variance (% of the variance before)</source>
-        <translation>Änderung der Varianz (% der vorherigen Varianz)</translation>
-    </message>
-    <message>
         <source>uncertainty</source>
         <translation>Unsicherheit</translation>
     </message>
@@ -4957,10 +4945,6 @@
     <message>
         <source>What each row kept is worth</source>
         <translation>Was jede behaltene Zeile wert ist</translation>
-    </message>
-    <message>
-        <source>growth of the objective without it (%)</source>
-        <translation>Zuwachs der Zielgröße ohne sie (%)</translation>
     </message>
     <message>
         <source>What a smaller uncertainty costs</source>
@@ -5311,10 +5295,6 @@
         <translation>Übersprechen bei Nennlasten (% des Nennkennwerts)</translation>
     </message>
     <message>
-        <source>interference (%)</source>
-        <translation>Übersprechen (%)</translation>
-    </message>
-    <message>
         <source>Parts of U by the paper (% of rated output)</source>
         <translation>Teile von U nach dem Artikel (% des Nennkennwerts)</translation>
     </message>
@@ -5331,24 +5311,8 @@
         <translation>Lasten einer Achse über der Zeit</translation>
     </message>
     <message>
-        <source>time (min)</source>
-        <translation>Zeit (min)</translation>
-    </message>
-    <message>
-        <source>load (% of rated load)</source>
-        <translation>Last (% der Nennlast)</translation>
-    </message>
-    <message>
         <source>Calibration curve of Fx</source>
         <translation>Kalibrierkurve von Fx</translation>
-    </message>
-    <message>
-        <source>load Fx (N)</source>
-        <translation>Last Fx (N)</translation>
-    </message>
-    <message>
-        <source>net reading (mV/V)</source>
-        <translation>Nettoablesung (mV/V)</translation>
     </message>
     <message>
         <source>increasing, mean</source>
@@ -5363,24 +5327,12 @@
         <translation>Residuen von der Geraden durch null von Fx</translation>
     </message>
     <message>
-        <source>residual (µV/V)</source>
-        <translation>Residuum (µV/V)</translation>
-    </message>
-    <message>
         <source>Hysteresis loop, magnified, of Fx</source>
         <translation>Hystereseschleife, vergrößert, von Fx</translation>
     </message>
     <message>
-        <source>deviation from the line (µV/V)</source>
-        <translation>Abweichung von der Geraden (µV/V)</translation>
-    </message>
-    <message>
         <source>Calibration curve of Fy</source>
         <translation>Kalibrierkurve von Fy</translation>
-    </message>
-    <message>
-        <source>load Fy (N)</source>
-        <translation>Last Fy (N)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Fy</source>
@@ -5395,10 +5347,6 @@
         <translation>Kalibrierkurve von Fz</translation>
     </message>
     <message>
-        <source>load Fz (N)</source>
-        <translation>Last Fz (N)</translation>
-    </message>
-    <message>
         <source>Residuals from the line through zero of Fz</source>
         <translation>Residuen von der Geraden durch null von Fz</translation>
     </message>
@@ -5409,10 +5357,6 @@
     <message>
         <source>Calibration curve of Mx</source>
         <translation>Kalibrierkurve von Mx</translation>
-    </message>
-    <message>
-        <source>load Mx (N·m)</source>
-        <translation>Last Mx (N·m)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Mx</source>
@@ -5427,10 +5371,6 @@
         <translation>Kalibrierkurve von My</translation>
     </message>
     <message>
-        <source>load My (N·m)</source>
-        <translation>Last My (N·m)</translation>
-    </message>
-    <message>
         <source>Residuals from the line through zero of My</source>
         <translation>Residuen von der Geraden durch null von My</translation>
     </message>
@@ -5441,10 +5381,6 @@
     <message>
         <source>Calibration curve of Mz</source>
         <translation>Kalibrierkurve von Mz</translation>
-    </message>
-    <message>
-        <source>load Mz (N·m)</source>
-        <translation>Last Mz (N·m)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Mz</source>
@@ -12919,10 +12855,6 @@
         <translation>Dichte</translation>
     </message>
     <message>
-        <source>density (1/%1)</source>
-        <translation>Dichte (1/%1)</translation>
-    </message>
-    <message>
         <source>quantile</source>
         <translation>Quantil</translation>
     </message>
@@ -13041,10 +12973,6 @@
     <message>
         <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
         <translation>%1 (u erster Ordnung: %2 des u aus Monte Carlo)</translation>
-    </message>
-    <message>
-        <source>share of the variance, first order (%)</source>
-        <translation>Anteil an der Varianz, erste Ordnung (%)</translation>
     </message>
     <message>
         <source>S / %</source>
@@ -13173,24 +13101,6 @@
     <message>
         <source>Both are estimates by sampling, with the standard errors beside them: S can exceed S total by chance.</source>
         <translation>Beide sind durch Stichproben geschätzt, mit den Standardfehlern daneben: S kann S total durch Zufall übersteigen.</translation>
-    </message>
-    <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: Standardunsicherheit
-2 ppm: Standardunsicherheit, ein Teil des Wertes; absolut, wo die Größe selbst ein Verhältnis ist
-U = 0,3 um, k = 2 (oder p = 95 %): Kalibrierschein
-rechteckig 0,5 (oder recht, ±): Grenzen um den Wert; ebenso dreieckig, Arkussinus
-Grenzen 19,5 bis 20,5: sie liefern den Wert
-10,1; 10,3; 10,2: Beobachtungen
-Auflösung 0,01, MPE 3 + 0,1 %, Zählereignisse 12, Konstante
-nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Any measurement equation with what is known about its quantities: several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
@@ -13375,6 +13285,66 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>uncertainty drawn at %1 of %2 points</source>
         <translation>Unsicherheit bei %1 von %2 Punkten gezeichnet</translation>
+    </message>
+    <message>
+        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
+        <translation>Wie seine Unsicherheit bekannt ist; a und b sind dann: u; s und n; U und k; U und p in %; Halbbreite (und Ungenauigkeit oder Verhältnis von oberer zu unterer Seite); untere und obere Grenze; Anzeigeschritt; Fehlergrenze und % des Wertes; Anzahl der Zählereignisse; Anzahl der Beobachtungen im Mittelwert (zusammengefasst). Leer: eine Konstante.</translation>
+    </message>
+    <message>
+        <source>standard deviation known before (Type A)</source>
+        <translation>früher bestimmte Standardabweichung (Typ A)</translation>
+    </message>
+    <message>
+        <source>share of the variance, first order</source>
+        <translation>Anteil an der Varianz, erste Ordnung</translation>
+    </message>
+    <message>
+        <source>change, relative to the variance before</source>
+        <translation>Änderung, bezogen auf die vorherige Varianz</translation>
+    </message>
+    <message>
+        <source>growth of the objective without it</source>
+        <translation>Zuwachs der Zielgröße ohne sie</translation>
+    </message>
+    <message>
+        <source>the number of observations in the mean must be at least one</source>
+        <translation>die Anzahl der Beobachtungen im Mittelwert muss mindestens eins sein</translation>
+    </message>
+    <message>
+        <source>results: in the frame of the sensor</source>
+        <translation>Ergebnisse: im Koordinatensystem des Sensors</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: Standardunsicherheit
+2 ppm: Standardunsicherheit, ein Teil des Wertes; absolut, wo die Größe selbst ein Verhältnis ist
+U = 0,3 um, k = 2 (oder p = 95 %): Kalibrierschein
+s = 13 nm, n = 5: früher bestimmte Standardabweichung, Mittelwert aus n Beobachtungen (Typ A)
+rechteckig 0,5 (oder recht, ±): Grenzen um den Wert; ebenso dreieckig, Arkussinus
+Grenzen 19,5 bis 20,5: sie liefern den Wert
+10,1; 10,3; 10,2: Beobachtungen
+Auflösung 0,01, MPE 3 + 0,1 %, Zählereignisse 12, Konstante
+nu 18 hinter jedem davon: Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>net reading</source>
+        <translation>Nettoablesung</translation>
+    </message>
+    <message>
+        <source>deviation from the line</source>
+        <translation>Abweichung von der Geraden</translation>
     </message>
 </context>
 <context>
@@ -13950,8 +13920,8 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Beide Größen brauchen eine Unsicherheit, bevor sie korreliert werden können</translation>
     </message>
     <message>
-        <source>; c and index by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation>; c und Index nach dem Fortpflanzungsgesetz, dessen u %1 des u aus Monte Carlo ist</translation>
+        <source>; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo</source>
+        <translation>; c und Index nach dem Fortpflanzungsgesetz, dessen u(%1) %2 des u aus Monte Carlo ist</translation>
     </message>
 </context>
 <context>
@@ -15595,10 +15565,6 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Components of uncertainty</source>
-        <translation>Unsicherheitskomponenten</translation>
-    </message>
-    <message>
         <source>Constant</source>
         <translation>Konstante</translation>
     </message>
@@ -15621,6 +15587,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>%1 (%2, %3)</source>
         <translation>%1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Komponenten</translation>
     </message>
 </context>
 <context>

@@ -1639,10 +1639,6 @@
         <translation>indicada como</translation>
     </message>
     <message>
-        <source>How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>Cómo se conoce su incertidumbre; a y b son entonces: u; U y k; U y p en %; semiamplitud (e inexactitud, o razón entre techo y base); límites inferior y superior; escalón de la indicación; error permitido y % del valor; número de recuentos; número de observaciones de la media (combinadas). Vacío: una constante.</translation>
-    </message>
-    <message>
         <source>constant</source>
         <translation>constante</translation>
     </message>
@@ -4787,10 +4783,6 @@
         <translation>densidad de probabilidad</translation>
     </message>
     <message>
-        <source>probability density (1/%1)</source>
-        <translation>densidad de probabilidad (1/%1)</translation>
-    </message>
-    <message>
         <source>normal, same mean and u</source>
         <translation>normal, misma media y misma u</translation>
     </message>
@@ -4903,10 +4895,6 @@
         <translation>Cambios del balance de %1</translation>
     </message>
     <message>
-        <source>change of the variance (% of the variance before)</source>
-        <translation>cambio de la varianza (% de la varianza anterior)</translation>
-    </message>
-    <message>
         <source>uncertainty</source>
         <translation>incertidumbre</translation>
     </message>
@@ -4957,10 +4945,6 @@
     <message>
         <source>What each row kept is worth</source>
         <translation>Cuánto vale cada fila conservada</translation>
-    </message>
-    <message>
-        <source>growth of the objective without it (%)</source>
-        <translation>aumento del objetivo sin ella (%)</translation>
     </message>
     <message>
         <source>What a smaller uncertainty costs</source>
@@ -5311,10 +5295,6 @@
         <translation>Interferencia con cargas nominales (% de la salida nominal)</translation>
     </message>
     <message>
-        <source>interference (%)</source>
-        <translation>interferencia (%)</translation>
-    </message>
-    <message>
         <source>Parts of U by the paper (% of rated output)</source>
         <translation>Partes de U según el artículo (% de la salida nominal)</translation>
     </message>
@@ -5331,24 +5311,8 @@
         <translation>Cargas de un eje frente al tiempo</translation>
     </message>
     <message>
-        <source>time (min)</source>
-        <translation>tiempo (min)</translation>
-    </message>
-    <message>
-        <source>load (% of rated load)</source>
-        <translation>carga (% de la carga nominal)</translation>
-    </message>
-    <message>
         <source>Calibration curve of Fx</source>
         <translation>Curva de calibración de Fx</translation>
-    </message>
-    <message>
-        <source>load Fx (N)</source>
-        <translation>carga Fx (N)</translation>
-    </message>
-    <message>
-        <source>net reading (mV/V)</source>
-        <translation>lectura neta (mV/V)</translation>
     </message>
     <message>
         <source>increasing, mean</source>
@@ -5363,24 +5327,12 @@
         <translation>Residuos respecto a la recta por cero de Fx</translation>
     </message>
     <message>
-        <source>residual (µV/V)</source>
-        <translation>residuo (µV/V)</translation>
-    </message>
-    <message>
         <source>Hysteresis loop, magnified, of Fx</source>
         <translation>Bucle de histéresis, ampliado, de Fx</translation>
     </message>
     <message>
-        <source>deviation from the line (µV/V)</source>
-        <translation>desviación de la recta (µV/V)</translation>
-    </message>
-    <message>
         <source>Calibration curve of Fy</source>
         <translation>Curva de calibración de Fy</translation>
-    </message>
-    <message>
-        <source>load Fy (N)</source>
-        <translation>carga Fy (N)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Fy</source>
@@ -5395,10 +5347,6 @@
         <translation>Curva de calibración de Fz</translation>
     </message>
     <message>
-        <source>load Fz (N)</source>
-        <translation>carga Fz (N)</translation>
-    </message>
-    <message>
         <source>Residuals from the line through zero of Fz</source>
         <translation>Residuos respecto a la recta por cero de Fz</translation>
     </message>
@@ -5409,10 +5357,6 @@
     <message>
         <source>Calibration curve of Mx</source>
         <translation>Curva de calibración de Mx</translation>
-    </message>
-    <message>
-        <source>load Mx (N·m)</source>
-        <translation>carga Mx (N·m)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Mx</source>
@@ -5427,10 +5371,6 @@
         <translation>Curva de calibración de My</translation>
     </message>
     <message>
-        <source>load My (N·m)</source>
-        <translation>carga My (N·m)</translation>
-    </message>
-    <message>
         <source>Residuals from the line through zero of My</source>
         <translation>Residuos respecto a la recta por cero de My</translation>
     </message>
@@ -5441,10 +5381,6 @@
     <message>
         <source>Calibration curve of Mz</source>
         <translation>Curva de calibración de Mz</translation>
-    </message>
-    <message>
-        <source>load Mz (N·m)</source>
-        <translation>carga Mz (N·m)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Mz</source>
@@ -12919,10 +12855,6 @@
         <translation>densidad</translation>
     </message>
     <message>
-        <source>density (1/%1)</source>
-        <translation>densidad (1/%1)</translation>
-    </message>
-    <message>
         <source>quantile</source>
         <translation>cuantil</translation>
     </message>
@@ -13041,10 +12973,6 @@
     <message>
         <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
         <translation>%1 (u de primer orden: %2 de la de Monte Carlo)</translation>
-    </message>
-    <message>
-        <source>share of the variance, first order (%)</source>
-        <translation>parte de la varianza, primer orden (%)</translation>
     </message>
     <message>
         <source>S / %</source>
@@ -13173,24 +13101,6 @@
     <message>
         <source>Both are estimates by sampling, with the standard errors beside them: S can exceed S total by chance.</source>
         <translation>Ambas son estimaciones por muestreo, con los errores típicos al lado: S puede superar a S total por azar.</translation>
-    </message>
-    <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: incertidumbre típica
-2 ppm: incertidumbre típica, una fracción del valor; absoluta si la magnitud misma es una razón
-U = 0,3 um, k = 2 (o p = 95 %): certificado
-rectangular 0,5 (o rect, ±): límites en torno al valor; lo mismo triangular, arcoseno
-límites 19,5 hasta 20,5: dan el valor
-10,1; 10,3; 10,2: observaciones
-resolución 0,01, MPE 3 + 0,1 %, recuentos 12, constante
-nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>Any measurement equation with what is known about its quantities: several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
@@ -13375,6 +13285,66 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>uncertainty drawn at %1 of %2 points</source>
         <translation>incertidumbre dibujada en %1 de %2 puntos</translation>
+    </message>
+    <message>
+        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
+        <translation>Cómo se conoce su incertidumbre; a y b son entonces: u; s y n; U y k; U y p en %; semiamplitud (e inexactitud, o razón entre techo y base); límites inferior y superior; escalón de la indicación; error permitido y % del valor; número de recuentos; número de observaciones de la media (combinadas). Vacío: una constante.</translation>
+    </message>
+    <message>
+        <source>standard deviation known before (Type A)</source>
+        <translation>desviación típica conocida de antes (Tipo A)</translation>
+    </message>
+    <message>
+        <source>share of the variance, first order</source>
+        <translation>parte de la varianza, primer orden</translation>
+    </message>
+    <message>
+        <source>change, relative to the variance before</source>
+        <translation>cambio, respecto a la varianza anterior</translation>
+    </message>
+    <message>
+        <source>growth of the objective without it</source>
+        <translation>aumento del objetivo sin ella</translation>
+    </message>
+    <message>
+        <source>the number of observations in the mean must be at least one</source>
+        <translation>el número de observaciones en la media debe ser al menos uno</translation>
+    </message>
+    <message>
+        <source>results: in the frame of the sensor</source>
+        <translation>resultados: en el sistema del sensor</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: incertidumbre típica
+2 ppm: incertidumbre típica, una fracción del valor; absoluta si la magnitud misma es una razón
+U = 0,3 um, k = 2 (o p = 95 %): certificado
+s = 13 nm, n = 5: desviación típica conocida de antes, media de n observaciones (Tipo A)
+rectangular 0,5 (o rect, ±): límites en torno al valor; lo mismo triangular, arcoseno
+límites 19,5 hasta 20,5: dan el valor
+10,1; 10,3; 10,2: observaciones
+resolución 0,01, MPE 3 + 0,1 %, recuentos 12, constante
+nu 18 tras cualquiera de ellas: grados de libertad</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>net reading</source>
+        <translation>lectura neta</translation>
+    </message>
+    <message>
+        <source>deviation from the line</source>
+        <translation>desviación de la recta</translation>
     </message>
 </context>
 <context>
@@ -13950,8 +13920,8 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Ambas magnitudes necesitan una incertidumbre antes de poder correlacionarse</translation>
     </message>
     <message>
-        <source>; c and index by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation>; c e índice por la ley de propagación, cuya u es el %1 de la de Monte Carlo</translation>
+        <source>; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo</source>
+        <translation>; c e índice por la ley de propagación, cuya u(%1) es el %2 de la de Monte Carlo</translation>
     </message>
 </context>
 <context>
@@ -15595,10 +15565,6 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <translation>Unidad</translation>
     </message>
     <message>
-        <source>Components of uncertainty</source>
-        <translation>Componentes de incertidumbre</translation>
-    </message>
-    <message>
         <source>Constant</source>
         <translation>Constante</translation>
     </message>
@@ -15621,6 +15587,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>%1 (%2, %3)</source>
         <translation>%1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Componentes</translation>
     </message>
 </context>
 <context>

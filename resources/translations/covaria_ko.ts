@@ -1638,10 +1638,6 @@
         <translation>제시 형식</translation>
     </message>
     <message>
-        <source>How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>불확도가 알려진 방식. 이에 따라 a와 b는: u; U와 k; U와 p(%); 반폭(과 부정확도, 또는 윗변과 밑변의 비); 하한과 상한; 지시의 간격; 허용오차와 값의 %; 계수 횟수; 평균의 관측 횟수(합동). 비어 있으면 상수.</translation>
-    </message>
-    <message>
         <source>constant</source>
         <translation>상수</translation>
     </message>
@@ -4786,10 +4782,6 @@
         <translation>확률 밀도</translation>
     </message>
     <message>
-        <source>probability density (1/%1)</source>
-        <translation>확률 밀도 (1/%1)</translation>
-    </message>
-    <message>
         <source>normal, same mean and u</source>
         <translation>정규분포, 같은 평균과 u</translation>
     </message>
@@ -4902,10 +4894,6 @@
         <translation>%1의 불확도 총괄의 변화</translation>
     </message>
     <message>
-        <source>change of the variance (% of the variance before)</source>
-        <translation>분산의 변화 (이전 분산의 %)</translation>
-    </message>
-    <message>
         <source>uncertainty</source>
         <translation>불확도</translation>
     </message>
@@ -4956,10 +4944,6 @@
     <message>
         <source>What each row kept is worth</source>
         <translation>유지된 각 행의 가치</translation>
-    </message>
-    <message>
-        <source>growth of the objective without it (%)</source>
-        <translation>그 행이 없을 때 목적값의 증가 (%)</translation>
     </message>
     <message>
         <source>What a smaller uncertainty costs</source>
@@ -5310,10 +5294,6 @@
         <translation>정격 하중에서의 간섭 (센서 정격 출력의 %)</translation>
     </message>
     <message>
-        <source>interference (%)</source>
-        <translation>간섭 (%)</translation>
-    </message>
-    <message>
         <source>Parts of U by the paper (% of rated output)</source>
         <translation>논문에 따른 U의 부분 (정격 출력의 %)</translation>
     </message>
@@ -5330,24 +5310,8 @@
         <translation>시간에 따른 한 축의 하중</translation>
     </message>
     <message>
-        <source>time (min)</source>
-        <translation>시간 (min)</translation>
-    </message>
-    <message>
-        <source>load (% of rated load)</source>
-        <translation>하중 (정격 하중의 %)</translation>
-    </message>
-    <message>
         <source>Calibration curve of Fx</source>
         <translation>Fx의 교정 곡선</translation>
-    </message>
-    <message>
-        <source>load Fx (N)</source>
-        <translation>하중 Fx (N)</translation>
-    </message>
-    <message>
-        <source>net reading (mV/V)</source>
-        <translation>순 읽음 (mV/V)</translation>
     </message>
     <message>
         <source>increasing, mean</source>
@@ -5362,24 +5326,12 @@
         <translation>Fx의 영점 통과 직선에 대한 잔차</translation>
     </message>
     <message>
-        <source>residual (µV/V)</source>
-        <translation>잔차 (µV/V)</translation>
-    </message>
-    <message>
         <source>Hysteresis loop, magnified, of Fx</source>
         <translation>Fx의 확대된 히스테리시스 고리</translation>
     </message>
     <message>
-        <source>deviation from the line (µV/V)</source>
-        <translation>직선으로부터의 편차 (µV/V)</translation>
-    </message>
-    <message>
         <source>Calibration curve of Fy</source>
         <translation>Fy의 교정 곡선</translation>
-    </message>
-    <message>
-        <source>load Fy (N)</source>
-        <translation>하중 Fy (N)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Fy</source>
@@ -5394,10 +5346,6 @@
         <translation>Fz의 교정 곡선</translation>
     </message>
     <message>
-        <source>load Fz (N)</source>
-        <translation>하중 Fz (N)</translation>
-    </message>
-    <message>
         <source>Residuals from the line through zero of Fz</source>
         <translation>Fz의 영점 통과 직선에 대한 잔차</translation>
     </message>
@@ -5408,10 +5356,6 @@
     <message>
         <source>Calibration curve of Mx</source>
         <translation>Mx의 교정 곡선</translation>
-    </message>
-    <message>
-        <source>load Mx (N·m)</source>
-        <translation>하중 Mx (N·m)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Mx</source>
@@ -5426,10 +5370,6 @@
         <translation>My의 교정 곡선</translation>
     </message>
     <message>
-        <source>load My (N·m)</source>
-        <translation>하중 My (N·m)</translation>
-    </message>
-    <message>
         <source>Residuals from the line through zero of My</source>
         <translation>My의 영점 통과 직선에 대한 잔차</translation>
     </message>
@@ -5440,10 +5380,6 @@
     <message>
         <source>Calibration curve of Mz</source>
         <translation>Mz의 교정 곡선</translation>
-    </message>
-    <message>
-        <source>load Mz (N·m)</source>
-        <translation>하중 Mz (N·m)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Mz</source>
@@ -12918,10 +12854,6 @@
         <translation>밀도</translation>
     </message>
     <message>
-        <source>density (1/%1)</source>
-        <translation>밀도 (1/%1)</translation>
-    </message>
-    <message>
         <source>quantile</source>
         <translation>분위수</translation>
     </message>
@@ -13040,10 +12972,6 @@
     <message>
         <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
         <translation>%1(1차 u: 몬테카를로의 %2)</translation>
-    </message>
-    <message>
-        <source>share of the variance, first order (%)</source>
-        <translation>분산의 몫, 1차 (%)</translation>
     </message>
     <message>
         <source>S / %</source>
@@ -13172,24 +13100,6 @@
     <message>
         <source>Both are estimates by sampling, with the standard errors beside them: S can exceed S total by chance.</source>
         <translation>둘 다 표본 추출에 의한 추정값이며 표준오차가 옆에 있습니다. S가 우연히 전체 S보다 클 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: 표준불확도
-2 ppm: 표준불확도, 값에 대한 비. 양 자체가 비이면 절대값
-U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
-직사각형 0.5 (또는 rect, ±): 값을 중심으로 한 한계. 삼각형, 아크사인도 같음
-한계 19.5 까지 20.5: 한계가 값을 줌
-10.1; 10.3; 10.2: 관측값
-분해능 0.01, MPE 3 + 0.1 %, 계수 횟수 12, 상수
-이들 뒤의 nu 18: 자유도</translation>
     </message>
     <message>
         <source>Any measurement equation with what is known about its quantities: several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
@@ -13374,6 +13284,66 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
     <message>
         <source>uncertainty drawn at %1 of %2 points</source>
         <translation>%2개 점 중 %1개에 불확도를 표시함</translation>
+    </message>
+    <message>
+        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
+        <translation>불확도가 알려진 방식. 이에 따라 a와 b는: u; s와 n; U와 k; U와 p(%); 반폭(과 부정확도, 또는 윗변과 밑변의 비); 하한과 상한; 지시의 간격; 허용오차와 값의 %; 계수 횟수; 평균의 관측 횟수(합동). 비어 있으면 상수.</translation>
+    </message>
+    <message>
+        <source>standard deviation known before (Type A)</source>
+        <translation>앞서 알려진 표준편차(A형)</translation>
+    </message>
+    <message>
+        <source>share of the variance, first order</source>
+        <translation>분산의 몫, 1차</translation>
+    </message>
+    <message>
+        <source>change, relative to the variance before</source>
+        <translation>이전 분산에 대한 변화</translation>
+    </message>
+    <message>
+        <source>growth of the objective without it</source>
+        <translation>그 행이 없을 때 목적값의 증가</translation>
+    </message>
+    <message>
+        <source>the number of observations in the mean must be at least one</source>
+        <translation>평균의 관측 횟수는 1 이상이어야 합니다</translation>
+    </message>
+    <message>
+        <source>results: in the frame of the sensor</source>
+        <translation>결과: 센서 좌표계의 값</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: 표준불확도
+2 ppm: 표준불확도, 값에 대한 비. 양 자체가 비이면 절대값
+U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
+s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
+직사각형 0.5 (또는 rect, ±): 값을 중심으로 한 한계. 삼각형, 아크사인도 같음
+한계 19.5 까지 20.5: 한계가 값을 줌
+10.1; 10.3; 10.2: 관측값
+분해능 0.01, MPE 3 + 0.1 %, 계수 횟수 12, 상수
+이들 뒤의 nu 18: 자유도</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>net reading</source>
+        <translation>순 읽음</translation>
+    </message>
+    <message>
+        <source>deviation from the line</source>
+        <translation>직선으로부터의 편차</translation>
     </message>
 </context>
 <context>
@@ -13949,8 +13919,8 @@ U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
         <translation>두 양 모두 불확도가 있어야 상관을 줄 수 있습니다</translation>
     </message>
     <message>
-        <source>; c and index by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation>; c와 지수는 전파 법칙에 따른 것이며, 그 u는 몬테카를로 u의 %1임</translation>
+        <source>; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo</source>
+        <translation>; c와 지수는 전파 법칙에 따른 것이며, 그 u(%1)는 몬테카를로 값의 %2임</translation>
     </message>
 </context>
 <context>
@@ -15591,10 +15561,6 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>단위</translation>
     </message>
     <message>
-        <source>Components of uncertainty</source>
-        <translation>불확도 성분</translation>
-    </message>
-    <message>
         <source>Constant</source>
         <translation>상수</translation>
     </message>
@@ -15617,6 +15583,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>%1 (%2, %3)</source>
         <translation>%1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>성분</translation>
     </message>
 </context>
 <context>

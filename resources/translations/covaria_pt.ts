@@ -1639,10 +1639,6 @@
         <translation>declarado como</translation>
     </message>
     <message>
-        <source>How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>Como se conhece sua incerteza; a e b são então: u; U e k; U e p em %; semiamplitude (e inexatidão, ou razão do topo à base); limite inferior e superior; degrau da indicação; erro admissível e % do valor; número de contagens; número de observações na média (agrupada). Vazio: uma constante.</translation>
-    </message>
-    <message>
         <source>constant</source>
         <translation>constante</translation>
     </message>
@@ -4787,10 +4783,6 @@
         <translation>densidade de probabilidade</translation>
     </message>
     <message>
-        <source>probability density (1/%1)</source>
-        <translation>densidade de probabilidade (1/%1)</translation>
-    </message>
-    <message>
         <source>normal, same mean and u</source>
         <translation>normal, mesma média e mesma u</translation>
     </message>
@@ -4903,10 +4895,6 @@
         <translation>Alterações do balanço de %1</translation>
     </message>
     <message>
-        <source>change of the variance (% of the variance before)</source>
-        <translation>alteração da variância (% da variância anterior)</translation>
-    </message>
-    <message>
         <source>uncertainty</source>
         <translation>incerteza</translation>
     </message>
@@ -4957,10 +4945,6 @@
     <message>
         <source>What each row kept is worth</source>
         <translation>Quanto vale cada linha mantida</translation>
-    </message>
-    <message>
-        <source>growth of the objective without it (%)</source>
-        <translation>aumento do objetivo sem ela (%)</translation>
     </message>
     <message>
         <source>What a smaller uncertainty costs</source>
@@ -5311,10 +5295,6 @@
         <translation>Interferência com cargas nominais (% da saída nominal)</translation>
     </message>
     <message>
-        <source>interference (%)</source>
-        <translation>interferência (%)</translation>
-    </message>
-    <message>
         <source>Parts of U by the paper (% of rated output)</source>
         <translation>Partes de U segundo o artigo (% da saída nominal)</translation>
     </message>
@@ -5331,24 +5311,8 @@
         <translation>Cargas de um eixo em função do tempo</translation>
     </message>
     <message>
-        <source>time (min)</source>
-        <translation>tempo (min)</translation>
-    </message>
-    <message>
-        <source>load (% of rated load)</source>
-        <translation>carga (% da carga nominal)</translation>
-    </message>
-    <message>
         <source>Calibration curve of Fx</source>
         <translation>Curva de calibração de Fx</translation>
-    </message>
-    <message>
-        <source>load Fx (N)</source>
-        <translation>carga Fx (N)</translation>
-    </message>
-    <message>
-        <source>net reading (mV/V)</source>
-        <translation>leitura líquida (mV/V)</translation>
     </message>
     <message>
         <source>increasing, mean</source>
@@ -5363,24 +5327,12 @@
         <translation>Resíduos em relação à reta por zero de Fx</translation>
     </message>
     <message>
-        <source>residual (µV/V)</source>
-        <translation>resíduo (µV/V)</translation>
-    </message>
-    <message>
         <source>Hysteresis loop, magnified, of Fx</source>
         <translation>Laço de histerese, ampliado, de Fx</translation>
     </message>
     <message>
-        <source>deviation from the line (µV/V)</source>
-        <translation>desvio da reta (µV/V)</translation>
-    </message>
-    <message>
         <source>Calibration curve of Fy</source>
         <translation>Curva de calibração de Fy</translation>
-    </message>
-    <message>
-        <source>load Fy (N)</source>
-        <translation>carga Fy (N)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Fy</source>
@@ -5395,10 +5347,6 @@
         <translation>Curva de calibração de Fz</translation>
     </message>
     <message>
-        <source>load Fz (N)</source>
-        <translation>carga Fz (N)</translation>
-    </message>
-    <message>
         <source>Residuals from the line through zero of Fz</source>
         <translation>Resíduos em relação à reta por zero de Fz</translation>
     </message>
@@ -5409,10 +5357,6 @@
     <message>
         <source>Calibration curve of Mx</source>
         <translation>Curva de calibração de Mx</translation>
-    </message>
-    <message>
-        <source>load Mx (N·m)</source>
-        <translation>carga Mx (N·m)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Mx</source>
@@ -5427,10 +5371,6 @@
         <translation>Curva de calibração de My</translation>
     </message>
     <message>
-        <source>load My (N·m)</source>
-        <translation>carga My (N·m)</translation>
-    </message>
-    <message>
         <source>Residuals from the line through zero of My</source>
         <translation>Resíduos em relação à reta por zero de My</translation>
     </message>
@@ -5441,10 +5381,6 @@
     <message>
         <source>Calibration curve of Mz</source>
         <translation>Curva de calibração de Mz</translation>
-    </message>
-    <message>
-        <source>load Mz (N·m)</source>
-        <translation>carga Mz (N·m)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Mz</source>
@@ -12919,10 +12855,6 @@
         <translation>densidade</translation>
     </message>
     <message>
-        <source>density (1/%1)</source>
-        <translation>densidade (1/%1)</translation>
-    </message>
-    <message>
         <source>quantile</source>
         <translation>quantil</translation>
     </message>
@@ -13041,10 +12973,6 @@
     <message>
         <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
         <translation>%1 (u de primeira ordem: %2 da de Monte Carlo)</translation>
-    </message>
-    <message>
-        <source>share of the variance, first order (%)</source>
-        <translation>parcela da variância, primeira ordem (%)</translation>
     </message>
     <message>
         <source>S / %</source>
@@ -13173,24 +13101,6 @@
     <message>
         <source>Both are estimates by sampling, with the standard errors beside them: S can exceed S total by chance.</source>
         <translation>Ambas são estimativas por amostragem, com os erros-padrão ao lado: S pode exceder S total por acaso.</translation>
-    </message>
-    <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: incerteza-padrão
-2 ppm: incerteza-padrão, uma parte do valor; absoluta se a própria grandeza for uma razão
-U = 0,3 um, k = 2 (ou p = 95 %): certificado
-retangular 0,5 (ou ret, ±): limites em torno do valor; do mesmo modo triangular, arco-seno
-limites 19,5 até 20,5: dão o valor
-10,1; 10,3; 10,2: observações
-resolução 0,01, MPE 3 + 0,1 %, contagens 12, constante
-nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Any measurement equation with what is known about its quantities: several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
@@ -13375,6 +13285,66 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>uncertainty drawn at %1 of %2 points</source>
         <translation>incerteza desenhada em %1 de %2 pontos</translation>
+    </message>
+    <message>
+        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
+        <translation>Como se conhece sua incerteza; a e b são então: u; s e n; U e k; U e p em %; semiamplitude (e inexatidão, ou razão do topo à base); limite inferior e superior; degrau da indicação; erro admissível e % do valor; número de contagens; número de observações na média (agrupada). Vazio: uma constante.</translation>
+    </message>
+    <message>
+        <source>standard deviation known before (Type A)</source>
+        <translation>desvio-padrão conhecido de antes (Tipo A)</translation>
+    </message>
+    <message>
+        <source>share of the variance, first order</source>
+        <translation>parcela da variância, primeira ordem</translation>
+    </message>
+    <message>
+        <source>change, relative to the variance before</source>
+        <translation>alteração, relativa à variância anterior</translation>
+    </message>
+    <message>
+        <source>growth of the objective without it</source>
+        <translation>aumento do objetivo sem ela</translation>
+    </message>
+    <message>
+        <source>the number of observations in the mean must be at least one</source>
+        <translation>o número de observações na média deve ser pelo menos um</translation>
+    </message>
+    <message>
+        <source>results: in the frame of the sensor</source>
+        <translation>resultados: no sistema do sensor</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: incerteza-padrão
+2 ppm: incerteza-padrão, uma parte do valor; absoluta se a própria grandeza for uma razão
+U = 0,3 um, k = 2 (ou p = 95 %): certificado
+s = 13 nm, n = 5: desvio-padrão conhecido de antes, média de n observações (Tipo A)
+retangular 0,5 (ou ret, ±): limites em torno do valor; do mesmo modo triangular, arco-seno
+limites 19,5 até 20,5: dão o valor
+10,1; 10,3; 10,2: observações
+resolução 0,01, MPE 3 + 0,1 %, contagens 12, constante
+nu 18 após qualquer um deles: graus de liberdade</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tempo</translation>
+    </message>
+    <message>
+        <source>net reading</source>
+        <translation>leitura líquida</translation>
+    </message>
+    <message>
+        <source>deviation from the line</source>
+        <translation>desvio da reta</translation>
     </message>
 </context>
 <context>
@@ -13950,8 +13920,8 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Ambas as grandezas precisam de uma incerteza antes de poderem ser correlacionadas</translation>
     </message>
     <message>
-        <source>; c and index by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation>; c e índice pela lei de propagação, cuja u é %1 da de Monte Carlo</translation>
+        <source>; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo</source>
+        <translation>; c e índice pela lei de propagação, cuja u(%1) é %2 da de Monte Carlo</translation>
     </message>
 </context>
 <context>
@@ -15595,10 +15565,6 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <translation>Unidade</translation>
     </message>
     <message>
-        <source>Components of uncertainty</source>
-        <translation>Componentes de incerteza</translation>
-    </message>
-    <message>
         <source>Constant</source>
         <translation>Constante</translation>
     </message>
@@ -15621,6 +15587,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>%1 (%2, %3)</source>
         <translation>%1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Componentes</translation>
     </message>
 </context>
 <context>

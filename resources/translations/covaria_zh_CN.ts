@@ -1638,10 +1638,6 @@
         <translation>给出方式</translation>
     </message>
     <message>
-        <source>How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>其不确定度的已知方式；a 和 b 相应为：u；U 和 k；U 和 p（%）；半宽（及其不准确度，或上底与下底之比）；下限和上限；示值的步进；允许误差和值的百分数；计数；平均值的观测次数（合并）。留空：常量。</translation>
-    </message>
-    <message>
         <source>constant</source>
         <translation>常量</translation>
     </message>
@@ -4786,10 +4782,6 @@
         <translation>概率密度</translation>
     </message>
     <message>
-        <source>probability density (1/%1)</source>
-        <translation>概率密度 (1/%1)</translation>
-    </message>
-    <message>
         <source>normal, same mean and u</source>
         <translation>正态分布，均值和 u 相同</translation>
     </message>
@@ -4902,10 +4894,6 @@
         <translation>%1 的不确定度预算的变化</translation>
     </message>
     <message>
-        <source>change of the variance (% of the variance before)</source>
-        <translation>方差的变化（占之前方差的 %）</translation>
-    </message>
-    <message>
         <source>uncertainty</source>
         <translation>不确定度</translation>
     </message>
@@ -4956,10 +4944,6 @@
     <message>
         <source>What each row kept is worth</source>
         <translation>每一保留行的价值</translation>
-    </message>
-    <message>
-        <source>growth of the objective without it (%)</source>
-        <translation>去掉该行后目标函数的增长 (%)</translation>
     </message>
     <message>
         <source>What a smaller uncertainty costs</source>
@@ -5310,10 +5294,6 @@
         <translation>额定载荷下的干扰（占传感器额定输出的 %）</translation>
     </message>
     <message>
-        <source>interference (%)</source>
-        <translation>干扰 (%)</translation>
-    </message>
-    <message>
         <source>Parts of U by the paper (% of rated output)</source>
         <translation>按论文的 U 的组成（占额定输出的 %）</translation>
     </message>
@@ -5330,24 +5310,8 @@
         <translation>一个轴的载荷随时间变化</translation>
     </message>
     <message>
-        <source>time (min)</source>
-        <translation>时间 (min)</translation>
-    </message>
-    <message>
-        <source>load (% of rated load)</source>
-        <translation>载荷（占额定载荷的 %）</translation>
-    </message>
-    <message>
         <source>Calibration curve of Fx</source>
         <translation>Fx 的校准曲线</translation>
-    </message>
-    <message>
-        <source>load Fx (N)</source>
-        <translation>载荷 Fx (N)</translation>
-    </message>
-    <message>
-        <source>net reading (mV/V)</source>
-        <translation>净读数 (mV/V)</translation>
     </message>
     <message>
         <source>increasing, mean</source>
@@ -5362,24 +5326,12 @@
         <translation>Fx 相对过零直线的残差</translation>
     </message>
     <message>
-        <source>residual (µV/V)</source>
-        <translation>残差 (µV/V)</translation>
-    </message>
-    <message>
         <source>Hysteresis loop, magnified, of Fx</source>
         <translation>Fx 的滞后回线（放大）</translation>
     </message>
     <message>
-        <source>deviation from the line (µV/V)</source>
-        <translation>与直线的偏差 (µV/V)</translation>
-    </message>
-    <message>
         <source>Calibration curve of Fy</source>
         <translation>Fy 的校准曲线</translation>
-    </message>
-    <message>
-        <source>load Fy (N)</source>
-        <translation>载荷 Fy (N)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Fy</source>
@@ -5394,10 +5346,6 @@
         <translation>Fz 的校准曲线</translation>
     </message>
     <message>
-        <source>load Fz (N)</source>
-        <translation>载荷 Fz (N)</translation>
-    </message>
-    <message>
         <source>Residuals from the line through zero of Fz</source>
         <translation>Fz 相对过零直线的残差</translation>
     </message>
@@ -5408,10 +5356,6 @@
     <message>
         <source>Calibration curve of Mx</source>
         <translation>Mx 的校准曲线</translation>
-    </message>
-    <message>
-        <source>load Mx (N·m)</source>
-        <translation>载荷 Mx (N·m)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Mx</source>
@@ -5426,10 +5370,6 @@
         <translation>My 的校准曲线</translation>
     </message>
     <message>
-        <source>load My (N·m)</source>
-        <translation>载荷 My (N·m)</translation>
-    </message>
-    <message>
         <source>Residuals from the line through zero of My</source>
         <translation>My 相对过零直线的残差</translation>
     </message>
@@ -5440,10 +5380,6 @@
     <message>
         <source>Calibration curve of Mz</source>
         <translation>Mz 的校准曲线</translation>
-    </message>
-    <message>
-        <source>load Mz (N·m)</source>
-        <translation>载荷 Mz (N·m)</translation>
     </message>
     <message>
         <source>Residuals from the line through zero of Mz</source>
@@ -12918,10 +12854,6 @@
         <translation>密度</translation>
     </message>
     <message>
-        <source>density (1/%1)</source>
-        <translation>密度 (1/%1)</translation>
-    </message>
-    <message>
         <source>quantile</source>
         <translation>分位数</translation>
     </message>
@@ -13040,10 +12972,6 @@
     <message>
         <source>%1 (u of first order: %2 of that by Monte Carlo)</source>
         <translation>%1（一阶 u 为蒙特卡洛法的 %2）</translation>
-    </message>
-    <message>
-        <source>share of the variance, first order (%)</source>
-        <translation>方差占比，一阶 (%)</translation>
     </message>
     <message>
         <source>S / %</source>
@@ -13172,24 +13100,6 @@
     <message>
         <source>Both are estimates by sampling, with the standard errors beside them: S can exceed S total by chance.</source>
         <translation>两者都是抽样估计值，标准误差列在旁边：S 可能偶然大于总 S。</translation>
-    </message>
-    <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm：标准不确定度
-2 ppm：标准不确定度，为值的一部分；量本身为比值时则为绝对值
-U = 0.3 um, k = 2（或 p = 95 %）：证书
-矩形 0.5（或 rect、±）：值两侧的界限；三角、反正弦与此相同
-界限 19.5 至 20.5：由界限给出值
-10.1; 10.3; 10.2：观测值
-分辨力 0.01、MPE 3 + 0.1 %、计数 12、常量
-以上任一项之后加 nu 18：自由度</translation>
     </message>
     <message>
         <source>Any measurement equation with what is known about its quantities: several results, intermediate definitions, conditions, and equations that are solved in every trial.</source>
@@ -13374,6 +13284,66 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
     <message>
         <source>uncertainty drawn at %1 of %2 points</source>
         <translation>在 %2 个点中的 %1 个处绘出不确定度</translation>
+    </message>
+    <message>
+        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
+        <translation>其不确定度的已知方式；a 和 b 相应为：u；s 和 n；U 和 k；U 和 p（%）；半宽（及其不准确度，或上底与下底之比）；下限和上限；示值的步进；允许误差和值的百分数；计数；平均值的观测次数（合并）。留空：常量。</translation>
+    </message>
+    <message>
+        <source>standard deviation known before (Type A)</source>
+        <translation>先前已知的标准差（A 类）</translation>
+    </message>
+    <message>
+        <source>share of the variance, first order</source>
+        <translation>方差占比，一阶</translation>
+    </message>
+    <message>
+        <source>change, relative to the variance before</source>
+        <translation>相对于之前方差的变化</translation>
+    </message>
+    <message>
+        <source>growth of the objective without it</source>
+        <translation>去掉该行后目标函数的增长</translation>
+    </message>
+    <message>
+        <source>the number of observations in the mean must be at least one</source>
+        <translation>平均值的观测次数必须至少为 1</translation>
+    </message>
+    <message>
+        <source>results: in the frame of the sensor</source>
+        <translation>结果：在传感器坐标系中</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm：标准不确定度
+2 ppm：标准不确定度，为值的一部分；量本身为比值时则为绝对值
+U = 0.3 um, k = 2（或 p = 95 %）：证书
+s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
+矩形 0.5（或 rect、±）：值两侧的界限；三角、反正弦与此相同
+界限 19.5 至 20.5：由界限给出值
+10.1; 10.3; 10.2：观测值
+分辨力 0.01、MPE 3 + 0.1 %、计数 12、常量
+以上任一项之后加 nu 18：自由度</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>net reading</source>
+        <translation>净读数</translation>
+    </message>
+    <message>
+        <source>deviation from the line</source>
+        <translation>与直线的偏差</translation>
     </message>
 </context>
 <context>
@@ -13949,8 +13919,8 @@ U = 0.3 um, k = 2（或 p = 95 %）：证书
         <translation>两个量都须有不确定度，才能给出相关系数</translation>
     </message>
     <message>
-        <source>; c and index by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation>；c 与指数按传播律给出，其 u 为蒙特卡洛法所得 u 的 %1</translation>
+        <source>; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo</source>
+        <translation>；c 与指数按传播律给出，其 u(%1) 为蒙特卡洛法所得值的 %2</translation>
     </message>
 </context>
 <context>
@@ -15591,10 +15561,6 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>单位</translation>
     </message>
     <message>
-        <source>Components of uncertainty</source>
-        <translation>不确定度分量</translation>
-    </message>
-    <message>
         <source>Constant</source>
         <translation>常量</translation>
     </message>
@@ -15617,6 +15583,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>%1 (%2, %3)</source>
         <translation>%1（%2，%3）</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>分量</translation>
     </message>
 </context>
 <context>
