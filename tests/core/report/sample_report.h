@@ -164,19 +164,16 @@ inline void add_pose(UncertaintyResult& result, const std::string& group, int po
 
 inline void add_budget(UncertaintyResult& result) {
     for (const UncertaintyComponent& c : result.inputs->components)
-        result.budget.components.push_back({c.id,
-                                            c.name,
-                                            c.origin,
-                                            c.unit,
-                                            "normal",
-                                            c.type,
-                                            c.distribution.standard_uncertainty(),
-                                            infinity,
-                                            false,
-                                            {c.id.substr(0, c.id.find('.'))},
-                                            "base",
-                                            {},
-                                            0.344});
+        result.budget.components.push_back({.id = c.id,
+                                            .name = c.name,
+                                            .origin = c.origin,
+                                            .unit = c.unit,
+                                            .distribution = "normal",
+                                            .type = c.type,
+                                            .standard_uncertainty = c.distribution.standard_uncertainty(),
+                                            .quantities = {c.id.substr(0, c.id.find('.'))},
+                                            .group = "base",
+                                            .estimate = 0.344});
     const std::size_t rows = std::min<std::size_t>(18, result.budget.components.size());
     for (const OutputResult& output : result.outputs) {
         std::vector<BudgetRow> list;

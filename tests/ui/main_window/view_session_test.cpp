@@ -159,7 +159,7 @@ TEST_F(ViewSession, AFramedSceneIsFramedAgainWhenResultsLengthenItsLegend) {
     QCoreApplication::processEvents();
     auto without = std::make_shared<Scene>(*view().scene()), with = std::make_shared<Scene>(*without);
     without->legend.clear();
-    with->legend.assign(8, {LegendMark::ellipsoid, Role::output, "outputs: coverage ellipsoids"});
+    with->legend.assign(8, LegendLine{LegendMark::ellipsoid, covaria::Role::output, "outputs"});
     view().show_scene(without);
     view().fit();
     const Camera before = camera();
