@@ -141,8 +141,11 @@ std::string format_to_match(double value, double uncertainty, int digits) {
 }
 
 std::string format_in_row(double value, int decimals, double largest) {
-    constexpr int most_decimals = 12;
-    const bool with_power = std::isfinite(largest) && largest > 0.0 && !is_ordinary(largest);
+    constexpr int most_decimals = 12, most_rounded_places = 3;
+    constexpr double largest_written_out = 1e10;  // 50 000 838 beside u = 35, as in the result line
+    const bool written_out = is_ordinary(largest) || (largest > 1.0 && largest < largest_written_out &&
+                                                      decimals >= -most_rounded_places);
+    const bool with_power = std::isfinite(largest) && largest > 0.0 && !written_out;
     if (!std::isfinite(value)) return not_finite(value);
     if (value == 0.0) return with_power ? "0" : format_decimals(value, decimals);
     const int power = with_power ? rounded_exponent(largest, 3) : 0;

@@ -160,13 +160,14 @@ void BudgetPage::take_result() {
                           : std::nullopt;
     const QString indices =
         part ? tr("; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo")
-                   .arg(to_qt(to_unicode(symbol_text(status.result->outputs[shown].quantity.symbol))),
+                   .toHtmlEscaped()
+                   .arg(to_qt(to_html(symbol_text(status.result->outputs[shown].quantity.symbol))),
                         to_qt(percent_text(*part, language_of_window().numbers())))
              : QString();
     const QString correlated = status.prepared ? correlation_words(*status.prepared) : QString();
     lines_->setText(
         lines_of(*status.result) + (correlated.isEmpty() ? QString() : QStringLiteral("<br>") + correlated) +
-        QStringLiteral("<br><small>") + (said + indices).toHtmlEscaped() + QStringLiteral("</small>"));
+        QStringLiteral("<br><small>") + said.toHtmlEscaped() + indices + QStringLiteral("</small>"));
 }
 
 std::set<int> BudgetPage::selected_rows() const {

@@ -151,6 +151,8 @@ TEST(FormatTyped, KeepsEveryDigitThatWasTyped) {
 TEST(FormatInRow, AllNumbersHaveThePowerOfTheLargest) {
     EXPECT_EQ(format_in_row(50.000838, 6, 50.000838), "50.000838");
     EXPECT_EQ(format_in_row(8.4e-5, 6, 50.000838), "0.000084");
+    EXPECT_EQ(format_in_row(50000838.2, 0, 50000838.2), "50000838") << "nm: as in the result line";
+    EXPECT_EQ(format_in_row(35.4, 0, 50000838.2), "35");
     EXPECT_EQ(format_in_row(1.2345e-5, 8, 1.2345e-5), "1.235e-05");
     EXPECT_EQ(format_in_row(1.2e-7, 8, 1.2345e-5), "0.012e-05");
     EXPECT_EQ(format_in_row(-2.1e11, -8, 2.1e11), "-2.100e+11");
