@@ -85,6 +85,7 @@ TEST_F(RegistryFormsTest, AUnitIsReadAsASignAndTypedAsAWord) {
     ASSERT_TRUE(QTest::qWaitForWindowActive(&form));
     auto* unit = form.findChild<QLineEdit*>("x_unit");
     ASSERT_NE(unit, nullptr);
+    unit->clearFocus();
     EXPECT_EQ(unit->text(), QStringLiteral("°C"));
     unit->setFocus();
     EXPECT_EQ(unit->text(), QStringLiteral("degC"));

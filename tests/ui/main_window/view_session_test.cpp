@@ -159,7 +159,8 @@ TEST_F(ViewSession, AFramedSceneIsFramedAgainWhenResultsLengthenItsLegend) {
     QCoreApplication::processEvents();
     auto without = std::make_shared<Scene>(*view().scene()), with = std::make_shared<Scene>(*without);
     without->legend.clear();
-    with->legend.assign(8, LegendLine{LegendMark::ellipsoid, covaria::Role::output, "outputs"});
+    with->legend.assign(8, LegendLine{LegendMark::ellipsoid, covaria::Role::output,
+                                      "outputs: coverage ellipsoids, p = 95 %"});
     view().show_scene(without);
     view().fit();
     const Camera before = camera();
@@ -168,12 +169,12 @@ TEST_F(ViewSession, AFramedSceneIsFramedAgainWhenResultsLengthenItsLegend) {
     EXPECT_NE(after, before) << "beside the legend";
     view().fit();
     EXPECT_EQ(camera(), after);
-    QTest::keyClick(&view(), Qt::Key_Left);
-    const Camera turned = camera();
+    QTest::keyClick(&view(), Qt::Key_Plus);
+    const Camera nearer = camera();
     with = std::make_shared<Scene>(*with);
     with->legend.resize(9, with->legend.front());
     view().show_scene(with);
-    EXPECT_EQ(camera(), turned) << "the user has chosen this view";
+    EXPECT_EQ(camera(), nearer) << "the user has chosen this view";
 }
 
 TEST_F(ViewSession, AViewIsSavedUndoneAndShownAgain) {
