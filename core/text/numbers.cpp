@@ -162,7 +162,9 @@ std::string format_in_row(double value, int decimals, double largest) {
 NumberForm form_of_column(double smallest, double largest) {
     constexpr double least_in_decimals = 1e-7;
     if (is_ordinary(smallest) && is_ordinary(largest)) return NumberForm::each;
-    return is_ordinary(largest) && smallest >= least_in_decimals ? NumberForm::decimals : NumberForm::powers;
+    if (!is_ordinary(largest)) return NumberForm::powers;
+    // 0.46 is not written as 4.6×10⁻¹ for the sake of a 3×10⁻⁹ below it.
+    return smallest >= least_in_decimals ? NumberForm::decimals : NumberForm::each;
 }
 
 std::string format_significant(double value, int digits, NumberForm form) {

@@ -166,7 +166,8 @@ TEST(FormatInRow, AllNumbersHaveThePowerOfTheLargest) {
 TEST(NumberForm, IsOneForAColumn) {
     EXPECT_EQ(form_of_column(0.01, 120.0), NumberForm::each);
     EXPECT_EQ(form_of_column(3e-5, 0.0012), NumberForm::decimals);
-    EXPECT_EQ(form_of_column(3e-9, 0.0012), NumberForm::powers);
+    EXPECT_EQ(form_of_column(3e-9, 0.0012), NumberForm::each) << "only the tiny one has a power";
+    EXPECT_EQ(form_of_column(3e-9, 2e-6), NumberForm::powers);
     EXPECT_EQ(form_of_column(0.5, 2e9), NumberForm::powers);
     EXPECT_EQ(format_significant(3.21e-5, 2, NumberForm::decimals), "0.000032");
     EXPECT_EQ(format_significant(0.0012, 2, NumberForm::powers), "1.2e-03");
