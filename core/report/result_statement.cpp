@@ -8,12 +8,12 @@
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
+#include "core/text/written_out.h"
 
 namespace covaria {
 namespace {
 
-constexpr double smallest_plain = 1e-3, largest_plain = 1e10;
-constexpr int most_rounded_places = 3;         // before the point: 50 000 840 ± 180
+constexpr double smallest_plain = 1e-3;
 constexpr double skewed_from = 0.05;           // of U
 constexpr double unnoticed_difference = 0.05;  // of u by the two methods
 constexpr double largest_stated = 0.999;       // a coverage probability is not rounded to 100 %
@@ -32,7 +32,7 @@ struct Place {
 Place place_for(double estimate, double uncertainty, int digits, const NumberLocale& locale) {
     const int decimals = decimals_for(uncertainty, digits);
     const double largest = std::max(std::abs(estimate), uncertainty);
-    if (decimals >= -most_rounded_places && largest >= smallest_plain && largest < largest_plain)
+    if (decimals >= -most_rounded_places && largest >= smallest_plain && largest < largest_written_out)
         return {0, decimals, locale};
     const int exponent = -decimals_for(largest, 1);
     return {exponent, decimals + exponent, locale};

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/superscript.h"
+#include "core/text/written_out.h"
 
 namespace covaria {
 namespace {
@@ -141,8 +142,8 @@ std::string format_to_match(double value, double uncertainty, int digits) {
 }
 
 std::string format_in_row(double value, int decimals, double largest) {
-    constexpr int most_decimals = 12, most_rounded_places = 3;
-    constexpr double largest_written_out = 1e10;  // 50 000 838 beside u = 35, as in the result line
+    constexpr int most_decimals = 12;
+    // 50 000 838 beside u = 35, as in the result line.
     const bool written_out = is_ordinary(largest) || (largest > 1.0 && largest < largest_written_out &&
                                                       decimals >= -most_rounded_places);
     const bool with_power = std::isfinite(largest) && largest > 0.0 && !written_out;
