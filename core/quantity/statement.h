@@ -49,7 +49,7 @@ struct StatedComponent {
     double degrees_of_freedom = infinity;
     EvaluationType type = EvaluationType::type_b;
     std::optional<double> estimate = {};  ///< where the statement itself gives one (limits, counts)
-    std::string words;                    ///< "certificate, U with k": where the figure comes from
+    std::string words = {};               ///< "certificate, U with k": where the figure comes from
 };
 
 /// Errors: a figure that is missing, superfluous or out of range; the message names the figure.
