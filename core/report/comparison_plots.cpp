@@ -54,7 +54,7 @@ struct MarkedEstimate {
 void mark_estimates(PlotSpecification& plot, const std::vector<MarkedEstimate>& marked) {
     const double largest = std::max(std::abs(plot.x.low), std::abs(plot.x.high));
     const PlottedOutput& last = marked.back().y;
-    const int exponent = last.exponent_of_results(last.output().estimate, largest);
+    const int exponent = last.exponent_of_results(largest);
     for (const auto& [y, words, role] : marked)
         plot.marks.push_back({words + " " + y.result_text(y.output().estimate, exponent),
                               y.value(y.output().estimate), false, role});

@@ -140,7 +140,7 @@ void add_interval(PlotSpecification& plot, const PlottedOutput& y, double probab
         typeset_number(format_typed(100.0 * probability), y.language().numbers()) + "\u00a0%";
     plot.bands.push_back(
         {y.language().say(plot_words::interval, {percent}), low, high, SeriesRole::reference});
-    const int exponent = y.exponent_of_results(mc.mean, reach_of(plot.x));
+    const int exponent = y.exponent_of_results(reach_of(plot.x));
     const auto text = [&](double si) { return y.result_text(si, exponent); };
     plot.marks.push_back({text(mc.symmetric.low), low, false, SeriesRole::reference});
     plot.marks.push_back(
@@ -215,7 +215,7 @@ PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::siz
     plot.y.unit = y.unit();
     const double largest =
         std::max(std::abs(y.value(mc.quantiles.front())), std::abs(y.value(mc.quantiles.back())));
-    plot.y.exponent = y.exponent_of_results(mc.mean, largest);  // as the distribution beside it
+    plot.y.exponent = y.exponent_of_results(largest);  // as the distribution beside it
     PlotSeries points{
         language.say(plot_words::monte_carlo), SeriesKind::points, SeriesRole::monte_carlo, {}, {}, {}, 0.0};
     for (std::size_t i = 0; i < n; ++i) {

@@ -10,6 +10,7 @@
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "core/text/ticks.h"
+#include "core/text/written_out.h"
 
 namespace covaria::plot_parts {
 namespace {
@@ -25,6 +26,7 @@ PlottedOutput::PlottedOutput(const UncertaintyResult& result, std::size_t output
     : output_(result.outputs.at(output)),
       spread_(stated_spread(output_, result)),
       unit_(units.of(output_.quantity.unit)),
+      largest_stated_(largest_stated_number(output_, result, unit_)),
       language_(language) {}
 
 Text PlottedOutput::symbol() const {
@@ -51,11 +53,10 @@ void PlottedOutput::set_density_axis(PlotAxis& axis) const {
     if (!text.empty()) axis.unit = compound ? "1/(" + text + ")" : "1/" + text;
 }
 
-int PlottedOutput::exponent_of_results(double si, double largest) const {
-    const double spread = interval(spread_);  // of zero it decides
-    const double size = std::isfinite(spread) ? std::max(std::abs(value(si)), spread) : value(si);
-    const bool is_written_out = format_to_match(size, spread).find('e') == std::string::npos;
-    return is_written_out ? 0 : axis_exponent(largest);
+int PlottedOutput::exponent_of_results(double largest) const {
+    const double spread = interval(spread_);
+    const int decimals = std::isfinite(spread) && spread > 0.0 ? decimals_for(spread) : 0;
+    return is_written_out(largest_stated_, decimals) ? 0 : axis_exponent(largest);
 }
 
 int PlottedOutput::exponent_of_uncertainties(double si, int digits, double largest) const {

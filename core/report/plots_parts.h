@@ -29,9 +29,9 @@ public:
     std::string id(const std::string& chart) const;  ///< "histogram-alpha-pose-7"
     std::string unit() const;                        ///< "mm"; empty for numbers
     void set_density_axis(PlotAxis& axis) const;     ///< "probability density" in "1/mm"
-    /// The power of ten of an axis to `largest` (display units) with such a result, or uncertainty, on it:
-    /// none where that is written out by itself.
-    int exponent_of_results(double si, double largest) const;
+    /// The power of ten of an axis to `largest` (display units) with this result, or an uncertainty, on it:
+    /// none where that is written out.
+    int exponent_of_results(double largest) const;
     int exponent_of_uncertainties(double si, int digits, double largest) const;
     /// "1174.91 mm", rounded as the result line, with the power of ten of its axis.
     std::string result_text(double si, int exponent) const;
@@ -43,6 +43,7 @@ private:
     const OutputResult& output_;
     double spread_;
     Unit unit_;
+    double largest_stated_;  ///< display units
     DocumentLanguage language_;
 };
 

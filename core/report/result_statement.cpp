@@ -13,7 +13,6 @@
 namespace covaria {
 namespace {
 
-constexpr double smallest_plain = 1e-3;
 constexpr double skewed_from = 0.05;           // of U
 constexpr double unnoticed_difference = 0.05;  // of u by the two methods
 constexpr double largest_stated = 0.999;       // a coverage probability is not rounded to 100 %
@@ -29,13 +28,18 @@ struct Place {
 };
 
 /// Two digits of U cannot lose 5 % of it by rounding: nothing is rounded up (ILAC-P14 5.4).
-Place place_for(double estimate, double uncertainty, int digits, const NumberLocale& locale) {
+/// `largest`: also of the limits of the interval.
+Place place_for(double estimate, double uncertainty, double largest, int digits, const NumberLocale& locale) {
     const int decimals = decimals_for(uncertainty, digits);
-    const double largest = std::max(std::abs(estimate), uncertainty);
-    if (decimals >= -most_rounded_places && largest >= smallest_plain && largest < largest_written_out)
-        return {0, decimals, locale};
-    const int exponent = -decimals_for(largest, 1);
+    if (is_written_out(largest, decimals)) return {0, decimals, locale};
+    const int exponent = -decimals_for(std::max(std::abs(estimate), uncertainty), 1);
     return {exponent, decimals + exponent, locale};
+}
+
+Place place_for(const OutputResult& output, const UncertaintyResult& result, const Unit& unit, int digits,
+                const NumberLocale& locale) {
+    return place_for(unit.from_si(output.estimate), unit.interval_from_si(stated_spread(output, result)),
+                     largest_stated_number(output, result, unit), digits, locale);
 }
 
 bool has_interval(double estimate, double uncertainty) {
@@ -69,7 +73,7 @@ std::string value_statement(double estimate, double uncertainty, const Unit& uni
     if (!has_interval(y, U))
         return in.say(U == 0.0 ? certificate_words::exact : certificate_words::not_finite,
                       {grouped_digits(format_typed(y), in.numbers()) + in_unit});
-    const Place place = place_for(y, U, digits, in.numbers());
+    const Place place = place_for(y, U, std::abs(y) + U, digits, in.numbers());
     const std::string pair = place(y) + " ± " + place(U), power = power_words(place.exponent);
     return in_unit.empty() && power.empty() ? pair : "(" + pair + ")" + power + in_unit;
 }
@@ -85,13 +89,22 @@ std::string result_statement(const OutputResult& output, const UncertaintyResult
     const Unit& unit = units.of(output.quantity.unit);
     const double y = unit.from_si(output.estimate);
     const double u = unit.interval_from_si(output.standard_uncertainty);
-    const Place place =
-        place_for(y, unit.interval_from_si(stated_spread(output, result)), digits, in.numbers());
+    const Place place = place_for(output, result, unit, digits, in.numbers());
     const std::string behind = power_words(place.exponent) + unit_after_number(unit);
     std::string words = place(y) + behind;
     if (std::isfinite(u)) words += ", u = " + place(u) + behind;
     return words + ", p = " + probability_text(stated_probability(output, result), in) + ", " +
            in.say(certificate_words::coverage_interval, {skewed_interval(output, result, in, units, digits)});
+}
+
+double largest_stated_number(const OutputResult& output, const UncertaintyResult& result, const Unit& unit) {
+    const CoverageInterval interval = coverage_interval_of(output, result);
+    double largest = 0.0;
+    for (const double size :
+         {std::abs(unit.from_si(output.estimate)), unit.interval_from_si(stated_spread(output, result)),
+          std::abs(unit.from_si(interval.low)), std::abs(unit.from_si(interval.high))})
+        if (std::isfinite(size)) largest = std::max(largest, size);
+    return largest;
 }
 
 bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& result) {
@@ -155,11 +168,9 @@ std::string skewed_interval(const OutputResult& output, const UncertaintyResult&
                             const DocumentLanguage& in, const DisplayUnits& units, int digits) {
     if (!is_skewed(output, result)) return {};
     const Unit& unit = units.of(output.quantity.unit);
-    const double y = unit.from_si(output.estimate);
     const CoverageInterval interval = coverage_interval_of(output, result);
     const double low = unit.from_si(interval.low), high = unit.from_si(interval.high);
-    const Place place =
-        place_for(y, unit.interval_from_si(stated_spread(output, result)), digits, in.numbers());
+    const Place place = place_for(output, result, unit, digits, in.numbers());
     const char* between = in.numbers().decimal == "," ? "; " : ", ";
     return "[" + place(low) + between + place(high) + "]" + power_words(place.exponent) +
            unit_after_number(unit);

@@ -36,6 +36,9 @@ std::string result_statement(const OutputResult& output, const UncertaintyResult
                              const DocumentLanguage& in = {}, const DisplayUnits& units = {}, int digits = 2);
 /// That result_statement gives the interval in place of U and k.
 bool is_stated_by_interval(const OutputResult& output, const UncertaintyResult& result);
+/// Of y, U and the limits of the interval, in that unit: decides whether all of them, in the line, the row of
+/// a table and the chart, are written without a power of ten (core/text/written_out.h).
+double largest_stated_number(const OutputResult& output, const UncertaintyResult& result, const Unit& unit);
 /// u of the law of propagation as a part of u by Monte Carlo, to a hundredth; empty where they differ by less
 /// than anybody would notice.
 std::optional<double> part_of_first_order(const OutputResult& output);

@@ -93,7 +93,7 @@ std::string with_powers(std::string plain) {
 
 /// Is written without a power of ten.
 bool is_ordinary(double size) {
-    return size >= 1e-4 && size < 1e7;
+    return size >= smallest_written_out && size < 1e7;
 }
 
 }  // namespace
@@ -133,7 +133,8 @@ std::string format_to_match(double value, double uncertainty, int digits) {
     if (!std::isfinite(uncertainty) || uncertainty == 0.0) return format_trimmed(value, unmatched_digits);
     const int decimals = decimals_for(uncertainty, digits);
     // 50.000838 with u = 8.4e-5 is read more easily than 5.0000838e+01.
-    if (std::abs(uncertainty) >= 1e7 || std::max(std::abs(value), std::abs(uncertainty)) < 1e-4) {
+    if (std::abs(uncertainty) >= 1e7 ||
+        std::max(std::abs(value), std::abs(uncertainty)) < smallest_written_out) {
         if (value == 0.0) return "0";
         const int value_digits = rounded_exponent(value, 1) + decimals + 1;
         return value_digits < 1 ? "0" : scientific(value, value_digits - 1);
@@ -144,8 +145,7 @@ std::string format_to_match(double value, double uncertainty, int digits) {
 std::string format_in_row(double value, int decimals, double largest) {
     constexpr int most_decimals = 12;
     // 50 000 838 beside u = 35, as in the result line.
-    const bool written_out = is_ordinary(largest) || (largest > 1.0 && largest < largest_written_out &&
-                                                      decimals >= -most_rounded_places);
+    const bool written_out = is_ordinary(largest) || is_written_out(largest, decimals);
     const bool with_power = std::isfinite(largest) && largest > 0.0 && !written_out;
     if (!std::isfinite(value)) return not_finite(value);
     if (value == 0.0) return with_power ? "0" : format_decimals(value, decimals);

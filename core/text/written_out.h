@@ -3,7 +3,14 @@
 
 namespace covaria {
 
+inline constexpr double smallest_written_out = 1e-4;
 inline constexpr double largest_written_out = 1e10;
 inline constexpr int most_rounded_places = 3;  ///< before the point
+
+/// `largest`: of the numbers that are read together; `decimals`: those that their uncertainty leaves.
+constexpr bool is_written_out(double largest, int decimals) {
+    return largest >= smallest_written_out && largest < largest_written_out &&
+           decimals >= -most_rounded_places;
+}
 
 }  // namespace covaria

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "core/project/stated_requirements.h"
+#include "core/report/plots.h"
 #include "core/report/result_columns.h"
+#include "core/report/result_statement.h"
 #include "core/report/table_text.h"
 #include "core/result/representation.h"
 #include "core/text/symbol.h"
@@ -128,6 +131,28 @@ TEST(Report, TheResultLineHasOnePowerOfTenInTheWindow) {
     EXPECT_EQ(shown("estimate"), "1.235×10⁻⁵");
     EXPECT_EQ(shown("u"), "0.010×10⁻⁵");
     EXPECT_EQ(shown("U"), "0.020×10⁻⁵");
+}
+
+// 5.0×10⁻⁵ stood in the line, 0.000 050 in the table and 50×10⁻⁶ in the chart of one result.
+TEST(Report, ALineARowAndAChartAgreeWhetherAResultIsWrittenOut) {
+    for (int exponent = -8; exponent < 5; ++exponent)
+        for (const double first : {1.4, 5.0, 9.6}) {
+            const double u = first * std::pow(10.0, exponent);
+            UncertaintyResult result = test::sample_result();
+            OutputResult& output = result.outputs.front();
+            output.quantity.unit = Unit{};
+            output.monte_carlo->symmetric = {-0.5 * u, 2.4 * u};
+            output.estimate = output.monte_carlo->mean = 0.3 * u;
+            output.standard_uncertainty = u;
+            output.expanded_uncertainty = 1.45 * u;
+            const Table table = results_table(result, {0});
+            const std::string row = to_unicode(cell_shown(table, table["estimate"], 0, {}));
+            const std::string line = result_statement(output, result);
+            const bool power = line.find("×10") != std::string::npos;
+            EXPECT_EQ(row.find("×10") != std::string::npos, power) << row << " in " << line;
+            const PlotSpecification plot = histogram_plot(result, 0);
+            EXPECT_EQ(plot.x.exponent != 0, power) << line;
+        }
 }
 
 TEST(ReadTable, HasTheUnitInTheHeadAndEvenDecimals) {
