@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "core/report/report_parts.h"
-#include "core/setup/observed_decimals.h"
+#include "core/setup/shared_decimals.h"
 #include "core/setup/text_columns.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
@@ -90,7 +90,7 @@ TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const Re
         const Unit unit = c < table.units.size() ? table.units[c] : spec.unit;
         const bool symbol = looks_like_symbol(spec.title);
         block.styles.push_back(
-            {.symbol = names_quantities(spec), .by_row = observed_decimals(field, table, c)});
+            {.symbol = names_quantities(spec), .by_row = shared_decimals(field, table, c)});
         block.table.columns.push_back({symbol ? spec.title : in.say_declared(spec.title), unit, symbol, 0});
         for (std::size_t r = 0; r < rows; ++r)
             block.table.rows[r].push_back(

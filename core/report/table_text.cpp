@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/text/numbers.h"
+#include "core/text/written_out.h"
 
 namespace covaria {
 namespace {
@@ -77,7 +78,6 @@ std::optional<Unit> unit_of_cells(const DataTable& table, std::size_t column) {
 
 /// Of a column of one kind of quantity, to which nothing else gives them; -1: of each number by itself.
 int decimals_of_column(const DataTable& table, std::size_t column) {
-    constexpr int most_decimals = 6;
     const TableColumn& head = table.columns[column];
     if (head.unit == Unit{} || head.digits > 0 || head.decimals >= 0 || head.match >= 0) return -1;
     std::vector<double> numbers;
@@ -87,7 +87,7 @@ int decimals_of_column(const DataTable& table, std::size_t column) {
         if (number) numbers.push_back(without_residue(*number, head.unit));
     }
     const int decimals = common_decimals(numbers);
-    return decimals <= most_decimals ? decimals : -1;
+    return decimals <= most_shared_decimals ? decimals : -1;
 }
 
 }  // namespace

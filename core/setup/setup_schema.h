@@ -44,7 +44,7 @@ struct ColumnSpec {
     std::string help = {};
     std::vector<std::string> capabilities = {};  ///< of a reference, as in FieldSpec
     /// Its numbers are observations, of the quantity and series in columns of these names, where there are
-    /// any: alike ones are written alike (`observed_decimals`).
+    /// any: alike ones are written alike (`shared_decimals`).
     bool observed = false;
 };
 

@@ -7,6 +7,9 @@ inline constexpr double smallest_written_out = 1e-4;
 inline constexpr double largest_written_out = 1e10;
 inline constexpr int most_rounded_places = 3;  ///< before the point
 
+/// Of the numbers of a column, to which one with more gives none.
+inline constexpr int most_shared_decimals = 6;
+
 /// `largest`: of the numbers that are read together; `decimals`: those that their uncertainty leaves.
 constexpr bool is_written_out(double largest, int decimals) {
     return largest >= smallest_written_out && largest < largest_written_out &&

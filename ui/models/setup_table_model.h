@@ -102,7 +102,7 @@ private:
     std::string field_;
     const SetupSchema* schema_;
     SetupTable table_;
-    std::vector<std::vector<int>> decimals_;  ///< of observations, by column and row
+    std::vector<std::vector<int>> decimals_;  ///< shared ones, by column and row
     Marks rejected_;
     UnreadTexts::Texts seen_;  ///< of the document, when they were the same as `rejected_`
     std::map<CellPosition, QString> problems_;

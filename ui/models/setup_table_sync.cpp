@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/setup/observed_decimals.h"
+#include "core/setup/shared_decimals.h"
 #include "core/text/symbol.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
@@ -36,7 +36,7 @@ SetupTable SetupTableModel::read() const {
 std::vector<std::vector<int>> SetupTableModel::decimals_of_table() const {
     std::vector<std::vector<int>> decimals;
     for (std::size_t c = 0; field() && c < field()->columns.size(); ++c)
-        decimals.push_back(observed_decimals(*field(), table_, c));
+        decimals.push_back(shared_decimals(*field(), table_, c));
     return decimals;
 }
 

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "core/setup/message_text.h"
-#include "core/setup/observed_decimals.h"
 #include "core/setup/setup_schema.h"
+#include "core/setup/shared_decimals.h"
 
 namespace covaria::setup_test {
 
@@ -167,7 +167,7 @@ TEST(Words, NearestName) {
     EXPECT_EQ(listed({"a", "b", "c"}), "'a', 'b' and 'c'");
 }
 
-TEST(ObservedDecimals, AreThoseOfTheSeries) {
+TEST(SharedDecimals, OfObservationsAreThoseOfTheSeries) {
     FieldSpec field{"observations", "Observations", FieldKind::table, "As read."};
     field.columns = {{"quantity", "quantity", FieldKind::text}, {"value", "value"}};
     const auto row = [](const char* quantity, double value) {
@@ -175,10 +175,22 @@ TEST(ObservedDecimals, AreThoseOfTheSeries) {
     };
     SetupTable table;
     table.rows = {row("V", 4.99), row("V", 5.012), row("I", 0.5), row("I", 2.0)};
-    EXPECT_TRUE(observed_decimals(field, table, 1).empty()) << "figures of different kinds";
+    EXPECT_TRUE(shared_decimals(field, table, 1).empty()) << "figures of different kinds";
     field.columns[1].observed = true;
-    EXPECT_EQ(observed_decimals(field, table, 1), (std::vector<int>{3, 3, 1, 1}));
-    EXPECT_TRUE(observed_decimals(field, table, 0).empty());
+    EXPECT_EQ(shared_decimals(field, table, 1), (std::vector<int>{3, 3, 1, 1}));
+    EXPECT_TRUE(shared_decimals(field, table, 0).empty());
+}
+
+TEST(SharedDecimals, OfAColumnWithAUnitAreOneForAll) {
+    FieldSpec field{"points", "Points", FieldKind::table, "Nominal points."};
+    field.columns = {{"x", "x", FieldKind::number, Unit::of("mm")}, {"weight", "weight"}};
+    SetupTable table;
+    for (const double x : {25.503, 26.01, -3.0}) table.rows.push_back({x, x});
+    EXPECT_EQ(shared_decimals(field, table, 0), (std::vector<int>{3, 3, 3}));
+    EXPECT_TRUE(shared_decimals(field, table, 1).empty());
+    table.rows.push_back({1.23456789, 1.0});
+    EXPECT_EQ(shared_decimals(field, table, 0), (std::vector<int>{-1, -1, -1, -1}))
+        << "too many for the others";
 }
 
 TEST(Words, Numbers) {

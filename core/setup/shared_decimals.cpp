@@ -1,4 +1,4 @@
-#include "core/setup/observed_decimals.h"
+#include "core/setup/shared_decimals.h"
 
 #include <map>
 #include <string>
@@ -6,6 +6,7 @@
 
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
+#include "core/text/written_out.h"
 
 namespace covaria {
 namespace {
@@ -17,8 +18,11 @@ std::string text_at(const std::vector<SetupCell>& row, std::size_t column) {
 
 }  // namespace
 
-std::vector<int> observed_decimals(const FieldSpec& field, const SetupTable& table, std::size_t column) {
-    if (column >= field.columns.size() || !field.columns[column].observed) return {};
+std::vector<int> shared_decimals(const FieldSpec& field, const SetupTable& table, std::size_t column) {
+    if (column >= field.columns.size()) return {};
+    const bool observed = field.columns[column].observed,
+               of_one_kind = !(field.columns[column].unit == Unit{});
+    if (!observed && !of_one_kind) return {};
     const std::size_t quantity = SetupSchema::column(field, "quantity"),
                       series = SetupSchema::column(field, "series");
     struct Series {
@@ -30,13 +34,14 @@ std::vector<int> observed_decimals(const FieldSpec& field, const SetupTable& tab
         const auto& row = table.rows[i];
         const auto* value = column < row.size() ? std::get_if<double>(&row[column]) : nullptr;
         if (!value) continue;
-        Series& of = all[{plain_symbol(text_at(row, quantity)), text_at(row, series)}];
+        Series& of = observed ? all[{plain_symbol(text_at(row, quantity)), text_at(row, series)}] : all[{}];
         of.values.push_back(*value);
         of.rows.push_back(i);
     }
     std::vector<int> decimals(table.rows.size(), -1);
     for (const auto& [name, of] : all) {
-        const int common = common_decimals(of.values);
+        int common = common_decimals(of.values);
+        if (!observed && common > most_shared_decimals) common = -1;
         for (const std::size_t row : of.rows) decimals[row] = common;
     }
     return decimals;
