@@ -77,17 +77,30 @@ std::optional<Unit> unit_of_cells(const DataTable& table, std::size_t column) {
 }
 
 /// Of a column of one kind of quantity, to which nothing else gives them; -1: of each number by itself.
+/// Deviations, which have signs, are read against the largest one, and so are numbers that were computed;
+/// uncertainties have digits of their own.
 int decimals_of_column(const DataTable& table, std::size_t column) {
     const TableColumn& head = table.columns[column];
-    if (head.unit == Unit{} || head.digits > 0 || head.decimals >= 0 || head.match >= 0) return -1;
+    if (head.unit == Unit{} || head.decimals >= 0 || head.match >= 0) return -1;
     std::vector<double> numbers;
+    double smallest = 0.0, largest = 0.0;
     for (const auto& cells : table.rows) {
         const auto number = column < cells.size() ? shown_number(cells[column], head) : std::nullopt;
-        if (number && !(unit_of(cells[column], head) == head.unit)) return -1;
-        if (number) numbers.push_back(without_residue(*number, head.unit));
+        if (!number) continue;
+        if (!(unit_of(cells[column], head) == head.unit) || !std::isfinite(*number)) return -1;
+        numbers.push_back(without_residue(*number, head.unit));
+        smallest = std::min(smallest, numbers.back());
+        largest = std::max(largest, std::abs(numbers.back()));
     }
-    const int decimals = common_decimals(numbers);
-    return decimals <= most_shared_decimals ? decimals : -1;
+    const bool are_deviations = head.digits > 0 && smallest < 0.0;
+    if (numbers.empty() || (head.digits > 0 && !are_deviations)) return -1;
+    int decimals = are_deviations ? -1 : common_decimals(numbers);
+    if (decimals < 0 && largest > 0.0)
+        decimals = std::max(0, decimals_for(largest, are_deviations ? head.digits : computed_digits));
+    const bool is_lost = std::ranges::any_of(numbers, [step = std::pow(10.0, -decimals)](double number) {
+        return number != 0.0 && std::abs(number) < 0.5 * step;
+    });
+    return decimals <= most_shared_decimals && !is_lost ? decimals : -1;
 }
 
 }  // namespace

@@ -16,7 +16,6 @@
 namespace covaria {
 namespace {
 
-constexpr int unmatched_digits = 7;  // of a computed value without an uncertainty to match
 constexpr int most_typed_digits = 13;
 constexpr double conversion_error = 6e-16;  // relative, of a unit and back
 constexpr double tie_width = 1e-14;         // relative, of a number that was computed
@@ -119,7 +118,7 @@ std::string format_trimmed(double value, int digits) {
 }
 
 int decimals_for(double uncertainty, int digits) {
-    if (!std::isfinite(uncertainty) || uncertainty == 0.0) return unmatched_digits - 1;
+    if (!std::isfinite(uncertainty) || uncertainty == 0.0) return computed_digits - 1;
     return digits - 1 - rounded_exponent(uncertainty, digits);
 }
 
@@ -130,7 +129,7 @@ std::string format_part_of_limit(double part, int decimals) {
 }
 
 std::string format_to_match(double value, double uncertainty, int digits) {
-    if (!std::isfinite(uncertainty) || uncertainty == 0.0) return format_trimmed(value, unmatched_digits);
+    if (!std::isfinite(uncertainty) || uncertainty == 0.0) return format_trimmed(value, computed_digits);
     const int decimals = decimals_for(uncertainty, digits);
     // 50.000838 with u = 8.4e-5 is read more easily than 5.0000838e+01.
     if (std::abs(uncertainty) >= 1e7 ||
@@ -182,7 +181,7 @@ std::string format_typed(double value) {
     if (std::abs(value - whole) <= conversion_error * size && size >= 1e7 && size < 1e12)
         return fixed(whole, 0);
     if (is_typed(value)) return format_trimmed(value, most_typed_digits);
-    return format_trimmed(value, unmatched_digits);
+    return format_trimmed(value, computed_digits);
 }
 
 int common_decimals(const std::vector<double>& observations) {
@@ -212,7 +211,7 @@ double shown_degrees_of_freedom(double nu) {
 }
 
 std::string format_degrees_of_freedom(double nu) {
-    return format_trimmed(shown_degrees_of_freedom(nu), unmatched_digits);
+    return format_trimmed(shown_degrees_of_freedom(nu), computed_digits);
 }
 
 double without_residue(double shown, const Unit& unit) {

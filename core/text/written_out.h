@@ -1,4 +1,4 @@
-// Which results are written out, without a power of ten: 50 000 840 ± 180.
+// How much of a number is written: which results without a power of ten (50 000 840 ± 180), how many digits.
 #pragma once
 
 namespace covaria {
@@ -9,6 +9,9 @@ inline constexpr int most_rounded_places = 3;  ///< before the point
 
 /// Of the numbers of a column, to which one with more gives none.
 inline constexpr int most_shared_decimals = 6;
+
+/// Significant digits of a computed value without an uncertainty to match.
+inline constexpr int computed_digits = 7;
 
 /// `largest`: of the numbers that are read together; `decimals`: those that their uncertainty leaves.
 constexpr bool is_written_out(double largest, int decimals) {

@@ -173,6 +173,28 @@ TEST(ReadTable, HasTheUnitInTheHeadAndEvenDecimals) {
     EXPECT_EQ(cell_text(block, 1, 2), "0.12");
 }
 
+TEST(ReadTable, ComputedNumbersAndDeviationsOfAColumnShareTheirDecimals) {
+    const Unit mm = Unit::of("mm");
+    DataTable table{"t",
+                    "T",
+                    {{.header = "x", .unit = mm},
+                     {.header = "residual", .unit = mm, .digits = 3},
+                     {.header = "u", .unit = mm, .digits = 2},
+                     {.header = "z", .unit = mm}},
+                    {},
+                    {}};
+    table.rows = {{1.571031123456789, 2.79123e-7, 1.86e-5, 500.0},
+                  {0.000664026123456789, -5.65321e-6, 3.3e-4, 1e-10}};
+    const TableBlock block = read_table(table, {});
+    EXPECT_EQ(cell_text(block, 0, 0), "1571.031");
+    EXPECT_EQ(cell_text(block, 1, 0), "0.664");
+    EXPECT_EQ(cell_text(block, 0, 1), "0.00028");
+    EXPECT_EQ(cell_text(block, 1, 1), "-0.00565");
+    EXPECT_EQ(cell_text(block, 0, 2), "0.019");
+    EXPECT_EQ(cell_text(block, 1, 2), "0.33") << "each with its own digits";
+    EXPECT_EQ(cell_text(block, 1, 3), "1e-07") << "nothing is lost";
+}
+
 TEST(Report, BudgetsAreShownInFullForTheGroupWithTheLargestUncertainties) {
     const ReportDocument document = test::sample_report();
     int budgets = 0;
