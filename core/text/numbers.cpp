@@ -185,13 +185,22 @@ std::string format_typed(double value) {
 }
 
 int common_decimals(const std::vector<double>& observations) {
-    std::size_t most = 0;
+    int most = 0;
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+    bool has_powers = false;
     for (const double value : observations) {
+        if (!std::isfinite(value) || !is_typed(value)) return -1;
         const std::string typed = format_typed(value);
-        if (!std::isfinite(value) || !is_typed(value) || typed.find('e') != std::string::npos) return -1;
-        most = std::max(most, decimals_in(typed));
+        const std::size_t e = typed.find('e');
+        const int power = e == std::string::npos ? 0 : std::atoi(typed.c_str() + e + 1);
+        has_powers = has_powers || power != 0;
+        most = std::max(most, static_cast<int>(decimals_in(typed)) - power);
+        if (value != 0.0) smallest = std::min(smallest, std::abs(value));
+        largest = std::max(largest, std::abs(value));
     }
-    return observations.empty() ? -1 : static_cast<int>(most);
+    if (observations.empty() || (has_powers && form_of_column(smallest, largest) != NumberForm::decimals))
+        return -1;
+    return most;
 }
 
 std::string format_estimate(double value, double uncertainty) {

@@ -181,6 +181,7 @@ TEST(CommonDecimals, AreThoseOfTheObservationWithTheMost) {
     EXPECT_EQ(common_decimals({}), -1);
     EXPECT_EQ(common_decimals({1.0 / 3.0, 0.5}), -1) << "computed";
     EXPECT_EQ(common_decimals({2.5e-6, 3e-6}), -1) << "with powers of ten";
+    EXPECT_EQ(common_decimals({6e-5, 0.000111}), 6) << "one of them would have a power of ten";
 }
 
 TEST(FormatExact, ReadsBackToTheSameNumber) {
