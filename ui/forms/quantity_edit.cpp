@@ -120,13 +120,15 @@ void QuantityEdit::set_quantity(const std::optional<Quantity>& quantity) {
     complain({});
 }
 
-/// Digits are read in groups, those of a computed value not all, and edited as they are.
+/// Digits are read in groups and behind a true minus sign, those of a computed value not all; edited as they
+/// are.
 void QuantityEdit::show_quantity() {
     QString shown = quantity_ ? quantity_text(*quantity_, locale()) : QString();
     if (quantity_ && !hasFocus())
         shown.replace(0, number_text(quantity_->value, locale()).size(),
                       to_qt(grouped_digits(format_typed(quantity_->value), number_locale(locale()))));
-    setText(shown.replace(QChar(0x2212), QLatin1Char('-')));  // as it is typed: poses have no room for more
+    if (hasFocus()) shown.replace(QChar(0x2212), QLatin1Char('-'));
+    setText(shown);
     setModified(false);
 }
 

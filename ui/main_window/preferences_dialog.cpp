@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "core/text/numbers.h"
+#include "ui/forms/quantity_edit.h"
 #include "ui/forms/unit_choices.h"
 #include "ui/theme/languages.h"
 #include "ui/theme/strings.h"
@@ -108,9 +109,15 @@ void PreferencesDialog::add_new_analyses(QFormLayout& form) {
                       tr("Of U = k u, where a new analysis begins with a fixed one"));
     add_items(*factor_,
               {{0.0, tr("k from the degrees of freedom or the coverage interval")}, {2.0, tr("k = 2")}});
-    trials_ = add_number(form, tr("Trials"), "trials", tr("Of Monte Carlo"),
-                         {int(fewest_trials), int(most_trials)});
-    trials_->setSingleStep(100'000);
+    trials_ = new QuantityEdit;  // digits in groups, as in the options of an analysis
+    trials_->setObjectName(QStringLiteral("trials"));
+    trials_->setAccessibleName(tr("Trials"));
+    trials_->set_help(tr("Of Monte Carlo"));
+    trials_->set_integer(true);
+    trials_->set_optional(false);
+    trials_->set_range(Range{.low = double(fewest_trials), .high = double(most_trials)});
+    form.addRow(tr("Trials"), trials_);
+    connect(trials_, &QuantityEdit::quantity_edited, this, &PreferencesDialog::take);
 }
 
 void PreferencesDialog::add_window(QFormLayout& form) {
@@ -143,7 +150,7 @@ void PreferencesDialog::take() {
     wanted.numbers = NumberForm(numbers_->currentData().toInt());
     const double k = factor_->currentData().toDouble();
     wanted.coverage_factor = k > 0.0 ? std::optional(k) : std::nullopt;
-    wanted.trials = std::uint64_t(trials_->value());
+    wanted.trials = std::uint64_t(trials_->quantity()->value);
     wanted.language = language_->currentData().toString();
     wanted.theme = theme_->currentData().toString();
     wanted.font_points = font_->value() < smallest_font ? 0 : font_->value();
@@ -159,8 +166,9 @@ void PreferencesDialog::show_preferences() {
     factor_->setCurrentIndex(now.coverage_factor ? 1 : 0);
     language_->setCurrentIndex(language_->findData(now.language));
     theme_->setCurrentIndex(theme_->findData(now.theme));
+    trials_->setLocale(QLocale());
+    trials_->set_quantity(Quantity{double(now.trials), Unit{}});
     const std::pair<QSpinBox*, int> numbers[] = {
-        {trials_, int(now.trials)},
         {font_, now.font_points > 0 ? now.font_points : smallest_font - 1},
         {autosave_, now.autosave_seconds}};
     for (const auto& [box, value] : numbers) {

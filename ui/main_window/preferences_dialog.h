@@ -11,6 +11,7 @@ class QSpinBox;
 
 namespace covaria::ui {
 
+class QuantityEdit;
 class UnitChoices;
 
 class PreferencesDialog : public QDialog {
@@ -33,7 +34,8 @@ private:
     UnitChoices* units_ = nullptr;
     QComboBox *language_ = nullptr, *digits_ = nullptr, *numbers_ = nullptr, *factor_ = nullptr,
               *theme_ = nullptr;
-    QSpinBox *trials_ = nullptr, *autosave_ = nullptr, *font_ = nullptr;
+    QuantityEdit* trials_ = nullptr;
+    QSpinBox *autosave_ = nullptr, *font_ = nullptr;
 };
 
 }  // namespace covaria::ui

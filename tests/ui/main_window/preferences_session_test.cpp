@@ -141,9 +141,12 @@ TEST_F(PreferencesSession, TheFormOfNumbersIsOneInTablesFieldsAndCharts) {
 TEST_F(PreferencesSession, NewAnalysesBeginWithThemAndOthersStay) {
     run();
     choose_preference("coverage_factor", QStringLiteral("k = 2"));
-    auto* trials = dialog()->findChild<QSpinBox*>(QStringLiteral("trials"));
+    auto* trials = dialog()->findChild<QLineEdit*>(QStringLiteral("trials"));
     ASSERT_NE(trials, nullptr);
-    trials->setValue(50'000);
+    EXPECT_EQ(trials->text(), QString::fromUtf8("1\u202f000\u202f000"));
+    trials->selectAll();
+    QTest::keyClicks(trials, QStringLiteral("50000"));
+    QTest::keyClick(trials, Qt::Key_Return);
     const Project before = window_->document().project();
     window_->project_pane().add_analysis("measurement-equation");
     const Project& after = window_->document().project();
