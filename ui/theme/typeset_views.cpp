@@ -43,19 +43,25 @@ QColor text_colour(const QStyleOptionViewItem& option) {
         group, option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
 }
 
-/// Whether the edge of the view cuts a number: the digits that remain would be another one.
-bool is_cut_number(const QStyleOptionViewItem& cell) {
-    const auto* view = qobject_cast<const QAbstractScrollArea*>(cell.widget);
-    if (!view || !(cell.displayAlignment & Qt::AlignRight) || cell.text.isEmpty()) return false;
-    const QRect seen = cell.rect & view->viewport()->rect();
-    return !seen.isEmpty() && seen.width() < cell.rect.width();
+/// What the right edge of its view leaves of `whole`: there it is drawn as if it ended there.
+QRect seen_part(const QRect& whole, const QWidget* view) {
+    const auto* area = qobject_cast<const QAbstractScrollArea*>(view);
+    if (!area) return whole;
+    const int edge = area->viewport()->rect().right();
+    return whole.left() < edge && whole.right() > edge ? whole.adjusted(0, 0, edge - whole.right(), 0)
+                                                       : whole;
+}
+
+/// Left and right of the text of a cell together.
+int text_margins(const QStyleOptionViewItem& cell) {
+    return 2 * (style_of(cell.widget)->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, cell.widget) + 1);
 }
 
 }  // namespace
 
 TypesetDelegate::TypesetDelegate(QObject* parent, Qt::TextElideMode elide)
     : SteadyDelegate(parent), elide_(elide) {
-    // Scrolling moves what was painted; a number that was cut is whole then, and another one is cut.
+    // Scrolling moves what was painted; what was cut is whole then, and another column is cut.
     if (const auto* view = qobject_cast<QAbstractScrollArea*>(parent))
         connect(view->horizontalScrollBar(), &QScrollBar::valueChanged, view->viewport(),
                 qOverload<>(&QWidget::update));
@@ -76,12 +82,15 @@ void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
                             const QModelIndex& index) const {
     QStyleOptionViewItem cell(option);
     initStyleOption(&cell, index);
-    const bool cut = is_cut_number(cell);
-    if (cut) {
-        cell.rect &= static_cast<const QAbstractScrollArea*>(cell.widget)->viewport()->rect();
+    Text text = text_from(index.data(typeset_role), cell.text);
+    const QRect whole = std::exchange(cell.rect, seen_part(cell.rect, cell.widget));
+    // The digits that remain of a number would be another one.
+    const bool is_number = cell.displayAlignment & Qt::AlignRight;
+    if (cell.rect != whole && is_number && !cell.text.isEmpty() &&
+        text_width(text, cell.font) + text_margins(cell) > cell.rect.width()) {
         cell.text = QStringLiteral("…");
+        text = Text("…");
     }
-    const Text text = cut ? Text("…") : text_from(index.data(typeset_role), cell.text);
     if (!text.has_scripts()) {
         style_of(cell.widget)->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
         return;
@@ -90,7 +99,7 @@ void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     const QString plain = std::exchange(cell.text, QString());
     style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
     cell.text = plain;
-    const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, cell.widget) + 1;
+    const int margin = text_margins(cell) / 2;
     const QRect area = style->subElementRect(QStyle::SE_ItemViewItemText, &cell, cell.widget)
                            .adjusted(margin, 0, -margin, 0);
     painter->save();
@@ -115,6 +124,10 @@ TypesetHeader::TypesetHeader(Qt::Orientation orientation, QWidget* parent)
     : QHeaderView(orientation, parent) {
     setSectionsClickable(true);
     setHighlightSections(false);
+    setTextElideMode(Qt::ElideRight);
+    if (const auto* view = qobject_cast<QAbstractScrollArea*>(parent))
+        connect(view->horizontalScrollBar(), &QScrollBar::valueChanged, viewport(),
+                qOverload<>(&QWidget::update));
 }
 
 Text TypesetHeader::text_of(int section) const {
@@ -128,7 +141,8 @@ void TypesetHeader::initStyleOptionForIndex(QStyleOptionHeader* option, int sect
     if (text_of(section).has_scripts()) option->text.clear();
 }
 
-void TypesetHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
+void TypesetHeader::paintSection(QPainter* painter, const QRect& whole, int section) const {
+    const QRect rect = seen_part(whole, this);
     painter->save();
     QHeaderView::paintSection(painter, rect, section);
     painter->restore();

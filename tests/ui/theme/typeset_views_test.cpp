@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QHeaderView>
 #include <QStandardItemModel>
 #include <QTableView>
 
 #include "core/text/symbol.h"
 #include "tests/ui/qt_application.h"
 #include "ui/theme/label_text.h"
+#include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 
 namespace covaria::ui::typeset_test {
@@ -127,6 +129,36 @@ TEST_F(Typeset, ComboBoxesAreDrawnWithLoweredLetters) {
     typeset.setCurrentIndex(1);
     plain.setCurrentIndex(1);
     EXPECT_EQ(picture_of(typeset), picture_of(plain));
+}
+
+/// A view of one column of that width with its head, of which 160 pixels are seen.
+QImage cut_column(const QString& text, Qt::Alignment alignment, int width, const QString& head) {
+    QStandardItemModel model(1, 1);
+    model.setHorizontalHeaderLabels({head});
+    model.setData(model.index(0, 0), text);
+    model.setData(model.index(0, 0), int(alignment | Qt::AlignVCenter), Qt::TextAlignmentRole);
+    QTableView view;
+    view.setShowGrid(false);
+    view.setFrameShape(QFrame::NoFrame);
+    view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view.verticalHeader()->hide();
+    view.setHorizontalHeader(new TypesetHeader(Qt::Horizontal, &view));
+    view.setItemDelegate(new TypesetDelegate(&view, Qt::ElideRight));
+    view.setModel(&model);
+    view.setColumnWidth(0, width);
+    return picture_of(view);
+}
+
+TEST_F(Typeset, WhatTheEdgeOfAViewCutsIsDrawnAsIfItEndedThere) {
+    const QString number = QStringLiteral("12.5"),
+                  words = QStringLiteral("in the middle of a long text, really");
+    for (const auto& [text, alignment] : {std::pair(number, Qt::AlignRight), std::pair(words, Qt::AlignLeft)})
+        EXPECT_EQ(cut_column(text, alignment, 400, words), cut_column(text, alignment, 160, words))
+            << to_std(text);
+    const QString digits = QStringLiteral("123456789012345678901234567890");
+    EXPECT_EQ(cut_column(digits, Qt::AlignRight, 400, number),
+              cut_column(QStringLiteral("…"), Qt::AlignRight, 400, number))
+        << "a part of a number is another number";
 }
 
 TEST_F(Typeset, GridLinesAreSeenInBothThemes) {
