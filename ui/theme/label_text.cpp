@@ -47,6 +47,17 @@ double text_width(const Text& text, const QFont& font) {
     return LabelText(text, font).width();
 }
 
+namespace {
+
+/// Between digits, where the ones that remain would be another number.
+bool is_in_number(const std::string& letters, std::size_t at) {
+    static const std::string of_number = "0123456789.,\u202f";  // the bytes of the space between groups, too
+    const auto belongs = [&](std::size_t i) { return of_number.find(letters[i]) != std::string::npos; };
+    return at > 0 && at < letters.size() && belongs(at - 1) && belongs(at);
+}
+
+}  // namespace
+
 Text shortened(const Text& text, const QFont& font, double width) {
     if (text.empty() || text_width(text, font) <= width) return text;
     const std::string letters = text.letters();
@@ -56,8 +67,10 @@ Text shortened(const Text& text, const QFont& font, double width) {
         begins.push_back(at);
     const auto with = [&](std::size_t kept) {
         const std::size_t after = kept / 2, before = kept - after;
-        const std::size_t rest = after > 0 ? begins[begins.size() - after] : letters.size();
-        return text.part(0, begins[before]) + "…" + text.part(rest);
+        std::size_t until = begins[before], from = after > 0 ? begins[begins.size() - after] : letters.size();
+        while (is_in_number(letters, until)) --until;
+        while (is_in_number(letters, from)) ++from;
+        return text.part(0, until) + "…" + text.part(from);
     };
     std::size_t most = 0, too_many = begins.size();
     while (most + 1 < too_many) {

@@ -91,17 +91,19 @@ void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
         cell.text = QStringLiteral("…");
         text = Text("…");
     }
-    if (!text.has_scripts()) {
-        style_of(cell.widget)->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
-        return;
-    }
     QStyle* style = style_of(cell.widget);
-    const QString plain = std::exchange(cell.text, QString());
-    style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
-    cell.text = plain;
     const int margin = text_margins(cell) / 2;
     const QRect area = style->subElementRect(QStyle::SE_ItemViewItemText, &cell, cell.widget)
                            .adjusted(margin, 0, -margin, 0);
+    if (!text.has_scripts()) {
+        if (cell.textElideMode == Qt::ElideMiddle && text_width(text, cell.font) > area.width())
+            cell.text = to_qt(to_unicode(shortened(text, cell.font, area.width())));
+        style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+        return;
+    }
+    const QString plain = std::exchange(cell.text, QString());
+    style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+    cell.text = plain;
     painter->save();
     painter->setClipRect(cell.rect);
     painter->setPen(text_colour(cell));

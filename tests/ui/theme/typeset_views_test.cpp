@@ -192,6 +192,22 @@ TEST(Shortened, TextFitsAndKeepsItsSubscripts) {
     EXPECT_EQ(shortened("ü", font, 0.0), Text("…"));
 }
 
+TEST(Shortened, ANumberIsWholeOrNotThere) {
+    const QFont font = QApplication::font();
+    const Text whole = "a₁, Table 12\u202f345.6 (normal, 0.1789 mm)";
+    for (double part = 0.1; part < 1.0; part += 0.02) {
+        const std::string shown = shortened(whole, font, part * text_width(whole, font)).letters();
+        const std::size_t cut = shown.find("…");
+        ASSERT_NE(cut, std::string::npos);
+        const std::string before = shown.substr(0, cut), after = shown.substr(cut + std::string("…").size());
+        const auto has_digits = [](const std::string& text) {
+            return text.find_first_of("0123456789") != std::string::npos;
+        };
+        EXPECT_EQ(has_digits(before), before.find("12\u202f345.6") != std::string::npos) << shown;
+        EXPECT_EQ(has_digits(after), after.find("0.1789") != std::string::npos) << shown;
+    }
+}
+
 TEST(Shortened, LabelsThatWouldLookAlikeAreCutWhereTheyAreAlike) {
     const QFont font = QApplication::font();
     const std::vector<Text> names{"d, comparator, random effects", "d, comparator, systematic effects",
