@@ -225,7 +225,8 @@ void ComponentsEdit::refresh() {
         if (!all.empty()) list_->setCurrentRow(row);
     }
     const int lines = std::clamp(list_->count(), 1, 4);
-    list_->setFixedHeight(lines * (fontMetrics().height() + 4) + 2 * list_->frameWidth());
+    const int line = std::max(list_->sizeHintForRow(0), fontMetrics().height());
+    list_->setFixedHeight(lines * line + 2 * list_->frameWidth());
     note_->setText(note());
     note_->setVisible(!note_->text().isEmpty());
     add_->setEnabled(analysis_ != nullptr);
