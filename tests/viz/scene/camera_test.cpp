@@ -136,6 +136,17 @@ TEST(Camera, SmallPicturesKeepRoomForWords) {
     }
 }
 
+TEST(Camera, AFootBelowThePictureMovesNothingInIt) {
+    const SceneBounds b = bounds_of(stewart());
+    const Camera camera = view_of(b, StandardView::iso, {660, 320}, 50.0);
+    for (const Eigen::Vector3d& corner : {b.low, b.high}) {
+        const Pixel before = project(camera, {660, 320}, corner);
+        const Pixel after = project(with_foot(camera, {660, 320}, 30), {660, 350}, corner);
+        EXPECT_NEAR(after.x, before.x, 1e-9);
+        EXPECT_NEAR(after.y, before.y, 1e-9);
+    }
+}
+
 TEST(Camera, EverythingIsInThePicture) {
     const SceneBounds b = bounds_of(stewart());
     for (StandardView view : {StandardView::iso, StandardView::top, StandardView::front, StandardView::right})
