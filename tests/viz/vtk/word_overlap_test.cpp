@@ -206,6 +206,18 @@ TEST_P(LabelBesideALink, KeepsOffIt) {
 
 INSTANTIATE_TEST_SUITE_P(Words, LabelBesideALink, testing::Values(0.03, 0.0));
 
+// A pane of the window: the legend keeps what fits, and the arrows of forces are explained.
+TEST(Words, ANarrowPictureKeepsTheShortLinesOfItsLegend) {
+    Scene scene;
+    scene.size = 1.0;
+    const std::string arrows = "forces, to a scale of their own", ellipsoids(60, 'e');
+    scene.legend = {{LegendMark::ellipsoid, Role::output, ellipsoids},
+                    {LegendMark::arrow, Role::vector, arrows}};
+    const auto words = words_of(scene, {}, {500, 400});
+    EXPECT_EQ(words, std::vector<std::string>{arrows});
+    EXPECT_EQ(words_of(scene, {}, {1280, 800}).size(), 2U);
+}
+
 // Lines of sight on all sides of a label: what is behind it does not show through its letters.
 TEST(Words, ALabelThatCoversLinesHasAGround) {
     Scene scene;
