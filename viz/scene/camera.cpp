@@ -127,6 +127,13 @@ Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, d
     return fitted(camera, bounds, size, room);
 }
 
+Camera with_foot(const Camera& camera, PictureSize size, int foot) {
+    const PictureSize taller{size.width, size.height + foot};
+    Camera result = camera;
+    result.half_height *= static_cast<double>(taller.height) / std::max(1, size.height);
+    return panned(result, taller, 0.0, -foot / 2.0);
+}
+
 bool far_side_is_high(const Camera& camera, int axis) {
     constexpr double edge_on = 1e-6;
     return camera.direction[axis] > (axis == 2 ? edge_on : -edge_on);

@@ -67,6 +67,9 @@ Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, d
 /// do not shrink with the picture), though never more than a quarter of a side.
 Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size, double room = 0.0);
 
+/// The same picture with `foot` more pixels below it.
+Camera with_foot(const Camera& camera, PictureSize size, int foot);
+
 /// Is the high side of a box along `axis` (0 x, 1 y, 2 z) farther from the eye than its low side? Where
 /// neither is, the answer puts the axes of the plane views below and to the left.
 bool far_side_is_high(const Camera& camera, int axis);

@@ -1,8 +1,11 @@
-// Greedy placement: eight places around the anchor, near and then further out; the first free one.
+// Greedy placement: eight places around the anchor, near and then further out; the first free one, else the
+// one that covers least.
 #include "viz/scene/label_placement.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace covaria {
@@ -22,25 +25,52 @@ ScreenRect at_place(const LabelRequest& request, const Place& place, double dist
             request.width, request.height};
 }
 
-bool within(const ScreenRect& r, const ScreenRect& inside) {
-    return r.x >= inside.x && r.y >= inside.y && r.x + r.width <= inside.x + inside.width &&
-           r.y + r.height <= inside.y + inside.height;
-}
+/// What is there already, and the labels that come to it.
+class Placement {
+public:
+    Placement(const ScreenRect& inside, std::vector<ScreenRect> taken, std::vector<ScreenLine> drawn)
+        : inside_(inside), taken_(std::move(taken)), drawn_(std::move(drawn)) {}
 
-std::optional<ScreenRect> free_place(const LabelRequest& request, const ScreenRect& inside,
-                                     const std::vector<ScreenRect>& taken,
-                                     const std::vector<ScreenRect>& drawn) {
-    std::optional<ScreenRect> covering;
-    for (double further : {0.0, 0.8, 1.8})
-        for (const Place& place : places) {
-            const ScreenRect rect = at_place(request, place, request.clearance + further * request.height);
-            const auto hit = [&](const ScreenRect& other) { return rect.overlaps(other); };
-            if (!within(rect, inside) || std::ranges::any_of(taken, hit)) continue;
-            if (std::ranges::none_of(drawn, hit)) return rect;
-            if (!covering) covering = rect;
-        }
-    return covering;
-}
+    std::optional<ScreenRect> place(const LabelRequest& request) {
+        const auto found = best_place(request);
+        if (!found) return found;
+        labels_.push_back(*found);
+        taken_.push_back(found->grown(request.gap, 0.0));
+        if (const auto leader = leader_of(request, *found)) drawn_.push_back(*leader);
+        return found;
+    }
+
+private:
+    std::optional<ScreenRect> best_place(const LabelRequest& request) const {
+        std::optional<ScreenRect> best;
+        auto least = std::numeric_limits<std::ptrdiff_t>::max();
+        for (double further : {0.0, 0.8, 1.8})
+            for (const Place& place : places) {
+                const ScreenRect rect =
+                    at_place(request, place, request.clearance + further * request.height);
+                if (!has_room(request, rect)) continue;
+                const auto covered =
+                    std::ranges::count_if(drawn_, [&](const ScreenLine& line) { return line.crosses(rect); });
+                if (covered == 0) return rect;
+                if (covered >= least) continue;
+                least = covered;
+                best = rect;
+            }
+        return best;
+    }
+
+    bool has_room(const LabelRequest& request, const ScreenRect& rect) const {
+        if (!inside_.contains(rect)) return false;
+        if (std::ranges::any_of(taken_, [&](const ScreenRect& t) { return t.overlaps(rect); })) return false;
+        const auto leader = leader_of(request, rect);
+        return !leader ||
+               std::ranges::none_of(labels_, [&](const ScreenRect& label) { return leader->crosses(label); });
+    }
+
+    ScreenRect inside_;
+    std::vector<ScreenRect> taken_, labels_;
+    std::vector<ScreenLine> drawn_;
+};
 
 }  // namespace
 
@@ -49,19 +79,53 @@ bool ScreenRect::overlaps(const ScreenRect& other) const {
            other.y < y + height;
 }
 
+bool ScreenRect::contains(const ScreenRect& other) const {
+    return other.x >= x && other.y >= y && other.x + other.width <= x + width &&
+           other.y + other.height <= y + height;
+}
+
+ScreenRect ScreenRect::grown(double across, double upright) const {
+    return {x - across, y - upright, width + 2 * across, height + 2 * upright};
+}
+
+std::optional<std::array<double, 2>> ScreenLine::part_in(const ScreenRect& rect) const {
+    std::array<double, 2> part{0.0, 1.0};
+    const auto clip = [&part](double start, double step, double low, double high) {
+        if (step == 0.0) return start >= low && start <= high;
+        const auto [enter, leave] = std::minmax({(low - start) / step, (high - start) / step});
+        part = {std::max(part[0], enter), std::min(part[1], leave)};
+        return part[0] <= part[1];
+    };
+    if (!clip(from.x, to.x - from.x, rect.x, rect.x + rect.width) ||
+        !clip(from.y, to.y - from.y, rect.y, rect.y + rect.height))
+        return std::nullopt;
+    return part;
+}
+
+bool ScreenLine::crosses(const ScreenRect& rect) const {
+    return part_in(rect.grown(half_width, half_width)).has_value();
+}
+
+std::optional<ScreenLine> leader_of(const LabelRequest& request, const ScreenRect& label) {
+    const Pixel end{std::clamp(request.anchor.x, label.x, label.x + label.width),
+                    std::clamp(request.anchor.y, label.y, label.y + label.height)};
+    const double dx = end.x - request.anchor.x, dy = end.y - request.anchor.y, length = std::hypot(dx, dy);
+    if (length < request.clearance + 0.7 * request.height) return std::nullopt;
+    const double begin = request.clearance / length;
+    return ScreenLine{{request.anchor.x + begin * dx, request.anchor.y + begin * dy}, end};
+}
+
 std::vector<std::optional<ScreenRect>> place_labels(const std::vector<LabelRequest>& requests,
                                                     const ScreenRect& inside, std::vector<ScreenRect> taken,
-                                                    const std::vector<ScreenRect>& drawn) {
+                                                    std::vector<ScreenLine> drawn) {
     std::vector<std::size_t> order(requests.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return requests[a].priority > requests[b].priority;
     });
+    Placement placement(inside, std::move(taken), std::move(drawn));
     std::vector<std::optional<ScreenRect>> placed(requests.size());
-    for (std::size_t i : order) {
-        placed[i] = free_place(requests[i], inside, taken, drawn);
-        if (placed[i]) taken.push_back(*placed[i]);
-    }
+    for (std::size_t i : order) placed[i] = placement.place(requests[i]);
     return placed;
 }
 

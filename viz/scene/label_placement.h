@@ -1,6 +1,7 @@
 // Where labels go so that they collide with nothing: greedy, in screen space.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,18 @@ namespace covaria {
 struct ScreenRect {
     double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
     bool overlaps(const ScreenRect& other) const;
+    bool contains(const ScreenRect& other) const;
+    ScreenRect grown(double across, double upright) const;  ///< to each side
+    bool operator==(const ScreenRect&) const = default;
+};
+
+/// A line as it is drawn, in pixels; without length, a square.
+struct ScreenLine {
+    Pixel from, to;
+    double half_width = 0.0;
+    /// From which to which part of its length its middle is in `rect`: 0 ... 1.
+    std::optional<std::array<double, 2>> part_in(const ScreenRect& rect) const;
+    bool crosses(const ScreenRect& rect) const;
 };
 
 struct LabelRequest {
@@ -19,12 +32,17 @@ struct LabelRequest {
     double width = 0.0, height = 0.0;
     double clearance = 0.0;  ///< distance to keep from the anchor
     int priority = 0;
+    double gap = 0.0;  ///< to the next label on its line: touching ones are read as one
 };
 
+/// From the anchor to a label that stands apart from it.
+std::optional<ScreenLine> leader_of(const LabelRequest& request, const ScreenRect& label);
+
 /// Positions in the order of the requests; empty where there was no room within `inside` and outside of
-/// `taken`. Higher priority first, then in order. `drawn` is covered only where there is no other room.
+/// `taken`. Higher priority first, then in order. As little of `drawn` is covered as there is room for, and
+/// no leader runs through a label.
 std::vector<std::optional<ScreenRect>> place_labels(const std::vector<LabelRequest>& requests,
                                                     const ScreenRect& inside, std::vector<ScreenRect> taken,
-                                                    const std::vector<ScreenRect>& drawn = {});
+                                                    std::vector<ScreenLine> drawn = {});
 
 }  // namespace covaria

@@ -48,7 +48,8 @@ void Overlay::claim(const Word& word, double x, double y) {
 void Overlay::write(const Word& word, double x, double y) {
     const TextMask& mask = mask_of(word);
     canvas_.text(mask, x, y, colour(word.role), ground_top(view_.palette));
-    placed_.push_back({word.text, {x, y, double(mask.letters.width), double(mask.letters.height)}});
+    placed_.push_back(
+        {word.text, word.role, {x, y, double(mask.letters.width), double(mask.letters.height)}});
 }
 
 void Overlay::put(const Word& word, double x, double y) {
@@ -58,6 +59,10 @@ void Overlay::put(const Word& word, double x, double y) {
 
 bool Overlay::is_free(const ScreenRect& rect) const {
     return std::none_of(taken_.begin(), taken_.end(), [&](const ScreenRect& t) { return t.overlaps(rect); });
+}
+
+bool Overlay::has_room(const ScreenRect& rect) const {
+    return whole().contains(rect) && is_free(rect);
 }
 
 void Overlay::paint_head(const std::vector<HeadLine>& lines) {

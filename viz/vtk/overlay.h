@@ -1,6 +1,7 @@
 // Everything written over a picture: labels, axis numbers, title, legend, caption, scale bar, selection.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ public:
     /// Where each word was written.
     struct PlacedWord {
         Text text;
+        Role role = Role::text;
         ScreenRect rect;
     };
     const std::vector<PlacedWord>& words() const { return placed_; }
@@ -38,9 +40,11 @@ private:
     void write(const Word& word, double x, double y);
     void put(const Word& word, double x, double y);  ///< claims its place, and writes it
     bool is_free(const ScreenRect& rect) const;
+    bool has_room(const ScreenRect& rect) const;  ///< free, and in the picture
     Colour colour(Role role) const { return colour_of(role, view_.palette); }
     Pixel pixel_of(const Eigen::Vector3d& p_W) const { return project(view_.camera, canvas_.size(), p_W); }
     double px(double points) const { return points * view_.ratio; }
+    ScreenRect whole() const { return {2, 2, canvas_.size().width - 4.0, canvas_.size().height - 4.0}; }
 
     void paint_head(const std::vector<HeadLine>& lines);
     void paint_legend_mark(const LegendLine& line, double x, double middle);
@@ -64,24 +68,33 @@ private:
     /// Those that have no room.
     std::vector<PlannedLabel> paint_where_free(const std::vector<PlannedLabel>& labels,
                                                const std::vector<ScreenRect>& anchors,
-                                               const std::vector<ScreenRect>& drawn);
-    std::vector<ScreenRect> what_labels_avoid() const;
-    void add_tube(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
-                  std::vector<ScreenRect>& drawn) const;
-    void paint_leader(const LabelRequest& request, const ScreenRect& rect);
+                                               std::vector<ScreenLine>& drawn);
+    std::vector<ScreenLine> what_labels_avoid() const;
     // measure_mark.cpp
     void paint_measure();
     void paint_arc(Pixel from, Pixel apex, Pixel to);
     void paint_measured_value(Pixel at);
     // axis_words.cpp
+    /// An edge of the box that bears the numbers of an axis.
+    struct AxisEdge {
+        std::size_t axis = 0;
+        Eigen::Vector3d begin = Eigen::Vector3d::Zero();
+        Pixel from, to;
+        double length = 0.0;                            ///< in the picture
+        Eigen::Vector2d out = Eigen::Vector2d::Zero();  ///< away from the box
+    };
+    /// Without an axis that is seen from its end; the shortest first, which has least room for its numbers.
+    std::vector<AxisEdge> axis_edges() const;
+    void add_edge(std::size_t axis, const Eigen::Vector3d& begin, std::vector<AxisEdge>& edges) const;
     void paint_axes();
-    void paint_axis(int axis, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+    /// How far its numbers reach; nothing without any.
+    std::optional<double> paint_numbers(const AxisEdge& edge);
     /// Which ticks have room for their numbers: evenly spaced ones, else the two that are farthest apart,
     /// else none, because a single number is no scale.
     std::vector<std::size_t> numbered_ticks(const std::vector<ScreenRect>& needed,
                                             const std::vector<AxisTick>& ticks) const;
-    /// Of an axis that begins there, its numbers on the side `out`; how far they reach.
-    double paint_ticks(int axis, const Eigen::Vector3d& from, const Eigen::Vector2d& out);
+    /// Beside the middle of what is seen of its axis, else where there is room; whether there was any.
+    bool paint_title(const AxisEdge& edge, const std::string& title, double numbers_reach);
 
     const Scene& scene_;
     const OverlayView& view_;

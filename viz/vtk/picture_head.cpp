@@ -7,6 +7,8 @@
 namespace covaria::detail {
 namespace {
 
+constexpr double widest_line = 0.45;  // of a legend, of the width of its picture
+
 const Mask& letters_of(const Word& word, double ratio, TextMasks& masks) {
     return masks.of(word.text, letter_size * word.scale * ratio, word.bold).letters;
 }
@@ -28,18 +30,15 @@ std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& laye
         y += letters_of(word, ratio, masks).height + 2 * ratio;
     }
     if (!layers[Layer::legend]) return lines;
-    const std::size_t before = lines.size();
     y += 6 * ratio;
-    double widest = 0.0;
     for (const LegendLine& line : scene.legend) {
         const Word word{line.text, Role::quiet_text, false, 0.92};
         const Mask& letters = letters_of(word, ratio, masks);
-        widest = std::max(widest, indent + letters.width);
+        // A small picture has no room beside the scene; the caption says what matters most.
+        if (indent + letters.width > widest_line * width) continue;
         lines.push_back({word, x + (line.mark == LegendMark::none ? 0.0 : indent), y, &line});
         y += letters.height + gap;
     }
-    // A small picture has no room beside the scene; the caption says what matters most.
-    if (widest > 0.42 * width) lines.resize(before);
     return lines;
 }
 

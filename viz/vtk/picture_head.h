@@ -26,7 +26,7 @@ struct HeadLine {
     const LegendLine* legend = nullptr;
 };
 
-/// Lives as long as `scene`. A picture of this width in pixels that is too narrow for a legend has none.
+/// Lives as long as `scene`. Lines of the legend too long for a picture of this width in pixels are left out.
 std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& layers, double ratio, int width,
                                  TextMasks& masks);
 /// Of the legend's lines with their ground; of no width without any.

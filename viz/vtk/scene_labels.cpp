@@ -1,5 +1,5 @@
-// Labels of a scene: one for what stands at one place, clear of tubes, arrows and instruments where there is
-// room.
+// Labels of a scene: one for what stands at one place, clear of tubes, arrows, instruments and axes where
+// there is room.
 #include <algorithm>
 #include <cmath>
 
@@ -10,42 +10,37 @@ namespace {
 
 constexpr double one_place = 3.0;        // points: nearer anchors cannot be told apart
 constexpr std::size_t most_joined = 3;   // a longer label would find no room
-constexpr double most_pieces = 40.0;     // of a tube
-constexpr double thinnest = 2.0;         // points, half of a piece
+constexpr double thinnest = 2.0;         // points, half of a line
+constexpr double gap = 5.0;              // points, from a label to the next
 constexpr double glyph_extent = 0.25;    // to each side, of the size of an instrument
 constexpr double shaft_of_frame = 0.03;  // of its length, with half of its tip
 
 }  // namespace
 
-void Overlay::add_tube(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
-                       std::vector<ScreenRect>& drawn) const {
-    const Pixel a = pixel_of(from), b = pixel_of(to);
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
-    const double scale = metres_per_pixel(view_.camera, canvas_.size(), (from + to) / 2);
-    const double half = std::max(radius / scale, px(thinnest));
-    if (!std::isfinite(length) || !std::isfinite(half)) return;
-    const double pieces = std::clamp(std::ceil(length / (2 * half)), 1.0, most_pieces);
-    for (double i = 0.5; i < pieces; ++i) {
-        const double along = i / pieces;
-        drawn.push_back(
-            {a.x + along * (b.x - a.x) - half, a.y + along * (b.y - a.y) - half, 2 * half, 2 * half});
-    }
-}
-
-std::vector<ScreenRect> Overlay::what_labels_avoid() const {
-    std::vector<ScreenRect> drawn;
+std::vector<ScreenLine> Overlay::what_labels_avoid() const {
+    std::vector<ScreenLine> drawn;
+    const auto add = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) {
+        const double scale = metres_per_pixel(view_.camera, canvas_.size(), (from + to) / 2);
+        const ScreenLine line{pixel_of(from), pixel_of(to), std::max(radius / scale, px(thinnest))};
+        if (std::isfinite(line.from.x + line.from.y + line.to.x + line.to.y + line.half_width))
+            drawn.push_back(line);
+    };
     if (view_.layers[Layer::links])
         for (const SceneLink& link : scene_.links)
-            add_tube(link.from, link.to, link.radius, drawn);  // a thin line has a radius of 0
+            add(link.from, link.to, link.radius);  // a thin line has a radius of 0
+    if (view_.layers[Layer::vectors])
+        for (const SceneVector& vector : scene_.vectors)
+            add(vector.item.position, vector.item.position + vector.arrow, vector.radius);
     if (view_.layers[Layer::frames])
         for (const SceneFrame& frame : scene_.frames)
             for (int i = 0; i < 3; ++i)
-                add_tube(frame.item.position, frame.item.position + frame.length * frame.R_WF.col(i),
-                         shaft_of_frame * frame.length, drawn);
+                add(frame.item.position, frame.item.position + frame.length * frame.R_WF.col(i),
+                    shaft_of_frame * frame.length);
     if (view_.layers[Layer::bodies])
         for (const SceneBody& body : scene_.bodies)
-            if (body.outline.empty())
-                add_tube(body.item.position, body.item.position, glyph_extent * body.size, drawn);
+            if (body.outline.empty()) add(body.item.position, body.item.position, glyph_extent * body.size);
+    if (view_.layers[Layer::axes])
+        for (const AxisEdge& edge : axis_edges()) drawn.push_back({edge.from, edge.to, px(thinnest)});
     return drawn;
 }
 
@@ -55,6 +50,7 @@ Overlay::PlannedLabel Overlay::planned(const SceneLabel& label) const {
     PlannedLabel made{{label.text, label.role, is_selected, 1.0}, {.anchor = pixel_of(label.at)}, {}};
     made.request.clearance = label.clearance / scale + px(is_selected ? 10 : 4);
     made.request.priority = is_selected ? 1000 : label.priority;
+    made.request.gap = px(gap);
     return made;
 }
 
@@ -83,7 +79,7 @@ std::vector<Overlay::PlannedLabel> Overlay::joined(const std::vector<PlannedLabe
 
 std::vector<Overlay::PlannedLabel> Overlay::paint_where_free(const std::vector<PlannedLabel>& labels,
                                                              const std::vector<ScreenRect>& anchors,
-                                                             const std::vector<ScreenRect>& drawn) {
+                                                             std::vector<ScreenLine>& drawn) {
     std::vector<LabelRequest> requests;
     for (const PlannedLabel& label : labels) {
         const TextMask& mask = mask_of(label.word);
@@ -93,19 +89,22 @@ std::vector<Overlay::PlannedLabel> Overlay::paint_where_free(const std::vector<P
     }
     std::vector<ScreenRect> taken = taken_;
     taken.insert(taken.end(), anchors.begin(), anchors.end());
-    const ScreenRect inside{2, 2, canvas_.size().width - 4.0, canvas_.size().height - 4.0};
-    const auto placed = place_labels(requests, inside, std::move(taken), drawn);
+    const auto placed = place_labels(requests, whole(), std::move(taken), drawn);
     std::vector<PlannedLabel> without_room;
     for (std::size_t i = 0; i < placed.size(); ++i) {
         if (!placed[i]) {
             without_room.push_back(labels[i]);
             continue;
         }
-        paint_leader(requests[i], *placed[i]);
         // Without a place of its own it is read on a ground, as the legend.
-        if (std::ranges::any_of(drawn, [&](const ScreenRect& d) { return placed[i]->overlaps(d); }))
+        if (std::ranges::any_of(drawn, [&](const ScreenLine& line) { return line.crosses(*placed[i]); }))
             canvas_.rectangle(*placed[i], ground_top(view_.palette), ground_opacity);
-        put(labels[i].word, placed[i]->x + px(1), placed[i]->y);
+        if (const auto leader = leader_of(requests[i], *placed[i])) {
+            canvas_.line(leader->from, leader->to, px(0.9), colour(Role::quiet_text), 0.8);
+            drawn.push_back(*leader);
+        }
+        write(labels[i].word, placed[i]->x + px(1), placed[i]->y);
+        taken_.push_back(placed[i]->grown(px(gap), 0.0));
     }
     return without_room;
 }
@@ -120,23 +119,12 @@ void Overlay::paint_labels() {
         const Pixel at = labels.back().request.anchor;
         anchors.push_back({at.x - half, at.y - half, 2 * half, 2 * half});
     }
-    const std::vector<ScreenRect> drawn = what_labels_avoid();
+    std::vector<ScreenLine> drawn = what_labels_avoid();
     // A joined label without room comes apart: some of its parts may have some.
     std::vector<PlannedLabel> apart;
     for (const PlannedLabel& label : paint_where_free(joined(labels), anchors, drawn))
         if (label.parts.size() > 1) apart.insert(apart.end(), label.parts.begin(), label.parts.end());
     paint_where_free(apart, anchors, drawn);
-}
-
-/// From a label that stands apart to what it names.
-void Overlay::paint_leader(const LabelRequest& request, const ScreenRect& rect) {
-    const Pixel end{std::clamp(request.anchor.x, rect.x, rect.x + rect.width),
-                    std::clamp(request.anchor.y, rect.y, rect.y + rect.height)};
-    const double dx = end.x - request.anchor.x, dy = end.y - request.anchor.y, length = std::hypot(dx, dy);
-    if (length < request.clearance + 0.7 * request.height) return;
-    const double begin = request.clearance / length;
-    canvas_.line({request.anchor.x + begin * dx, request.anchor.y + begin * dy}, end, px(0.9),
-                 colour(Role::quiet_text), 0.8);
 }
 
 }  // namespace covaria::detail

@@ -19,6 +19,11 @@
 #include "viz/vtk/rendering_log.h"
 
 namespace covaria {
+namespace {
+
+constexpr double foot_height = 24.0;  // points, of the caption and the scale bar
+
+}  // namespace
 
 struct SceneRenderer::Implementation {
     vtkNew<vtkRenderer> renderer;
@@ -40,9 +45,8 @@ struct SceneRenderer::Implementation {
 
     Implementation();
     double pixel_ratio() const;
-    /// Of an axis' figures and title, and of the caption: pixels.
-    double room_for_words() const { return 50.0 * pixel_ratio(); }
-    Camera beside_legend(const Camera& fitted);
+    /// All of the scene, clear of the legend, the caption and the scale bar.
+    Camera framed(const Camera& looking);
     void realise();
     void aim(double scale, RenderQuality quality);
     Result<Image> draw(RenderQuality quality);
@@ -83,10 +87,15 @@ double SceneRenderer::Implementation::pixel_ratio() const {
     return std::clamp(std::min(size.width / 1280.0, size.height / 800.0), 0.85, 16.0);
 }
 
-Camera SceneRenderer::Implementation::beside_legend(const Camera& fitted) {
+Camera SceneRenderer::Implementation::framed(const Camera& looking) {
+    const double room = 50.0 * pixel_ratio();  // of an axis' figures and title
+    const int foot = std::min(size.height / 4, static_cast<int>(foot_height * pixel_ratio()));
+    const PictureSize above{size.width, size.height - foot};
+    const SceneBounds bounds = bounds_of(scene);
     const auto lines = detail::head_lines(scene, layers, pixel_ratio(), size.width, masks);
-    return clear_of_corner(fitted, bounds_of(scene), size, detail::legend_ground(lines, pixel_ratio(), masks),
-                           room_for_words());
+    const Camera clear = clear_of_corner(fitted(looking, bounds, above, room), bounds, above,
+                                         detail::legend_ground(lines, pixel_ratio(), masks), room);
+    return with_foot(clear, above, foot);
 }
 
 void SceneRenderer::Implementation::realise() {
@@ -184,13 +193,11 @@ const MeasureMark& SceneRenderer::measure() const {
 
 void SceneRenderer::set_view(StandardView view) {
     Implementation& self = *implementation_;
-    set_camera(self.beside_legend(
-        view_of(bounds_of(self.scene), view, self.size, self.room_for_words(), self.camera.perspective)));
+    self.camera = view_of(bounds_of(self.scene), view, self.size, 0.0, self.camera.perspective);
+    fit();
 }
 void SceneRenderer::fit() {
-    Implementation& self = *implementation_;
-    set_camera(
-        self.beside_legend(fitted(self.camera, bounds_of(self.scene), self.size, self.room_for_words())));
+    set_camera(implementation_->framed(implementation_->camera));
 }
 void SceneRenderer::set_perspective(bool perspective) {
     implementation_->camera.perspective = perspective;

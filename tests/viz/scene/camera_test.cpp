@@ -136,6 +136,17 @@ TEST(Camera, SmallPicturesKeepRoomForWords) {
     }
 }
 
+TEST(Camera, AFootBelowThePictureMovesNothingInIt) {
+    const SceneBounds b = bounds_of(stewart());
+    const Camera camera = view_of(b, StandardView::iso, {660, 320}, 50.0);
+    for (const Eigen::Vector3d& corner : {b.low, b.high}) {
+        const Pixel before = project(camera, {660, 320}, corner);
+        const Pixel after = project(with_foot(camera, {660, 320}, 30), {660, 350}, corner);
+        EXPECT_NEAR(after.x, before.x, 1e-9);
+        EXPECT_NEAR(after.y, before.y, 1e-9);
+    }
+}
+
 TEST(Camera, EverythingIsInThePicture) {
     const SceneBounds b = bounds_of(stewart());
     for (StandardView view : {StandardView::iso, StandardView::top, StandardView::front, StandardView::right})
@@ -235,11 +246,39 @@ TEST(LabelPlacement, HigherPriorityGoesFirst) {
 
 TEST(LabelPlacement, CoversWhatIsDrawnOnlyWithoutOtherRoom) {
     const std::vector<LabelRequest> requests{{{75, 75}, 40, 14, 4, 1}};
-    const std::vector<ScreenRect> right{{70, 0, 80, 150}};
-    const auto beside = place_labels(requests, {0, 0, 150, 150}, {}, right);
-    ASSERT_TRUE(beside[0]);
-    EXPECT_FALSE(beside[0]->overlaps(right[0]));
-    EXPECT_TRUE(place_labels(requests, {0, 0, 150, 150}, {}, {{0, 0, 150, 150}})[0]);
+    const ScreenLine right{{110, 0}, {110, 150}, 40}, thin{{80, 0}, {80, 150}}, all{{75, 0}, {75, 150}, 75};
+    for (const ScreenLine& line : {right, thin}) {
+        const auto beside = place_labels(requests, {0, 0, 150, 150}, {}, {line});
+        ASSERT_TRUE(beside[0]);
+        EXPECT_FALSE(line.crosses(*beside[0]));
+        EXPECT_EQ(place_labels(requests, {0, 0, 150, 150}, {}, {all, line}), beside) << "covers least";
+    }
+    EXPECT_TRUE(place_labels(requests, {0, 0, 150, 150}, {}, {all})[0]);
+}
+
+TEST(LabelPlacement, LabelsOnOneLineDoNotTouch) {
+    std::vector<LabelRequest> requests;
+    for (int i = 0; i < 12; ++i) requests.push_back({{60.0 + 30 * i, 150}, 40, 14, 4, 0, 5});
+    const auto placed = place_labels(requests, {0, 0, 500, 300}, {});
+    for (std::size_t i = 0; i < placed.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_FALSE(placed[i] && placed[j] && placed[i]->grown(4.9, 0).overlaps(*placed[j]))
+                << i << " and " << j;
+}
+
+TEST(LabelPlacement, NoLeaderRunsThroughALabelOfMoreWeight) {
+    std::vector<LabelRequest> requests;
+    for (int i = 0; i < 20; ++i)
+        requests.push_back({{200.0 + 8 * (i % 5), 150.0 + 6 * (i / 5)}, 40, 14, 4, 20 - i, 5});
+    const auto placed = place_labels(requests, {0, 0, 400, 300}, {});
+    int leaders = 0;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const auto leader = placed[i] ? leader_of(requests[i], *placed[i]) : std::nullopt;
+        leaders += leader.has_value();
+        for (std::size_t j = 0; leader && j < i; ++j)
+            EXPECT_FALSE(placed[j] && leader->crosses(*placed[j])) << i << " and " << j;
+    }
+    EXPECT_GE(leaders, 3);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// No word of a picture stands on another: every example, from every side, in pictures of three sizes.
+// No word of a picture stands on another: every example, from every side, in pictures of four sizes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,6 +31,7 @@ std::vector<View> views() {
             const auto view = static_cast<StandardView>(i);
             all.push_back({view, {1280, 800}, 1.0, perspective});
             all.push_back({view, {564, 324}, 1.0, perspective});
+            all.push_back({view, {500, 400}, 1.0, perspective});
             all.push_back({view, {2560, 1600}, 2.0, perspective});
         }
     return all;
@@ -38,10 +39,16 @@ std::vector<View> views() {
 
 struct Counts {
     std::size_t words = 0;
-    std::vector<std::string> overlaps;
+    std::vector<std::string> overlaps, nameless;
 };
 
-/// Writes the words of a picture and counts those that share pixels.
+std::string view_words(const Scene& scene, const View& view) {
+    return scene.title + ", " + scene.group + ", view " + std::to_string(int(view.view)) + ", width " +
+           std::to_string(view.size.width) + ": ";
+}
+
+/// Writes the words of a picture and counts those that share pixels, and the axes that are to be seen without
+/// their names.
 void count(const Scene& scene, const View& view, detail::TextMasks& masks, Counts& counts) {
     Image image{view.size.width, view.size.height, {}};
     image.rgba.assign(std::size_t(4) * std::size_t(view.size.width) * std::size_t(view.size.height), 255);
@@ -55,10 +62,18 @@ void count(const Scene& scene, const View& view, detail::TextMasks& masks, Count
     for (std::size_t i = 0; i < words.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (words[i].rect.overlaps(words[j].rect))
-                counts.overlaps.push_back(scene.title + ", " + scene.group + ", view " +
-                                          std::to_string(int(view.view)) + ", width " +
-                                          std::to_string(view.size.width) + ": " + to_unicode(words[i].text) +
-                                          " on " + to_unicode(words[j].text));
+                counts.overlaps.push_back(view_words(scene, view) + to_unicode(words[i].text) + " on " +
+                                          to_unicode(words[j].text));
+    for (const int axis : {0, 1, 2}) {
+        const std::string name = std::string("xyz").substr(std::size_t(axis), 1);
+        const bool from_its_end = std::abs(look.camera.direction[axis]) > 0.9;
+        const auto is_name = [&](const auto& word) {
+            const std::string text = to_unicode(word.text);
+            return word.role == Role::text && (text == name || text.starts_with(name + " / "));
+        };
+        if (scene.axes && !from_its_end && std::ranges::none_of(words, is_name))
+            counts.nameless.push_back(view_words(scene, view) + name);
+    }
 }
 
 /// The first and the last group of every analysis that stands in space.
@@ -114,6 +129,7 @@ TEST(Words, NoneStandsOnAnotherInAnyExample) {
     for (std::size_t i = 0; i < std::min<std::size_t>(counts.overlaps.size(), 30); ++i)
         ADD_FAILURE() << counts.overlaps[i];
     EXPECT_EQ(counts.overlaps.size(), 0U);
+    EXPECT_EQ(counts.nameless, std::vector<std::string>{});
 }
 
 TEST(Words, ALabelWithoutRoomIsLeftOutAndComesWhenZoomed) {
@@ -205,6 +221,44 @@ TEST_P(LabelBesideALink, KeepsOffIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Words, LabelBesideALink, testing::Values(0.03, 0.0));
+
+// An instrument so near to an axis of the picture that its label would run across.
+TEST(Words, ALabelKeepsOffTheAxes) {
+    Scene scene;
+    scene.size = 1.0;
+    scene.axes = SceneAxes{.low = {-0.5, -0.5, -0.5}, .high = {0.5, 0.5, 0.5}};
+    detail::OverlayView look;
+    const PictureSize size{800, 600};
+    look.camera = view_of(bounds_of(scene), StandardView::front, size, 50.0);
+    const double axis = project(look.camera, size, {-0.5, 0, 0}).x;
+    detail::TextMasks masks;
+    for (const double x : {-0.49, -0.45, -0.4}) {
+        scene.labels = {{"Laser tracker", {x, 0, 0.3}, 0.01, Role::text, 30, ""}};
+        scene.links.resize(1);  // stands on the other side of it
+        scene.links[0].from = {x + 0.02, 0, -0.5};
+        scene.links[0].to = {x + 0.02, 0, 0.29};
+        scene.links[0].radius = 0.01;
+        Image image{size.width, size.height, {}};
+        image.rgba.assign(std::size_t(4) * 800 * 600, 255);
+        detail::Overlay overlay(scene, look, image, masks);
+        overlay.paint();
+        ASSERT_FALSE(overlay.words().empty());
+        const ScreenRect& rect = overlay.words().back().rect;
+        EXPECT_FALSE(rect.overlaps({axis, 0, 1e-6, 600})) << x;
+    }
+}
+
+// A pane of the window: the legend keeps what fits, and the arrows of forces are explained.
+TEST(Words, ANarrowPictureKeepsTheShortLinesOfItsLegend) {
+    Scene scene;
+    scene.size = 1.0;
+    const std::string arrows = "forces, to a scale of their own", ellipsoids(60, 'e');
+    scene.legend = {{LegendMark::ellipsoid, Role::output, ellipsoids},
+                    {LegendMark::arrow, Role::vector, arrows}};
+    const auto words = words_of(scene, {}, {500, 400});
+    EXPECT_EQ(words, std::vector<std::string>{arrows});
+    EXPECT_EQ(words_of(scene, {}, {1280, 800}).size(), 2U);
+}
 
 // Lines of sight on all sides of a label: what is behind it does not show through its letters.
 TEST(Words, ALabelThatCoversLinesHasAGround) {
