@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/text/numbers.h"
+
 namespace covaria::equation {
 
 namespace {
@@ -159,7 +161,7 @@ private:
     static Built number(const Node& node) {
         if (node.text == "pi") return {symbol("pi"), tight};
         const bool has_unit = !(node.unit == Unit{});
-        return {Formula::leaf(K::number, node.text + (has_unit ? "\u00a0" + node.unit.display() : "")),
+        return {Formula::leaf(K::number, node.text + unit_after_number(node.unit)),
                 has_unit ? multiplying : tight};
     }
 

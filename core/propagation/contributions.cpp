@@ -63,6 +63,15 @@ std::vector<BudgetRow> rows_of(const LawOfPropagation& law, Eigen::Index output)
     return rows;
 }
 
+/// What nothing influences to first order has a budget all the same, with every c zero: Monte Carlo may show
+/// more. Of many components it would be long and say no more.
+std::vector<BudgetRow> rows_without_influence(std::size_t components) {
+    constexpr std::size_t few = 24;
+    std::vector<BudgetRow> rows;
+    for (std::size_t i = 0; components <= few && i < components; ++i) rows.push_back({.component = i});
+    return rows;
+}
+
 constexpr std::size_t most_components_one_by_one = 10'000;
 
 }  // namespace
@@ -98,7 +107,10 @@ UncertaintyBudget budget_of(const InputSet& inputs, const LawOfPropagation& law)
     UncertaintyBudget budget;
     std::future<std::vector<BudgetComponent>> components =
         std::async(large ? std::launch::async : std::launch::deferred, budget_components, std::cref(inputs));
-    for (Eigen::Index j = 0; j < law.estimate.size(); ++j) budget.rows.push_back(rows_of(law, j));
+    for (Eigen::Index j = 0; j < law.estimate.size(); ++j) {
+        budget.rows.push_back(rows_of(law, j));
+        if (budget.rows.back().empty()) budget.rows.back() = rows_without_influence(inputs.components.size());
+    }
     budget.components = components.get();
     return budget;
 }

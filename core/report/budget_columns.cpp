@@ -1,6 +1,10 @@
 // The uncertainty budget.
 #include <algorithm>
 #include <memory>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "core/propagation/sobol.h"
 #include "core/report/component_labels.h"
@@ -29,17 +33,34 @@ std::function<Cell(std::size_t)> of_line(const UncertaintyResult& result, const 
     };
 }
 
-/// In the component's unit, or with that of its quantity: -49.28° where u is in seconds of arc. The estimate
-/// of a component that several quantities share would be that of one of them.
-Cell estimate_cell(const BudgetLine& line, const NumberLocale& numbers) {
-    const BudgetComponent& c = line.component;
-    const Unit& unit = c.quantity_unit;
+/// All components of a quantity are in its unit, whatever unit each was stated in.
+const Unit& unit_of(const BudgetComponent& c) {
+    const bool is_of_one = c.quantities.size() == 1 && c.quantity_unit.dimension() == c.unit.dimension();
+    return is_of_one ? c.quantity_unit : c.unit;
+}
+
+/// The estimate of a component that several quantities share would be that of one of them. It is in the row's
+/// unit, or has its own where the component is of another dimension than its quantity.
+Cell estimate_cell(const BudgetComponent& c, const NumberLocale& numbers) {
     if (c.quantities.size() > 1) return {};
-    if (unit == c.unit || !(unit.dimension() == c.unit.dimension()))
-        return Measured{c.estimate, Scale::value, c.unit, {}};
-    const std::string number = grouped_digits(
-        format_to_match(unit.from_si(c.estimate), unit.interval_from_si(c.standard_uncertainty)), numbers);
-    return number + unit_after_number(unit);
+    if (unit_of(c).dimension() == c.quantity_unit.dimension())
+        return Measured{c.estimate, Scale::value, unit_of(c), {}};
+    const Unit& own = c.quantity_unit;
+    return grouped_digits(format_typed(own.from_si(c.estimate)), numbers) + unit_after_number(own);
+}
+
+/// Whether the row is the first about its quantity, where its estimate stands.
+std::vector<bool> begin_quantities(const UncertaintyResult& result, const std::vector<BudgetPlace>& places) {
+    std::set<std::tuple<std::size_t, std::string, std::string, double>> known;
+    std::vector<bool> begin;
+    for (const BudgetPlace& place : places) {
+        const BudgetComponent& c =
+            result.budget.components[result.budget.rows[place.output][place.row].component];
+        const bool is_of_one = c.quantities.size() == 1;
+        begin.push_back(!is_of_one ||
+                        known.emplace(place.output, c.quantities.front(), c.group, c.estimate).second);
+    }
+    return begin;
 }
 
 Cell interval(double si, const Unit& unit) {
@@ -144,14 +165,20 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
         .print("Component")
         .not_in_files();
     add("id", [](L l) -> Cell { return l.component.id; });
-    add("unit", [](L l) -> Cell { return l.component.unit; })
+    add("unit", [](L l) -> Cell { return unit_of(l.component); })
         .print("Unit")
         .window("Unit", "Of the component's u");
-    add("estimate", [numbers = language.numbers()](L l) { return estimate_cell(l, numbers); })
+    table
+        .add("estimate",
+             [&result, places, begin = begin_quantities(result, *places),
+              numbers = language.numbers()](std::size_t i) -> Cell {
+                 const BudgetRow& row = result.budget.rows[(*places)[i].output][(*places)[i].row];
+                 return begin[i] ? estimate_cell(result.budget.components[row.component], numbers) : Cell();
+             })
         .print_symbol("x_i")
         .round({.match = "u", .input = true})
         .not_in_files();
-    add("u", [](L l) { return interval(l.component.standard_uncertainty, l.component.unit); })
+    add("u", [](L l) { return interval(l.component.standard_uncertainty, unit_of(l.component)); })
         .print_symbol("u(x_i)")
         .window("u", "Standard uncertainty of the component")
         .digits(3)
@@ -169,11 +196,13 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
         .round({.degrees_of_freedom = true});
     add("sensitivity",
         [](L l) -> Cell {
-            return Measured{l.row.sensitivity, Scale::interval, l.output.unit, l.component.unit};
+            return Measured{l.row.sensitivity, Scale::interval, l.output.unit, unit_of(l.component)};
         })
         .print_symbol("c_i")
         .window("c", "Sensitivity coefficient, unit of the output quantity per unit of the component")
-        .digits(3);
+        .digits(3)
+        .with_unit();
+    add("sensitivity unit", [](L l) -> Cell { return quotient(l.output.unit, unit_of(l.component)); });
     add("contribution", [](L l) { return interval(l.row.contribution, l.output.unit); })
         .print(unit ? "|cᵢ|·u(xᵢ) in %1" : "|cᵢ|·u(xᵢ)")
         .window("|c|·u", "Contribution to the standard uncertainty")

@@ -51,27 +51,36 @@ std::string escaped_block(const std::string& text) {
     return out;
 }
 
+/// Symbols among the words as far as Unicode has their letters: "theta_1" as θ₁.
+std::string words(const std::string& text) {
+    return escaped(to_unicode(running_text(text)));
+}
+
+std::string words_of_block(const std::string& text) {
+    return escaped_block(to_unicode(running_text(text)));
+}
+
 std::string table_cell(const TableBlock& block, std::size_t row, std::size_t column) {
     const std::string text = cell_text(block, row, column);
     if (style_of(block, column).symbol && !is_subhead(block, row))
         return escaped(to_unicode(symbols_text(text)));
     const auto& cells = block.table.rows[row];
     const bool number = column < cells.size() && shown_number(cells[column], block.table.columns[column]);
-    return escaped(number ? with_decimal_sign(text, block.locale) : text);
+    return number ? escaped(with_decimal_sign(text, block.locale)) : words(text);
 }
 
 struct MarkdownWriter {
     std::string out;
 
     void operator()(const HeadingBlock& heading) {
-        out += std::string(static_cast<std::size_t>(heading.level) + 1, '#') + " " + escaped(heading.text) +
+        out += std::string(static_cast<std::size_t>(heading.level) + 1, '#') + " " + words(heading.text) +
                "\n\n";
     }
     void operator()(const ParagraphBlock& paragraph) {
-        out += (paragraph.note ? "> " : "") + escaped_block(paragraph.text) + "\n\n";
+        out += (paragraph.note ? "> " : "") + words_of_block(paragraph.text) + "\n\n";
     }
     void operator()(const ListBlock& list) {
-        for (const std::string& item : list.items) out += "- " + escaped_block(item) + "\n";
+        for (const std::string& item : list.items) out += "- " + words_of_block(item) + "\n";
         out += "\n";
     }
     void operator()(const ProseBlock& prose) {
@@ -85,7 +94,7 @@ struct MarkdownWriter {
     void operator()(const FactsBlock& facts) {
         out += "| | |\n|---|---|\n";
         for (const auto& [key, value] : facts.facts)
-            out += "| " + escaped(key) + " | " + escaped(value) + " |\n";
+            out += "| " + words(key) + " | " + (facts.literal ? escaped(value) : words(value)) + " |\n";
         out += "\n";
     }
     void operator()(const EquationBlock& equation) {
@@ -95,7 +104,7 @@ struct MarkdownWriter {
     }
     void operator()(const TableBlock& block) {
         const DataTable& table = block.table;
-        if (!table.title.empty()) out += "**" + escaped(table.title) + "**\n\n";
+        if (!table.title.empty()) out += "**" + words(table.title) + "**\n\n";
         std::string rule;
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
             out += "| " + escaped(to_unicode(head_text(table.columns[c]))) + " ";
@@ -108,7 +117,7 @@ struct MarkdownWriter {
             out += "|\n";
         }
         out += "\n";
-        for (const Message& note : table.notes) out += escaped_block(note.english()) + "\n\n";
+        for (const Message& note : table.notes) out += words_of_block(note.english()) + "\n\n";
     }
     void operator()(const SignatureBlock& signature) {
         out += escaped_block(signature.statement) + "\n\n" + escaped(signature.date) + "\n\n" +
@@ -120,7 +129,7 @@ struct MarkdownWriter {
     void operator()(const SceneBlock& scene) { figure(scene.id + ".png", scene.caption); }
 
     void figure(const std::string& file, const std::string& caption) {
-        out += "![" + escaped(caption) + "](" + file + ")\n\n*" + escaped(caption) + "*\n\n";
+        out += "![" + words(caption) + "](" + file + ")\n\n*" + words(caption) + "*\n\n";
     }
 };
 

@@ -66,8 +66,9 @@ void TableBuilder::columns(const Table& table, const std::vector<std::string>& k
         const std::string head =
             c.is_symbol ? c.head : fill_placeholders<std::string>(in_.say_declared(c.head), unit);
         add({head, {}, c.is_symbol, c.rule.digits},
-            {c.symbols, is_numeric(c), match == keys.end() ? -1 : static_cast<int>(match - keys.begin()),
-             c.rule.decimals, c.rule.input, c.rule.match == key_of_spread, columns_of(keys, c.rule.row)});
+            {c.symbols, is_numeric(c) && !c.says_unit,
+             match == keys.end() ? -1 : static_cast<int>(match - keys.begin()), c.rule.decimals, c.rule.input,
+             c.rule.match == key_of_spread, columns_of(keys, c.rule.row)});
     }
 }
 

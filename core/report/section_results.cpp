@@ -66,6 +66,10 @@ void add_run_words(Blocks& blocks, const UncertaintyResult& result, const Docume
             tell<"Values from the propagation of distributions (JCGM 101) with %1 trials; the interval is "
                  "probabilistically symmetric, the shortest one beside it. The effective degrees of freedom "
                  "are those of the law of propagation.">(count_text(result.trials, numbers)));
+        if (leaves_out_degrees_of_freedom(result))
+            words += " " + in.say(tell<"Components with finite degrees of freedom are drawn from normal "
+                                       "distributions, as was chosen: U and k leave these degrees of freedom "
+                                       "out, other than k of the law of propagation (JCGM 100 G.6.4).">());
         if (!represents_measurand(result))
             words += " " + in.say(tell<"This result does not represent the measurand: %1 trials, more than "
                                        "1 %, have no value.">(count_text(result.failed_trials, numbers)));

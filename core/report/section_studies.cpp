@@ -18,8 +18,7 @@ Message range_of(const StudyAxisValues& axis, const DocumentLanguage& in) {
         return grouped_digits(format_trimmed(value, 6), in.numbers());
     };
     const std::string title = in.say(axis.title.message()), from = number(axis.values.front()),
-                      to = number(axis.values.back()) +
-                           (axis.unit == Unit{} ? "" : "\u00a0" + axis.unit.display());
+                      to = number(axis.values.back()) + unit_after_number(axis.unit);
     return axis.logarithmic
                ? tell<"%1 from %2 to %3 (%4 values, logarithmic)">(title, from, to, axis.values.size())
                : tell<"%1 from %2 to %3 (%4 values)">(title, from, to, axis.values.size());

@@ -180,8 +180,7 @@ Text title_of(const StudyResult& study, const StudyView& view, const StudyQuanti
     if (study.axes.size() < 3) return title;
     const StudyAxisValues& axis = study.axes[std::min<std::size_t>(view.fixed_axis, 2)];
     const double value = axis.values[std::min(view.slice, axis.values.size() - 1)];
-    const std::string at =
-        value_text(value, language.numbers()) + (axis.unit == Unit{} ? "" : " " + axis.unit.display());
+    const std::string at = value_text(value, language.numbers()) + unit_after_number(axis.unit);
     return language.say_text(plot_words::slice_at, {title, axis.title.in(language), at});
 }
 
@@ -236,9 +235,9 @@ PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
         std::vector<double> y;
         for (std::size_t i = 0; i < x.values.size(); ++i)
             y.push_back(shown(study, quantity, point_of(study, plane, i, j)));
-        const std::string unit = other.unit == Unit{} ? "" : " " + other.unit.display();
         add_line(plot,
-                 other.title.in(language) + " = " + value_text(other.values[j], language.numbers()) + unit,
+                 other.title.in(language) + " = " + value_text(other.values[j], language.numbers()) +
+                     unit_after_number(other.unit),
                  family[k], x.values, y);
     }
     choose_y_range(plot);
@@ -297,8 +296,8 @@ std::string point_words(const StudyResult& study, std::size_t point, const Docum
     for (std::size_t axis = 0; axis < at.size(); ++axis) {
         const StudyAxisValues& values = study.axes[axis];
         if (axis) words += numbers.decimal == "," ? "; " : ", ";
-        words += in.say(values.title.message()) + " = " + value_text(values.values[at[axis]], numbers);
-        if (!(values.unit == Unit{})) words += " " + values.unit.display();
+        words += in.say(values.title.message()) + " = " + value_text(values.values[at[axis]], numbers) +
+                 unit_after_number(values.unit);
     }
     return words;
 }

@@ -28,10 +28,18 @@ TableCell file_cell(const Cell& cell, const DisplayUnits& units) {
 
 }  // namespace
 
+Unit quotient(const Unit& of, const Unit& per) {
+    if (per == Unit{}) return of;
+    const Unit of_differences = of.interval(), per_one = per.interval();
+    if (of_differences == per_one) return {};
+    return Unit::parse(of_differences.text() + "/(" + per_one.text() + ")").value_or(of_differences);
+}
+
 Quantity Measured::in(const DisplayUnits& units) const {
     const Unit& shown = units.of(unit);
     if (scale == Scale::value) return {shown.from_si(si), shown};
-    return {shown.interval_from_si(si * units.of(per).interval_to_si(1.0)), shown};
+    const Unit& of_one = units.of(per);
+    return {shown.interval_from_si(si * of_one.interval_to_si(1.0)), quotient(shown, of_one)};
 }
 
 const Column* Table::find(std::string_view key) const {
@@ -153,7 +161,8 @@ Text cell_shown(const Table& table, const Column& column, std::size_t row, const
         const NumberPlace place{matched_to(table, column, row, view.units),
                                 largest_of_row(table, column, row, view.units),
                                 form_of(table, column, view.units)};
-        return grouped_digits(format_by(rule, *number, place), view.language.numbers());
+        return grouped_digits(format_by(rule, *number, place), view.language.numbers()) +
+               (column.says_unit ? unit_after_number(measured.in(view.units).unit) : std::string());
     }
     if (const auto* unit = std::get_if<Unit>(&cell)) return view.units.of(*unit).display();
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return symbols_text(joined(*symbols));

@@ -18,6 +18,9 @@
 
 namespace covaria {
 
+/// "mm/K": of a quantity in one unit per one in another, on scales of differences; none for equal units.
+Unit quotient(const Unit& of, const Unit& per);
+
 /// A number, SI, with the unit that it is given in.
 struct Measured {
     enum class Scale { value, interval };  ///< an interval (difference, uncertainty) knows no zero of degC
@@ -25,7 +28,7 @@ struct Measured {
     Scale scale = Scale::interval;
     Unit unit = {};
     Unit per = {};  ///< of the denominator: a sensitivity coefficient
-    /// As a view with these units shows it.
+    /// As a view with these units shows it; a quotient in the quotient of the units.
     Quantity in(const DisplayUnits& units) const;
 };
 /// Symbols as they are stored.
@@ -63,6 +66,7 @@ struct Column {
     Message help = {};       ///< for the window
     NumberRule rule = {};
     std::optional<Unit> unit = {};  ///< of all its numbers: the head says it
+    bool says_unit = false;         ///< people read each number with its unit, which nothing else gives
     bool in_files = true;
     bool own_words = false;                    ///< its texts are the program's ("not met"), not people's
     std::vector<std::string> undeclared = {};  ///< those of them that no registry declares
@@ -79,6 +83,7 @@ struct Column {
     Column& match(std::string to) { return rule.match = std::move(to), *this; }
     Column& of_row(std::vector<std::string> keys) { return rule.row = std::move(keys), *this; }
     Column& in(std::optional<Unit> common) { return unit = std::move(common), *this; }
+    Column& with_unit() { return says_unit = true, *this; }
     Column& of_symbols() { return symbols = true, *this; }
     Column& of_own_words(std::vector<std::string> others = {}) {
         return own_words = true, undeclared = std::move(others), *this;

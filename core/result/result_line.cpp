@@ -1,9 +1,11 @@
 #include "core/result/result_line.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/math/special_quantiles.h"
+#include "core/quantity/input_quantity.h"
 
 namespace covaria {
 
@@ -47,6 +49,15 @@ Message expanded_words(const UncertaintyResult& result) {
             break;
     }
     return tell<"U = k u with k of the t distribution for the effective degrees of freedom.">();
+}
+
+bool leaves_out_degrees_of_freedom(const UncertaintyResult& result) {
+    if (expanded_by(result) != ExpandedBy::interval) return false;
+    return std::any_of(result.inputs->components.begin(), result.inputs->components.end(),
+                       [](const UncertaintyComponent& c) {
+                           return !c.held && std::isfinite(c.degrees_of_freedom) &&
+                                  drawn_distribution(c).kind() == "normal";
+                       });
 }
 
 CoverageInterval coverage_interval_of(const OutputResult& output, const UncertaintyResult& result) {

@@ -18,6 +18,9 @@ ExpandedBy expanded_by(const UncertaintyResult& result);
 std::string expanded_key(const UncertaintyResult& result);
 /// The same as a sentence: "U is half the width of the ... coverage interval, k = U/u."
 Message expanded_words(const UncertaintyResult& result);
+/// Whether U is of trials in which components with finite degrees of freedom were drawn normal, by choice:
+/// its k is not that of a t distribution for nu_eff (JCGM 100 G.6.4).
+bool leaves_out_degrees_of_freedom(const UncertaintyResult& result);
 
 /// Fills in U and k of the result line from its u, its interval (Monte Carlo) or nu_eff. k is NaN where it
 /// has no meaning: u infinite (a Student t with at most two degrees of freedom in Monte Carlo).

@@ -231,7 +231,8 @@ double without_residue(double shown, const Unit& unit) {
 
 std::string unit_after_number(const Unit& unit) {
     if (unit.text() == "1") return {};
-    return (unit.text() == "deg" ? "" : "\u00a0") + unit.display();
+    const bool is_sign = unit.text() == "deg" || unit.text() == "arcmin" || unit.text() == "arcsec";
+    return (is_sign ? "" : "\u00a0") + unit.display();
 }
 
 std::string unit_of_cell(const Quantity& quantity, const TableColumn& column) {

@@ -11095,6 +11095,10 @@
         <translation>Werte aus der Fortpflanzung von Verteilungen (JCGM 101) mit %1 Versuchen; das Intervall ist wahrscheinlichkeitssymmetrisch, das kürzeste steht daneben. Die effektiven Freiheitsgrade sind die des Fortpflanzungsgesetzes.</translation>
     </message>
     <message>
+        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, other than k of the law of propagation (JCGM 100 G.6.4).</source>
+        <translation>Komponenten mit endlichen Freiheitsgraden werden wie gewählt aus Normalverteilungen gezogen: U und k berücksichtigen diese Freiheitsgrade nicht, anders als k nach dem Fortpflanzungsgesetz (JCGM 100 G.6.4).</translation>
+    </message>
+    <message>
         <source>This result does not represent the measurand: %1 trials, more than 1 %, have no value.</source>
         <translation>Dieses Ergebnis stellt die Messgröße nicht dar: %1 Versuche, mehr als 1 %, haben keinen Wert.</translation>
     </message>
@@ -13534,8 +13538,8 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Beitrag zur Standardunsicherheit des Ergebnisses</translation>
     </message>
     <message>
-        <source>index / %</source>
-        <translation>Index / %</translation>
+        <source>share / %</source>
+        <translation>Anteil / %</translation>
     </message>
     <message>
         <source>Share of the variance, with its part of the covariances</source>
@@ -13804,6 +13808,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Adaptives Monte Carlo, %1 Versuche</translation>
     </message>
     <message>
+        <source>; k leaves degrees of freedom out (normal draws)</source>
+        <translation>; k ohne Freiheitsgrade (normalverteilt gezogen)</translation>
+    </message>
+    <message>
         <source>, chosen k = %1</source>
         <translation>, k = %1 gewählt</translation>
     </message>
@@ -13920,8 +13928,8 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Beide Größen brauchen eine Unsicherheit, bevor sie korreliert werden können</translation>
     </message>
     <message>
-        <source>; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo</source>
-        <translation>; c und Index nach dem Fortpflanzungsgesetz, dessen u(%1) %2 des u aus Monte Carlo ist</translation>
+        <source>; c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation>; c und Anteil nach dem Fortpflanzungsgesetz, dessen u %1 des u aus Monte Carlo beträgt</translation>
     </message>
 </context>
 <context>
@@ -13945,10 +13953,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>The observations are read from %1.</source>
         <translation>Die Beobachtungen werden aus %1 gelesen.</translation>
-    </message>
-    <message>
-        <source>In %1 per %2</source>
-        <translation>In %1 je %2</translation>
     </message>
 </context>
 <context>

@@ -11095,6 +11095,10 @@
         <translation>Valores de la propagación de distribuciones (JCGM 101) con %1 pruebas; el intervalo es probabilísticamente simétrico, con el más corto al lado. Los grados efectivos de libertad son los de la ley de propagación.</translation>
     </message>
     <message>
+        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, other than k of the law of propagation (JCGM 100 G.6.4).</source>
+        <translation>Las componentes con grados de libertad finitos se extraen de distribuciones normales, como se eligió: U y k no tienen en cuenta esos grados de libertad, a diferencia de la k de la ley de propagación (JCGM 100 G.6.4).</translation>
+    </message>
+    <message>
         <source>This result does not represent the measurand: %1 trials, more than 1 %, have no value.</source>
         <translation>Este resultado no representa el mensurando: %1 pruebas, más del 1 %, no tienen valor.</translation>
     </message>
@@ -13534,8 +13538,8 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Contribución a la incertidumbre típica del resultado</translation>
     </message>
     <message>
-        <source>index / %</source>
-        <translation>índice / %</translation>
+        <source>share / %</source>
+        <translation>parte / %</translation>
     </message>
     <message>
         <source>Share of the variance, with its part of the covariances</source>
@@ -13804,6 +13808,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Monte Carlo adaptativo, %1 pruebas</translation>
     </message>
     <message>
+        <source>; k leaves degrees of freedom out (normal draws)</source>
+        <translation>; k sin grados de libertad (extracción normal)</translation>
+    </message>
+    <message>
         <source>, chosen k = %1</source>
         <translation>, k = %1 elegido</translation>
     </message>
@@ -13920,8 +13928,8 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Ambas magnitudes necesitan una incertidumbre antes de poder correlacionarse</translation>
     </message>
     <message>
-        <source>; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo</source>
-        <translation>; c e índice por la ley de propagación, cuya u(%1) es el %2 de la de Monte Carlo</translation>
+        <source>; c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation>; c y parte por la ley de propagación, cuya u es el %1 de la de Monte Carlo</translation>
     </message>
 </context>
 <context>
@@ -13945,10 +13953,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>The observations are read from %1.</source>
         <translation>Las observaciones se leen de %1.</translation>
-    </message>
-    <message>
-        <source>In %1 per %2</source>
-        <translation>En %1 por %2</translation>
     </message>
 </context>
 <context>

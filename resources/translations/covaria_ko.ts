@@ -11094,6 +11094,10 @@
         <translation>시행 %1회의 분포 전파(JCGM 101)에 의한 값. 구간은 확률적으로 대칭이며 그 옆은 최단 구간입니다. 유효자유도는 전파 법칙의 것입니다.</translation>
     </message>
     <message>
+        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, other than k of the law of propagation (JCGM 100 G.6.4).</source>
+        <translation>선택한 대로 유한한 자유도를 가진 성분은 정규분포에서 추출됩니다. 전파 법칙의 k(JCGM 100 G.6.4)와 달리 U와 k에는 이 자유도가 반영되지 않습니다.</translation>
+    </message>
+    <message>
         <source>This result does not represent the measurand: %1 trials, more than 1 %, have no value.</source>
         <translation>이 결과는 측정량을 대표하지 않습니다. 시행 %1회(1 % 초과)에 값이 없습니다.</translation>
     </message>
@@ -13533,8 +13537,8 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <translation>결과의 표준불확도에 대한 기여</translation>
     </message>
     <message>
-        <source>index / %</source>
-        <translation>지수 / %</translation>
+        <source>share / %</source>
+        <translation>비율 / %</translation>
     </message>
     <message>
         <source>Share of the variance, with its part of the covariances</source>
@@ -13803,6 +13807,10 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <translation>적응 몬테카를로, 시행 %1회</translation>
     </message>
     <message>
+        <source>; k leaves degrees of freedom out (normal draws)</source>
+        <translation>; k에 자유도 미반영(정규분포 추출)</translation>
+    </message>
+    <message>
         <source>, chosen k = %1</source>
         <translation>, 선택한 k = %1</translation>
     </message>
@@ -13919,8 +13927,8 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <translation>두 양 모두 불확도가 있어야 상관을 줄 수 있습니다</translation>
     </message>
     <message>
-        <source>; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo</source>
-        <translation>; c와 지수는 전파 법칙에 따른 것이며, 그 u(%1)는 몬테카를로 값의 %2임</translation>
+        <source>; c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation>; c와 비율은 전파 법칙에 따른 것이며, 그 u는 몬테카를로 값의 %1임</translation>
     </message>
 </context>
 <context>
@@ -13944,10 +13952,6 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
     <message>
         <source>The observations are read from %1.</source>
         <translation>관측값은 %1에서 읽습니다.</translation>
-    </message>
-    <message>
-        <source>In %1 per %2</source>
-        <translation>단위: %2당 %1</translation>
     </message>
 </context>
 <context>

@@ -11095,6 +11095,10 @@
         <translation>Valores da propagação de distribuições (JCGM 101) com %1 ensaios; o intervalo é probabilisticamente simétrico, com o mais curto ao lado. Os graus de liberdade efetivos são os da lei de propagação.</translation>
     </message>
     <message>
+        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, other than k of the law of propagation (JCGM 100 G.6.4).</source>
+        <translation>As componentes com graus de liberdade finitos são sorteadas de distribuições normais, como foi escolhido: U e k não levam em conta esses graus de liberdade, ao contrário do k da lei de propagação (JCGM 100 G.6.4).</translation>
+    </message>
+    <message>
         <source>This result does not represent the measurand: %1 trials, more than 1 %, have no value.</source>
         <translation>Este resultado não representa o mensurando: %1 ensaios, mais de 1 %, não têm valor.</translation>
     </message>
@@ -13534,8 +13538,8 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Contribuição para a incerteza-padrão do resultado</translation>
     </message>
     <message>
-        <source>index / %</source>
-        <translation>índice / %</translation>
+        <source>share / %</source>
+        <translation>parcela / %</translation>
     </message>
     <message>
         <source>Share of the variance, with its part of the covariances</source>
@@ -13804,6 +13808,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Monte Carlo adaptativo, %1 ensaios</translation>
     </message>
     <message>
+        <source>; k leaves degrees of freedom out (normal draws)</source>
+        <translation>; k sem graus de liberdade (sorteio normal)</translation>
+    </message>
+    <message>
         <source>, chosen k = %1</source>
         <translation>, k = %1 escolhido</translation>
     </message>
@@ -13920,8 +13928,8 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Ambas as grandezas precisam de uma incerteza antes de poderem ser correlacionadas</translation>
     </message>
     <message>
-        <source>; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo</source>
-        <translation>; c e índice pela lei de propagação, cuja u(%1) é %2 da de Monte Carlo</translation>
+        <source>; c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation>; c e parcela pela lei de propagação, cuja u é %1 da de Monte Carlo</translation>
     </message>
 </context>
 <context>
@@ -13945,10 +13953,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>The observations are read from %1.</source>
         <translation>As observações são lidas de %1.</translation>
-    </message>
-    <message>
-        <source>In %1 per %2</source>
-        <translation>Em %1 por %2</translation>
     </message>
 </context>
 <context>

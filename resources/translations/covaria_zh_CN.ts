@@ -11094,6 +11094,10 @@
         <translation>由分布传播（JCGM 101）以 %1 次试验得出的值；区间是概率对称的，旁边是最短区间。有效自由度是传播律的。</translation>
     </message>
     <message>
+        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, other than k of the law of propagation (JCGM 100 G.6.4).</source>
+        <translation>按所选设置，自由度有限的分量从正态分布抽样：U 与 k 未计入这些自由度，与传播律的 k（JCGM 100 G.6.4）不同。</translation>
+    </message>
+    <message>
         <source>This result does not represent the measurand: %1 trials, more than 1 %, have no value.</source>
         <translation>该结果不代表被测量：%1 次试验（超过 1 %）没有值。</translation>
     </message>
@@ -13533,7 +13537,7 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <translation>对结果标准不确定度的贡献</translation>
     </message>
     <message>
-        <source>index / %</source>
+        <source>share / %</source>
         <translation>占比 / %</translation>
     </message>
     <message>
@@ -13803,6 +13807,10 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <translation>自适应蒙特卡洛，%1 次试验</translation>
     </message>
     <message>
+        <source>; k leaves degrees of freedom out (normal draws)</source>
+        <translation>；k 未计入自由度（正态抽样）</translation>
+    </message>
+    <message>
         <source>, chosen k = %1</source>
         <translation>，选定 k = %1</translation>
     </message>
@@ -13919,8 +13927,8 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <translation>两个量都须有不确定度，才能给出相关系数</translation>
     </message>
     <message>
-        <source>; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo</source>
-        <translation>；c 与指数按传播律给出，其 u(%1) 为蒙特卡洛法所得值的 %2</translation>
+        <source>; c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation>；c 与占比按传播律给出，其 u 为蒙特卡洛法所得值的 %1</translation>
     </message>
 </context>
 <context>
@@ -13944,10 +13952,6 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
     <message>
         <source>The observations are read from %1.</source>
         <translation>观测值从 %1 读取。</translation>
-    </message>
-    <message>
-        <source>In %1 per %2</source>
-        <translation>单位：%1 每 %2</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,8 @@ namespace {
 
 /// "x = −120.3 mm"
 Text named(const Text& title, const Text& number, const std::string& unit) {
-    const std::string behind = unit.empty() ? "" : (unit == "°" ? "" : "\u00a0") + unit;
+    const bool is_sign = unit == "°" || unit == "′" || unit == "″";  // as unit_after_number has them
+    const std::string behind = unit.empty() ? "" : (is_sign ? "" : "\u00a0") + unit;
     return title + " = " + number + behind;
 }
 

@@ -49,7 +49,7 @@ constexpr std::array<SectionHead, BudgetSheetModel::sections> heads{{
     {"c", QT_TR_NOOP("Sensitivity coefficient, unit of the result per unit of the row"), nullptr,
      "sensitivity"},
     {"|c|·u", QT_TR_NOOP("Contribution to the standard uncertainty of the result"), nullptr, "contribution"},
-    {QT_TR_NOOP("index / %"), QT_TR_NOOP("Share of the variance, with its part of the covariances"), nullptr,
+    {QT_TR_NOOP("share / %"), QT_TR_NOOP("Share of the variance, with its part of the covariances"), nullptr,
      "share of variance"},
     {QT_TR_NOOP("source"), QT_TR_NOOP("Where the figure comes from"), "source", nullptr},
 }};
@@ -286,13 +286,26 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
     return kind.data(role);
 }
 
-/// "In nm per K".
-QVariant BudgetSheetModel::unit_of_sensitivity(int row) const {
+/// In the units of the result below and of the row: "-575 nm/K".
+QVariant BudgetSheetModel::sensitivity(int row, int role) const {
     const auto at = static_cast<std::size_t>(row);
-    if (!result_ || at >= components_.size() || !components_[at]) return {};
-    const Unit of_result = units_.of(result_->outputs[output_].quantity.unit).interval(),
-               of_row = result_->budget.components[*components_[at]].unit.interval();
-    return tr("In %1 per %2").arg(to_qt(of_result.display()), to_qt(of_row.display()));
+    if (!lines_[at]) return role == Qt::DisplayRole ? QVariant(QStringLiteral("0")) : QVariant();
+    const Unit& of_row = result_->budget.components[*components_[at]].unit;
+    const Unit& of_result = units_.of(result_->outputs[output_].quantity.unit);
+    const double si = result_->budget.rows[output_][*lines_[at]].sensitivity;
+    const double value = of_result.interval_from_si(of_row.interval_to_si(si));
+    if (role == exact_role) return value;
+    if (role != Qt::DisplayRole) return {};
+    return localized(format_significant(value, 2)) + to_qt(unit_after_number(quotient(of_result, of_row)));
+}
+
+/// In the row's unit.
+QVariant BudgetSheetModel::uncertainty(int row, int role) const {
+    const BudgetComponent& component =
+        result_->budget.components[*components_[static_cast<std::size_t>(row)]];
+    const double value = component.unit.interval_from_si(component.standard_uncertainty);
+    if (role == exact_role) return value;
+    return role == Qt::DisplayRole ? QVariant(localized(format_significant(value, 2))) : QVariant();
 }
 
 QVariant BudgetSheetModel::computed(int row, int section, int role) const {
@@ -305,11 +318,9 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     if (role == Qt::ToolTipRole && !current_) return tr("Out of date: being computed.");
     if (role == Qt::ToolTipRole && !sheet_.taken_words(row, column("statement")).isEmpty())
         return sheet_.taken_words(row, column("statement"));
-    if (role == Qt::ToolTipRole && section == c) return unit_of_sensitivity(row);
     if (!result_ || at >= components_.size() || !components_[at]) return {};
     // What is stated stays in the row's unit, what comes of it is in that of the results below.
-    const bool of_result = section == c || section == contribution;
-    const TableView view{of_result ? units_ : DisplayUnits(), 2, language_of_window()};
+    const TableView view{section == contribution ? units_ : DisplayUnits(), 2, language_of_window()};
     const BudgetComponent& component = result_->budget.components[*components_[at]];
     if (section == estimate && role == Qt::DisplayRole) {
         if (row > 0 && symbol_of(row) == symbol_of(row - 1)) return {};  // it stands above
@@ -319,18 +330,11 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     }
     if (section == distribution)
         return role == Qt::DisplayRole ? QVariant(core_text(component.distribution)) : QVariant();
+    if (section == c) return sensitivity(row, role);
+    if (section == u) return uncertainty(row, role);
     const char* key = head_of(section).of_budget;
     if (!key) return {};
     if (lines_[at]) {
-        // A view with units of its own would also change that of a row of the same dimension.
-        const Unit& of_output = result_->outputs[output_].quantity.unit;
-        const Unit& shown = units_.of(of_output);
-        if (section == c && !(shown == of_output) && shown.dimension() == component.unit.dimension()) {
-            const double si = result_->budget.rows[output_][*lines_[at]].sensitivity;
-            const double value = shown.interval_from_si(component.unit.interval_to_si(si));
-            if (role == exact_role) return value;
-            return role == Qt::DisplayRole ? QVariant(localized(format_significant(value, 2))) : QVariant();
-        }
         const Column& of = budget_[key];
         if (role == exact_role) {
             const auto number = number_in(of.cell(*lines_[at]), view.units);
@@ -348,10 +352,7 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     const bool of_nothing =
         section == share && !(result_->outputs[output_].first_order.standard_uncertainty > 0.0);
     if (of_nothing) return QStringLiteral("–");
-    if (section == c || section == contribution || section == share) return QStringLiteral("0");
-    if (section == u)
-        return localized(
-            format_significant(component.unit.interval_from_si(component.standard_uncertainty), 2));
+    if (section == contribution || section == share) return QStringLiteral("0");
     return {};
 }
 

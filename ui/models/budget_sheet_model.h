@@ -81,7 +81,8 @@ private:
     int column(const char* key) const;
     /// Of the set-up's table; -1: the section has none of its own.
     int column_of(int section) const;
-    QVariant unit_of_sensitivity(int row) const;
+    QVariant sensitivity(int row, int role) const;
+    QVariant uncertainty(int row, int role) const;
     QVariant computed(int row, int section, int role) const;
     QVariant of_sheet(int row, int section, int role) const;
     QVariant stated_cell(int row, int role) const;

@@ -12,8 +12,9 @@ namespace covaria::ui {
 void BudgetTableModel::set_result(std::shared_ptr<const UncertaintyResult> result, std::size_t output,
                                   bool current) {
     result_ = std::move(result);
-    places_ = result_ ? places_that_count(*result_, output) : std::vector<BudgetPlace>();
-    if (places_.empty()) return set_contents({}, {}, {}, current);
+    const bool is_known = result_ && output < result_->budget.rows.size();
+    places_ = is_known ? places_that_count(*result_, output) : std::vector<BudgetPlace>();
+    if (!is_known) return set_contents({}, {}, {}, current);
     std::vector<std::string> keys = {
         "label", "u", "unit", "sensitivity", "contribution", "share of variance"};
     const std::vector<BudgetRow>& rows = result_->budget.rows[output];

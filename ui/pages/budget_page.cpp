@@ -154,20 +154,11 @@ void BudgetPage::take_result() {
     lines_->setEnabled(status.is_of_present());
     if (!status.result) return;
     const QString said = status.is_of_present() ? result_words(status) : reservation(status);
-    const auto shown = static_cast<std::size_t>(std::max(0, selection_.output()));
-    const auto part = shown < status.result->outputs.size()
-                          ? part_of_first_order(status.result->outputs[shown])
-                          : std::nullopt;
-    const QString indices =
-        part ? tr("; c and index by the law of propagation, whose u(%1) is %2 of that by Monte Carlo")
-                   .toHtmlEscaped()
-                   .arg(to_qt(to_html(symbol_text(status.result->outputs[shown].quantity.symbol))),
-                        to_qt(percent_text(*part, language_of_window().numbers())))
-             : QString();
     const QString correlated = status.prepared ? correlation_words(*status.prepared) : QString();
-    lines_->setText(
-        lines_of(*status.result) + (correlated.isEmpty() ? QString() : QStringLiteral("<br>") + correlated) +
-        QStringLiteral("<br><small>") + said.toHtmlEscaped() + indices + QStringLiteral("</small>"));
+    lines_->setText(lines_of(*status.result) +
+                    (correlated.isEmpty() ? QString() : QStringLiteral("<br>") + correlated) +
+                    QStringLiteral("<br><small>") + said.toHtmlEscaped() + first_order_words(*status.result) +
+                    QStringLiteral("</small>"));
 }
 
 std::set<int> BudgetPage::selected_rows() const {
@@ -264,6 +255,26 @@ QString BudgetPage::correlation_words(const PreparedAnalysis& analysis) const {
                                                language_of_window().numbers())));
     }
     return words.join(QStringLiteral("; "));
+}
+
+/// For which of the results the columns of the law of propagation are about another u: "63 % (Y₁)".
+QString BudgetPage::first_order_words(const UncertaintyResult& result) const {
+    QStringList parts;
+    for (const OutputResult& output : result.outputs) {
+        const auto part = part_of_first_order(output);
+        if (output.quantity.role != OutputRole::measurand || !part) continue;
+        if (static_cast<std::size_t>(parts.size()) == most_lines) {
+            parts << QStringLiteral("…");
+            break;
+        }
+        parts << to_qt(percent_text(*part, language_of_window().numbers()) + " (" +
+                       to_html(symbol_text(output.quantity.symbol)) + ")");
+    }
+    if (parts.isEmpty()) return {};
+    return tr("; c and share by the law of propagation, whose u is %1 of that by Monte Carlo")
+        .toHtmlEscaped()
+        .arg(parts.join(language_of_window().numbers().decimal == "," ? QStringLiteral("; ")
+                                                                      : QStringLiteral(", ")));
 }
 
 QString BudgetPage::lines_of(const UncertaintyResult& result) const {

@@ -50,6 +50,7 @@ private:
     void ask_for_quantity(int row);
     void show_analysis();
     void take_result();
+    QString first_order_words(const UncertaintyResult& result) const;
     QString lines_of(const UncertaintyResult& result) const;
     /// "r(d, theta) = 0.5" of every two rows that are correlated; empty: none are.
     QString correlation_words(const PreparedAnalysis& analysis) const;

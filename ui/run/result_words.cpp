@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/result/result_line.h"
 #include "core/text/numbers.h"
 #include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
@@ -50,6 +51,8 @@ QString result_words(const AnalysisStatus& status) {
     if (result.trials > 0)
         words = (result.adaptive ? tr("Adaptive Monte Carlo, %1 trials") : tr("Monte Carlo, %1 trials"))
                     .arg(count(result.trials));
+    if (leaves_out_degrees_of_freedom(result))
+        words += tr("; k leaves degrees of freedom out (normal draws)");
     if (const auto k = result.fixed_coverage_factor)  // not that of the interval beside U
         words += tr(", chosen k = %1").arg(to_qt(typeset_number(format_typed(*k), user_numbers())));
     return words;

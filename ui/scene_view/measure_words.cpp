@@ -1,6 +1,7 @@
 #include "ui/scene_view/measure_words.h"
 
 #include "core/result/result_style.h"
+#include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/strings.h"
@@ -16,8 +17,7 @@ Unit unit_of(const Measurement& measurement, const MeasureStyle& style, const Le
 }
 
 QString with_unit(const std::string& number, const Unit& unit) {
-    const QString space = unit.display() == "°" ? QString() : QStringLiteral("\u00a0");
-    return to_qt(grouped_digits(number, user_numbers())) + space + to_qt(unit.display());
+    return to_qt(grouped_digits(number, user_numbers()) + unit_after_number(unit));
 }
 
 QString name(const Measurement& measurement, std::size_t i) {

@@ -92,7 +92,7 @@ void add_extremes(const StudyResult& study, const StudyQuantity& quantity, const
             std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(value, 1e-300)))), 0, 9);
         const std::string said = in.say(words);
         scene.labels.push_back(
-            {said + ": " + grouped_number(value, decimals, scene.numbers) + " " + quantity.unit.display(),
+            {said + ": " + grouped_number(value, decimals, scene.numbers) + unit_after_number(quantity.unit),
              scene.map->positions[point], 1.4 * scene.map->radius, Role::text, 500});
         scene.points.push_back(
             {{.id = "map:" + words.english(), .name = said, .position = scene.map->positions[point]},
@@ -151,7 +151,7 @@ std::string surface_words(const Scene& scene, const Unit& unit, const DocumentLa
         std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(map.high, 1e-300)))), 0, 9);
     for (std::size_t i = 0; i < map.levels.size(); ++i)
         levels += (i ? between : "") + grouped_number(map.levels[i], decimals, scene.numbers);
-    return in.say(tell<"iso-surfaces at %1">(levels + " " + unit.display()));
+    return in.say(tell<"iso-surfaces at %1">(levels + unit_after_number(unit)));
 }
 
 }  // namespace

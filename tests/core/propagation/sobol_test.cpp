@@ -57,8 +57,28 @@ TEST(Sobol, IshigamiFunction) {
     expect_index(index_of(*result, result->inputs->components[2].id), 0, v13 / v);
 }
 
-// y = x1 x2 with both estimates zero: the law of propagation sees neither, each has all of the variance.
+// y = x1 x2 + x3 with estimates zero: the law of propagation sees x3 alone, which has a fifth of the
+// variance.
 TEST(Sobol, WhatOnlyInteractsIsInTheBudget) {
+    InputSet inputs;
+    for (const char* name : {"x1", "x2", "x3"})
+        add_quantity(inputs, name, Distribution::of(Normal{0, 2}), infinity);
+    const FunctionModel model(inputs, outputs_named({"y"}),
+                              [](std::span<const double> x, std::span<double> y) {
+                                  y[0] = x[0] * x[1] + x[2];
+                                  return true;
+                              });
+    EXPECT_EQ(evaluate(model, inputs, sobol(0))->budget.rows.at(0).size(), 1u);
+    const auto result = evaluate(model, inputs, sobol(20'000)).value();
+    const std::vector<BudgetRow>& rows = result.budget.rows.at(0);
+    ASSERT_EQ(rows.size(), 3u);
+    for (const BudgetRow& row : rows) EXPECT_EQ(row.contribution, row.component == 2 ? 2.0 : 0.0);
+    for (const char* name : {"x1", "x2"}) expect_index(index_of(result, name), 0.0, 0.8);
+    expect_index(index_of(result, "x3"), 0.2, 0.2);
+}
+
+// Where the law of propagation sees nothing at all, the budget says so of every component.
+TEST(Sobol, WhatNothingInfluencesToFirstOrderHasABudgetOfZeros) {
     InputSet inputs;
     for (const char* name : {"x1", "x2"})
         add_quantity(inputs, name, Distribution::of(Normal{0, 2}), infinity);
@@ -67,12 +87,9 @@ TEST(Sobol, WhatOnlyInteractsIsInTheBudget) {
                                   y[0] = x[0] * x[1];
                                   return true;
                               });
-    EXPECT_TRUE(evaluate(model, inputs, sobol(0))->budget.rows.at(0).empty());
-    const auto result = evaluate(model, inputs, sobol(20'000)).value();
-    const std::vector<BudgetRow>& rows = result.budget.rows.at(0);
-    ASSERT_EQ(rows.size(), 2u);
-    for (const BudgetRow& row : rows) EXPECT_EQ(row.contribution, 0.0);
-    for (const char* name : {"x1", "x2"}) expect_index(index_of(result, name), 0.0, 1.0);
+    const auto result = evaluate(model, inputs, sobol(0));
+    ASSERT_EQ(result->budget.rows.at(0).size(), 2u);
+    for (const BudgetRow& row : result->budget.rows[0]) EXPECT_EQ(row.sensitivity, 0.0);
 }
 
 // Correlated components have an index together; in a sum, first and total agree.

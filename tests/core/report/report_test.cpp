@@ -435,5 +435,42 @@ TEST(Report, ComponentsThatOnlyRoundingMakesCountAreLeftOut) {
     EXPECT_EQ(table_with_id(document, "budget-typed-y-pose-1")->table.rows.size(), 18U + 1U);
 }
 
+TEST(Report, AQuantityHasOneEstimateAndOneUnitInItsBudget) {
+    UncertaintyResult result;
+    result.outputs.resize(1);
+    result.outputs[0].quantity.unit = Unit::of("nm");
+    const auto add = [&](const char* quantity, const char* unit, const char* of_quantity, double estimate) {
+        BudgetComponent c;
+        c.unit = Unit::of(unit);
+        c.quantity_unit = Unit::of(of_quantity);
+        c.quantities = {quantity};
+        c.estimate = estimate;
+        c.standard_uncertainty = 1e-3;
+        result.budget.components.push_back(c);
+        result.budget.rows.resize(1);
+        result.budget.rows[0].push_back(
+            {.component = result.budget.components.size() - 1, .sensitivity = 2e-9});
+    };
+    add("theta", "rad", "deg", 0.5);
+    add("d", "mm", "mm", 0.1);
+    add("theta", "arcsec", "deg", 0.5);
+    const Table table = budget_table(result, budget_places(result, 0));
+    EXPECT_DOUBLE_EQ(std::get<Measured>(table.cell(0, "estimate")).si, 0.5);
+    EXPECT_DOUBLE_EQ(std::get<Measured>(table.cell(1, "estimate")).si, 0.1);
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(table.cell(2, "estimate"))) << "it stands above";
+    for (const std::size_t row : {0u, 2u}) {
+        EXPECT_EQ(std::get<Unit>(table.cell(row, "unit")), Unit::of("deg"));
+        EXPECT_EQ(to_unicode(cell_shown(table, table["sensitivity"], row, {})), "0.0349\u00a0nm/°");
+    }
+    EXPECT_EQ(std::get<Unit>(table.cell(1, "sensitivity unit")), Unit::of("nm/mm"));
+}
+
+TEST(Report, AQuotientOfUnitsIsNoneForEqualOnesAndOfDifferencesOfTemperature) {
+    EXPECT_EQ(quotient(Unit::of("mm"), Unit::of("degC")).display(), "mm/K");
+    EXPECT_EQ(quotient(Unit::of("nm"), Unit::of("1/K")).display(), "nm·K");
+    EXPECT_EQ(quotient(Unit::of("mm"), Unit::of("mm")), Unit{});
+    EXPECT_EQ(quotient(Unit::of("mm"), Unit{}), Unit::of("mm"));
+}
+
 }  // namespace
 }  // namespace covaria::report_test
