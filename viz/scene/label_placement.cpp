@@ -1,4 +1,4 @@
-// Greedy placement: eight places around the anchor, near and then further out; the first free one, else the
+// Greedy placement: twelve places around the anchor, near and then further out; the first free one, else the
 // one that covers least.
 #include "viz/scene/label_placement.h"
 
@@ -14,14 +14,28 @@ namespace {
 struct Place {
     double x, y;  // -1 = left of / above the anchor, 0 = centred, 1 = right of / below
 };
-constexpr std::array<Place, 8> places{{{1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {1, 0}, {-1, 0}, {0, -1}, {0, 1}}};
+constexpr std::array<Place, 12> places{{{1, -1},
+                                        {1, 1},
+                                        {-1, -1},
+                                        {-1, 1},
+                                        {1, 0},
+                                        {-1, 0},
+                                        {0, -1},
+                                        {0, 1},
+                                        {0.5, -1},
+                                        {0.5, 1},
+                                        {-0.5, -1},
+                                        {-0.5, 1}}};
+// Lines; a label across more is read with difficulty, and hides them.
+constexpr std::ptrdiff_t most_covered = 3;
 
 ScreenRect at_place(const LabelRequest& request, const Place& place, double distance) {
     // Diagonal places touch the circle of the clearance, not its square.
-    const double d = place.x != 0 && place.y != 0 ? 0.75 * distance : distance;
+    const bool beside = std::abs(place.x) == 1;
+    const double d = beside && place.y != 0 ? 0.75 * distance : distance;
     const double half_width = request.width / 2, half_height = request.height / 2;
     return {request.anchor.x + place.x * (d + half_width) - half_width,
-            request.anchor.y + place.y * (d + (place.x == 0 ? half_height : 0.6 * half_height)) - half_height,
+            request.anchor.y + place.y * (d + (beside ? 0.6 * half_height : half_height)) - half_height,
             request.width, request.height};
 }
 
@@ -43,8 +57,8 @@ public:
 private:
     std::optional<ScreenRect> best_place(const LabelRequest& request) const {
         std::optional<ScreenRect> best;
-        auto least = std::numeric_limits<std::ptrdiff_t>::max();
-        for (double further : {0.0, 0.8, 1.8})
+        auto least = request.is_needed ? std::numeric_limits<std::ptrdiff_t>::max() : most_covered + 1;
+        for (double further : {0.0, 0.8, 1.8, 3.0})
             for (const Place& place : places) {
                 const ScreenRect rect =
                     at_place(request, place, request.clearance + further * request.height);

@@ -32,7 +32,8 @@ struct LabelRequest {
     double width = 0.0, height = 0.0;
     double clearance = 0.0;  ///< distance to keep from the anchor
     int priority = 0;
-    double gap = 0.0;  ///< to the next label on its line: touching ones are read as one
+    double gap = 0.0;        ///< to the next label on its line: touching ones are read as one
+    bool is_needed = false;  ///< whatever it covers
 };
 
 /// From the anchor to a label that stands apart from it.

@@ -1,5 +1,6 @@
 // Numbers and titles of the axes, on those edges of the box that are in front and clear of the scene.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "viz/vtk/overlay.h"
@@ -139,13 +140,18 @@ bool Overlay::paint_title(const AxisEdge& edge, const std::string& title, double
     const auto half_along = [&](double dx, double dy) {
         return (std::abs(dx) * (w + 2 * across) + std::abs(dy) * (h + 2 * upright)) / 2;
     };
-    const double beside = std::max(numbers_reach, px(8)) + half_along(edge.out.x(), edge.out.y());
-    for (const double further : {0.0, h})
-        for (const double part : {0.5, 0.62, 0.38, 0.74, 0.26, 0.88, 0.12})
-            if (put_about((*seen)[0] + part * ((*seen)[1] - (*seen)[0]), beside + further)) return true;
-    // Beyond an end of the axis.
+    const double half = half_along(edge.out.x(), edge.out.y());
+    const double beside = std::max(numbers_reach, px(8)) + half;
+    const auto put_beside = [&](double away) {
+        return std::ranges::any_of(std::array{0.5, 0.62, 0.38, 0.74, 0.26, 0.88, 0.12}, [&](double part) {
+            return put_about((*seen)[0] + part * ((*seen)[1] - (*seen)[0]), away);
+        });
+    };
+    if (put_beside(beside) || put_beside(beside + h)) return true;
+    // Beyond an end of the axis, else on its inner side.
     const double beyond = (px(3) + half_along(edge.out.y(), edge.out.x())) / edge.length;
-    return put_about((*seen)[1] + beyond, 0.0) || put_about((*seen)[0] - beyond, 0.0);
+    return put_about((*seen)[1] + beyond, 0.0) || put_about((*seen)[0] - beyond, 0.0) ||
+           put_beside(-px(4) - half);
 }
 
 }  // namespace covaria::detail

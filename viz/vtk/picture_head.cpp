@@ -7,7 +7,7 @@
 namespace covaria::detail {
 namespace {
 
-constexpr double widest_line = 0.45;  // of a legend, of the width of its picture
+constexpr double widest_line = 0.48;  // of a legend, of the width of its picture
 
 const Mask& letters_of(const Word& word, double ratio, TextMasks& masks) {
     return masks.of(word.text, letter_size * word.scale * ratio, word.bold).letters;

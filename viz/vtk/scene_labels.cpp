@@ -51,6 +51,7 @@ Overlay::PlannedLabel Overlay::planned(const SceneLabel& label) const {
     made.request.clearance = label.clearance / scale + px(is_selected ? 10 : 4);
     made.request.priority = is_selected ? 1000 : label.priority;
     made.request.gap = px(gap);
+    made.request.is_needed = is_selected;
     return made;
 }
 

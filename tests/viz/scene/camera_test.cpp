@@ -254,6 +254,11 @@ TEST(LabelPlacement, CoversWhatIsDrawnOnlyWithoutOtherRoom) {
         EXPECT_EQ(place_labels(requests, {0, 0, 150, 150}, {}, {all, line}), beside) << "covers least";
     }
     EXPECT_TRUE(place_labels(requests, {0, 0, 150, 150}, {}, {all})[0]);
+    const std::vector<ScreenLine> bundle(20, all);
+    EXPECT_FALSE(place_labels(requests, {0, 0, 150, 150}, {}, bundle)[0]) << "no label on a bundle of lines";
+    std::vector<LabelRequest> selected = requests;
+    selected[0].is_needed = true;
+    EXPECT_TRUE(place_labels(selected, {0, 0, 150, 150}, {}, bundle)[0]);
 }
 
 TEST(LabelPlacement, LabelsOnOneLineDoNotTouch) {

@@ -11,6 +11,7 @@
 #include "core/model/has_layout.h"
 #include "viz/scene/analysis_scene.h"
 #include "viz/vtk/overlay.h"
+#include "viz/vtk/scene_renderer.h"
 
 namespace covaria::word_overlap_test {
 namespace {
@@ -49,11 +50,16 @@ std::string view_words(const Scene& scene, const View& view) {
 
 /// Writes the words of a picture and counts those that share pixels, and the axes that are to be seen without
 /// their names.
-void count(const Scene& scene, const View& view, detail::TextMasks& masks, Counts& counts) {
+void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, Counts& counts) {
+    renderer.set_size(view.size.width, view.size.height);
+    renderer.set_pixel_ratio(view.ratio);
+    renderer.set_perspective(view.perspective);
+    renderer.set_view(view.view);
+    const Scene& scene = renderer.scene();
     Image image{view.size.width, view.size.height, {}};
     image.rgba.assign(std::size_t(4) * std::size_t(view.size.width) * std::size_t(view.size.height), 255);
     detail::OverlayView look;
-    look.camera = view_of(bounds_of(scene), view.view, view.size, 50.0 * view.ratio, view.perspective);
+    look.camera = renderer.camera();
     look.ratio = view.ratio;
     detail::Overlay overlay(scene, look, image, masks);
     overlay.paint();
@@ -116,12 +122,14 @@ std::vector<Scene> scenes_of(const fs::path& file) {
 TEST(Words, NoneStandsOnAnotherInAnyExample) {
     Counts counts;
     detail::TextMasks masks;
+    SceneRenderer renderer;
     std::size_t scenes = 0;
     for (const auto& file : fs::directory_iterator(fs::path(COVARIA_SOURCE_DIR) / "projects")) {
         if (file.path().extension() != ".covaria") continue;
         for (const Scene& scene : scenes_of(file.path())) {
             ++scenes;
-            for (const View& view : views()) count(scene, view, masks, counts);
+            renderer.set_scene(scene);
+            for (const View& view : views()) count(renderer, view, masks, counts);
         }
     }
     EXPECT_GE(scenes, 12U);
