@@ -126,7 +126,6 @@ TypesetHeader::TypesetHeader(Qt::Orientation orientation, QWidget* parent)
     : QHeaderView(orientation, parent) {
     setSectionsClickable(true);
     setHighlightSections(false);
-    setTextElideMode(Qt::ElideRight);
     if (const auto* view = qobject_cast<QAbstractScrollArea*>(parent))
         connect(view->horizontalScrollBar(), &QScrollBar::valueChanged, viewport(),
                 qOverload<>(&QWidget::update));
@@ -140,7 +139,13 @@ Text TypesetHeader::text_of(int section) const {
 
 void TypesetHeader::initStyleOptionForIndex(QStyleOptionHeader* option, int section) const {
     QHeaderView::initStyleOptionForIndex(option, section);
-    if (text_of(section).has_scripts()) option->text.clear();
+    if (draws_text(section)) option->text.clear();
+}
+
+bool TypesetHeader::draws_text(int section) const {
+    const bool is_cut = orientation() == Qt::Horizontal &&
+                        sectionViewportPosition(section) + sectionSize(section) > viewport()->width();
+    return is_cut || text_of(section).has_scripts();
 }
 
 void TypesetHeader::paintSection(QPainter* painter, const QRect& whole, int section) const {
@@ -148,8 +153,7 @@ void TypesetHeader::paintSection(QPainter* painter, const QRect& whole, int sect
     painter->save();
     QHeaderView::paintSection(painter, rect, section);
     painter->restore();
-    const Text text = text_of(section);
-    if (!text.has_scripts()) return;
+    if (!draws_text(section)) return;
     QStyleOptionHeaderV2 option;
     initStyleOption(&option);
     initStyleOptionForIndex(&option, section);
@@ -157,7 +161,7 @@ void TypesetHeader::paintSection(QPainter* painter, const QRect& whole, int sect
     const QRect area = style()->subElementRect(QStyle::SE_HeaderLabel, &option, this);
     painter->save();
     painter->setPen(option.palette.color(QPalette::ButtonText));
-    draw_typeset(*painter, text, font(), area, option.textAlignment);
+    draw_typeset(*painter, text_of(section), font(), area, option.textAlignment);
     painter->restore();
 }
 

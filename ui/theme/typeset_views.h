@@ -38,6 +38,8 @@ protected:
 
 private:
     Text text_of(int section) const;
+    /// With scripts, or shortened where the edge of the view cuts it.
+    bool draws_text(int section) const;
 };
 
 /// A combo box with typeset entries, in its list too.
