@@ -153,11 +153,16 @@ TEST_F(Typeset, WhatTheEdgeOfAViewCutsIsDrawnAsIfItEndedThere) {
     const QString number = QStringLiteral("12.5"),
                   words = QStringLiteral("in the middle of a long text, really");
     for (const auto& [text, alignment] : {std::pair(number, Qt::AlignRight), std::pair(words, Qt::AlignLeft)})
-        EXPECT_EQ(cut_column(text, alignment, 400, words), cut_column(text, alignment, 160, words))
-            << to_std(text);
+        EXPECT_EQ(cut_column(text, alignment, 400, {}), cut_column(text, alignment, 160, {})) << to_std(text);
+    const int margin = qApp->style()->pixelMetric(QStyle::PM_HeaderMargin);
+    const Text fits =
+        shortened(running_text(to_std(words)), QHeaderView(Qt::Horizontal).font(), 160 - 2 * margin);
+    EXPECT_TRUE(fits.letters().find("…") != std::string::npos);
+    EXPECT_EQ(cut_column({}, Qt::AlignLeft, 400, words),
+              cut_column({}, Qt::AlignLeft, 400, to_qt(to_unicode(fits))));
     const QString digits = QStringLiteral("123456789012345678901234567890");
-    EXPECT_EQ(cut_column(digits, Qt::AlignRight, 400, number),
-              cut_column(QStringLiteral("…"), Qt::AlignRight, 400, number))
+    EXPECT_EQ(cut_column(digits, Qt::AlignRight, 400, {}),
+              cut_column(QStringLiteral("…"), Qt::AlignRight, 400, {}))
         << "a part of a number is another number";
 }
 
