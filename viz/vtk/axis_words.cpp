@@ -142,16 +142,16 @@ bool Overlay::paint_title(const AxisEdge& edge, const std::string& title, double
     };
     const double half = half_along(edge.out.x(), edge.out.y());
     const double beside = std::max(numbers_reach, px(8)) + half;
-    const auto put_beside = [&](double away) {
-        return std::ranges::any_of(std::array{0.5, 0.62, 0.38, 0.74, 0.26, 0.88, 0.12}, [&](double part) {
-            return put_about((*seen)[0] + part * ((*seen)[1] - (*seen)[0]), away);
-        });
+    const auto put_beside = [&](double part, double away) {
+        return put_about((*seen)[0] + part * ((*seen)[1] - (*seen)[0]), away);
     };
-    if (put_beside(beside) || put_beside(beside + h)) return true;
+    constexpr std::array parts{0.5, 0.62, 0.38, 0.74, 0.26, 0.88, 0.12};
+    for (const double part : parts)
+        if (put_beside(part, beside) || put_beside(part, beside + h / 2)) return true;
     // Beyond an end of the axis, else on its inner side.
     const double beyond = (px(3) + half_along(edge.out.y(), edge.out.x())) / edge.length;
     return put_about((*seen)[1] + beyond, 0.0) || put_about((*seen)[0] - beyond, 0.0) ||
-           put_beside(-px(4) - half);
+           std::ranges::any_of(parts, [&](double part) { return put_beside(part, -px(4) - half); });
 }
 
 }  // namespace covaria::detail

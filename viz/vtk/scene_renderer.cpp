@@ -21,7 +21,7 @@
 namespace covaria {
 namespace {
 
-constexpr double foot_height = 24.0;  // points, of the caption and the scale bar
+constexpr double foot_height = 30.0;  // points, of the caption and the scale bar
 
 }  // namespace
 
