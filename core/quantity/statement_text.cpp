@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/quantity/statement.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 
@@ -404,7 +405,9 @@ std::string statement_text(const TypedStatement& statement, const Unit& row_unit
     for (const Notation& notation : notations()) {
         if (notation.kind != statement.kind) continue;
         const auto in_unit = [&](double figure, const Unit& of) {
-            return number(figure) + (of.text() == "1" ? "" : " " + of.display());
+            const std::string behind = unit_after_number(of);
+            const bool has_space = behind.starts_with("\u00a0");  // one that can be typed
+            return number(figure) + (has_space ? " " + of.display() : behind);
         };
         std::string text = say(notation.words.front());
         for (std::size_t i = 0; i < statement.observations.size(); ++i)

@@ -2,8 +2,10 @@
 
 #include <QGuiApplication>
 #include <QPalette>
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -296,16 +298,21 @@ QVariant BudgetSheetModel::sensitivity(int row, int role) const {
     const double value = of_result.interval_from_si(of_row.interval_to_si(si));
     if (role == exact_role) return value;
     if (role != Qt::DisplayRole) return {};
-    return localized(format_significant(value, 2)) + to_qt(unit_after_number(quotient(of_result, of_row)));
+    return to_qt(grouped_digits(format_significant(value, 2), user_numbers()) +
+                 unit_after_number(quotient(of_result, of_row)));
 }
 
-/// In the row's unit.
+/// In the row's unit, and written out where the estimate beside it is: 0.000 025 as 50.000 623.
 QVariant BudgetSheetModel::uncertainty(int row, int role) const {
     const BudgetComponent& component =
         result_->budget.components[*components_[static_cast<std::size_t>(row)]];
     const double value = component.unit.interval_from_si(component.standard_uncertainty);
     if (role == exact_role) return value;
-    return role == Qt::DisplayRole ? QVariant(localized(format_significant(value, 2))) : QVariant();
+    if (role != Qt::DisplayRole) return {};
+    if (!std::isfinite(value) || value == 0.0) return localized(format_significant(value, 2));
+    const double estimate = std::abs(component.unit.from_si(component.estimate));
+    return to_qt(grouped_digits(format_in_row(value, decimals_for(value, 2), std::max(estimate, value)),
+                                user_numbers()));
 }
 
 QVariant BudgetSheetModel::computed(int row, int section, int role) const {

@@ -173,7 +173,7 @@ TEST(StatementText, ReadsBackWhatIsWritten) {
         if (kind.b_optional) all.push_back({std::string(kind.key), statement.a});
     }
     for (const TypedStatement& statement : all)
-        for (const char* unit : {"nm", "1", "degC", "%", "W/(m*K)"}) {
+        for (const char* unit : {"nm", "1", "arcsec", "degC", "%", "W/(m*K)"}) {
             const std::string text = statement_text(statement, Unit::of(unit), plain);
             EXPECT_EQ(typed(text, Unit::of(unit)), statement) << text;
             TypedStatement milli = statement;

@@ -148,7 +148,7 @@ TEST(StudyPlot, FamilyOfLines) {
     StudyView view{.quantity = 1, .lines = true};
     const PlotSpecification plot = study_plot(sample({3, 8}), view);
     ASSERT_EQ(plot.series.size(), 6u);
-    EXPECT_EQ(to_unicode(plot.series.front().name), "angle = 10 °");
+    EXPECT_EQ(to_unicode(plot.series.front().name), "angle = 10°");
     EXPECT_EQ(to_unicode(plot.series.back().name), "angle = 80°");
     EXPECT_TRUE(plot.y.logarithmic);
 }
