@@ -69,7 +69,7 @@ void add_run_words(Blocks& blocks, const UncertaintyResult& result, const Docume
         if (leaves_out_degrees_of_freedom(result))
             words += " " + in.say(tell<"Components with finite degrees of freedom are drawn from normal "
                                        "distributions, as was chosen: U and k leave these degrees of freedom "
-                                       "out, other than k of the law of propagation (JCGM 100 G.6.4).">());
+                                       "out, unlike k of the law of propagation (JCGM 100 G.6.4).">());
         if (!represents_measurand(result))
             words += " " + in.say(tell<"This result does not represent the measurand: %1 trials, more than "
                                        "1 %, have no value.">(count_text(result.failed_trials, numbers)));

@@ -119,7 +119,7 @@ struct BudgetComponent {
 struct UncertaintyBudget {
     std::vector<BudgetComponent> components;
     std::vector<std::vector<BudgetRow>>
-        rows;  ///< [output][...]; components with zero sensitivity are left out
+        rows;  ///< [output][...]; without zero sensitivities, unless few components have no other
 };
 
 /// What remains when everything that one contributor brings in is held ("ideal robot"), and what it gives

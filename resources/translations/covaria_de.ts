@@ -11095,7 +11095,7 @@
         <translation>Werte aus der Fortpflanzung von Verteilungen (JCGM 101) mit %1 Versuchen; das Intervall ist wahrscheinlichkeitssymmetrisch, das kürzeste steht daneben. Die effektiven Freiheitsgrade sind die des Fortpflanzungsgesetzes.</translation>
     </message>
     <message>
-        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, other than k of the law of propagation (JCGM 100 G.6.4).</source>
+        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, unlike k of the law of propagation (JCGM 100 G.6.4).</source>
         <translation>Komponenten mit endlichen Freiheitsgraden werden wie gewählt aus Normalverteilungen gezogen: U und k berücksichtigen diese Freiheitsgrade nicht, anders als k nach dem Fortpflanzungsgesetz (JCGM 100 G.6.4).</translation>
     </message>
     <message>

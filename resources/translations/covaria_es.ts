@@ -11095,7 +11095,7 @@
         <translation>Valores de la propagación de distribuciones (JCGM 101) con %1 pruebas; el intervalo es probabilísticamente simétrico, con el más corto al lado. Los grados efectivos de libertad son los de la ley de propagación.</translation>
     </message>
     <message>
-        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, other than k of the law of propagation (JCGM 100 G.6.4).</source>
+        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, unlike k of the law of propagation (JCGM 100 G.6.4).</source>
         <translation>Las componentes con grados de libertad finitos se extraen de distribuciones normales, como se eligió: U y k no tienen en cuenta esos grados de libertad, a diferencia de la k de la ley de propagación (JCGM 100 G.6.4).</translation>
     </message>
     <message>

@@ -11094,7 +11094,7 @@
         <translation>시행 %1회의 분포 전파(JCGM 101)에 의한 값. 구간은 확률적으로 대칭이며 그 옆은 최단 구간입니다. 유효자유도는 전파 법칙의 것입니다.</translation>
     </message>
     <message>
-        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, other than k of the law of propagation (JCGM 100 G.6.4).</source>
+        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, unlike k of the law of propagation (JCGM 100 G.6.4).</source>
         <translation>선택한 대로 유한한 자유도를 가진 성분은 정규분포에서 추출됩니다. 전파 법칙의 k(JCGM 100 G.6.4)와 달리 U와 k에는 이 자유도가 반영되지 않습니다.</translation>
     </message>
     <message>

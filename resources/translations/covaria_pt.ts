@@ -11095,7 +11095,7 @@
         <translation>Valores da propagação de distribuições (JCGM 101) com %1 ensaios; o intervalo é probabilisticamente simétrico, com o mais curto ao lado. Os graus de liberdade efetivos são os da lei de propagação.</translation>
     </message>
     <message>
-        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, other than k of the law of propagation (JCGM 100 G.6.4).</source>
+        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, unlike k of the law of propagation (JCGM 100 G.6.4).</source>
         <translation>As componentes com graus de liberdade finitos são sorteadas de distribuições normais, como foi escolhido: U e k não levam em conta esses graus de liberdade, ao contrário do k da lei de propagação (JCGM 100 G.6.4).</translation>
     </message>
     <message>

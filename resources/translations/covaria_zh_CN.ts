@@ -11094,7 +11094,7 @@
         <translation>由分布传播（JCGM 101）以 %1 次试验得出的值；区间是概率对称的，旁边是最短区间。有效自由度是传播律的。</translation>
     </message>
     <message>
-        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, other than k of the law of propagation (JCGM 100 G.6.4).</source>
+        <source>Components with finite degrees of freedom are drawn from normal distributions, as was chosen: U and k leave these degrees of freedom out, unlike k of the law of propagation (JCGM 100 G.6.4).</source>
         <translation>按所选设置，自由度有限的分量从正态分布抽样：U 与 k 未计入这些自由度，与传播律的 k（JCGM 100 G.6.4）不同。</translation>
     </message>
     <message>
