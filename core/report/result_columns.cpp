@@ -126,7 +126,8 @@ private:
                                                              "u first order",
                                                              "U first order"};
         for (Column& column : table_.columns)
-            if (line.contains(column.key)) column.of_row({"estimate", "u", "U"});
+            if (line.contains(column.key))
+                column.of_row({"estimate", "u", "U", "interval low", "interval high"});
     }
 
     using Cells = std::function<Cell(std::size_t)>;

@@ -24,6 +24,7 @@ PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWid
     const std::array<QString, 3> axes{"x", "y", "z"};
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setHorizontalSpacing(3);  // six numbers are wide
     for (std::size_t i = 0; i < edits_.size(); ++i) {
         auto* edit = edits_[i] = new QuantityEdit(this);
         keep_letters(*edit, letters);

@@ -10,9 +10,8 @@ namespace covaria {
 namespace {
 
 // Of the size it would have in the whole picture. A long scene, which fills the width of a picture that is
-// not much wider than high, needs 0.7 to pass below a legend of six lines; in a small pane of the window,
-// 0.6.
-constexpr double smallest = 0.55;
+// not much wider than high, needs 0.7 to pass below a legend of six lines.
+constexpr double smallest = 0.65;
 constexpr double step = 6.0;  // pixels
 
 /// Of a projected box, and how far it reaches.

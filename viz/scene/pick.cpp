@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace covaria {
 namespace {
@@ -41,20 +42,20 @@ private:
     Ray ray_;
 };
 
-/// Keeps the nearest of the best rank.
+/// Of the best rank what the pixel lies on or least beside, then what is nearest to the eye.
 class Best {
 public:
-    void offer(int rank, double depth, const std::string& id) {
-        if (rank > rank_ || (rank == rank_ && depth >= depth_ && id_)) return;
-        rank_ = rank;
-        depth_ = depth;
+    /// `aside`: pixels from the pixel to what is drawn of the item.
+    void offer(int rank, double aside, double depth, const std::string& id) {
+        const std::tuple place{rank, std::max(0.0, aside), depth};
+        if (id_ && place >= place_) return;
+        place_ = place;
         id_ = id;
     }
     const std::optional<std::string>& id() const { return id_; }
 
 private:
-    int rank_ = 1000;
-    double depth_ = 0.0;
+    std::tuple<int, double, double> place_;
     std::optional<std::string> id_;
 };
 
@@ -93,9 +94,9 @@ void offer_bodies(const Scene& scene, const View& view, Best& best) {
     for (const SceneBody& body : scene.bodies) {
         if (body.outline.empty()) {
             if (view.offset(body.item.position).norm() <= view.pixels(body.size / 2, body.item.position))
-                best.offer(4, view.depth(body.item.position), body.item.id);
+                best.offer(4, 0.0, view.depth(body.item.position), body.item.id);
         } else if (inside(view, body.outline)) {
-            best.offer(6, depth_in_plane(view, body), body.item.id);
+            best.offer(6, 0.0, depth_in_plane(view, body), body.item.id);
         }
     }
 }
@@ -130,40 +131,42 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
     const View view(camera, size, pixel);
     Best best;
     if (shown(Layer::points))
-        for (const ScenePoint& point : scene.points)
-            if (view.offset(point.item.position).norm() <=
-                std::max(reach, view.pixels(point.radius, point.item.position)))
-                best.offer(0, view.depth(point.item.position), point.item.id);
+        for (const ScenePoint& point : scene.points) {
+            const double away = view.offset(point.item.position).norm(),
+                         radius = view.pixels(point.radius, point.item.position);
+            if (away <= std::max(reach, radius))
+                best.offer(0, away - radius, view.depth(point.item.position), point.item.id);
+        }
     if (shown(Layer::frames))
         for (const SceneFrame& frame : scene.frames) {
-            if (view.offset(frame.item.position).norm() <= reach)
-                best.offer(1, view.depth(frame.item.position), frame.item.id);
+            if (const double away = view.offset(frame.item.position).norm(); away <= reach)
+                best.offer(1, away, view.depth(frame.item.position), frame.item.id);
             for (int i = 0; i < 3; ++i) {
                 const auto [away, depth] = view.to_segment(
                     frame.item.position, frame.item.position + frame.length * frame.R_WF.col(i));
-                if (away <= reach / 2) best.offer(2, depth, frame.item.id);
+                if (away <= reach / 2) best.offer(2, away, depth, frame.item.id);
             }
         }
     if (shown(Layer::vectors))
         for (const SceneVector& vector : scene.vectors) {
             const auto [away, depth] =
                 view.to_segment(vector.item.position, vector.item.position + vector.arrow);
-            if (away <= std::max(reach, view.pixels(vector.radius, vector.item.position)))
-                best.offer(2, depth, vector.item.id);
+            const double radius = view.pixels(vector.radius, vector.item.position);
+            if (away <= std::max(reach, radius)) best.offer(2, away - radius, depth, vector.item.id);
         }
     if (shown(Layer::ellipsoids))
         for (const SceneEllipsoid& ellipsoid : scene.ellipsoids)
-            if (const auto depth = enters(view, ellipsoid)) best.offer(3, *depth, ellipsoid.item.id);
+            if (const auto depth = enters(view, ellipsoid)) best.offer(3, 0.0, *depth, ellipsoid.item.id);
     if (shown(Layer::links))
         for (const SceneLink& link : scene.links) {
             const auto [away, depth] = view.to_segment(link.from, link.to);
-            if (away <= std::max(reach / 2, view.pixels(link.radius, link.item.position)))
-                best.offer(5, depth, link.item.id);
+            const double radius = view.pixels(link.radius, link.item.position);
+            if (away <= std::max(reach / 2, radius)) best.offer(5, away - radius, depth, link.item.id);
         }
     if (shown(Layer::bodies)) offer_bodies(scene, view, best);
     if (!best.id() && shown(Layer::meshes))
         for (const SceneMesh& mesh : scene.meshes)
-            if (const auto depth = meets(view, mesh)) best.offer(7, *depth, mesh.item.id);
+            if (const auto depth = meets(view, mesh)) best.offer(7, 0.0, *depth, mesh.item.id);
     return best.id();
 }
 

@@ -7,7 +7,7 @@
 namespace covaria::detail {
 namespace {
 
-constexpr double widest_line = 0.48;  // of a legend, of the width of its picture
+constexpr double widest_line = 0.42;  // of a legend, of the width of its picture
 
 const Mask& letters_of(const Word& word, double ratio, TextMasks& masks) {
     return masks.of(word.text, letter_size * word.scale * ratio, word.bold).letters;
@@ -31,13 +31,19 @@ std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& laye
     }
     if (!layers[Layer::legend]) return lines;
     y += 6 * ratio;
+    const auto word_of = [](const LegendLine& line) {
+        return Word{line.text, Role::quiet_text, false, 0.92};
+    };
+    const auto is_wide = [&](const LegendLine& line) {
+        return indent + letters_of(word_of(line), ratio, masks).width > widest_line * width;
+    };
+    // A small picture has no room beside the scene; the caption says what matters most, but of no arrow.
+    const bool is_small = std::ranges::any_of(scene.legend, is_wide);
     for (const LegendLine& line : scene.legend) {
-        const Word word{line.text, Role::quiet_text, false, 0.92};
-        const Mask& letters = letters_of(word, ratio, masks);
-        // A small picture has no room beside the scene; the caption says what matters most.
-        if (indent + letters.width > widest_line * width) continue;
+        if (is_small && (line.mark != LegendMark::arrow || is_wide(line))) continue;
+        const Word word = word_of(line);
         lines.push_back({word, x + (line.mark == LegendMark::none ? 0.0 : indent), y, &line});
-        y += letters.height + gap;
+        y += letters_of(word, ratio, masks).height + gap;
     }
     return lines;
 }

@@ -26,7 +26,8 @@ struct HeadLine {
     const LegendLine* legend = nullptr;
 };
 
-/// Lives as long as `scene`. Lines of the legend too long for a picture of this width in pixels are left out.
+/// Lives as long as `scene`. Of a legend too wide for a picture of this width in pixels only its arrows are
+/// left.
 std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& layers, double ratio, int width,
                                  TextMasks& masks);
 /// Of the legend's lines with their ground; of no width without any.

@@ -182,10 +182,12 @@ TEST(SharedDecimals, OfObservationsAreThoseOfTheSeries) {
 }
 
 TEST(SharedDecimals, OfAColumnWithAUnitAreOneForAll) {
-    FieldSpec field{"points", "Points", FieldKind::table, "Nominal points."};
+    FieldSpec field{"points", "Points", FieldKind::table, "Measured points."};
     field.columns = {{"x", "x", FieldKind::number, Unit::of("mm")}, {"weight", "weight"}};
     SetupTable table;
     for (const double x : {25.503, 26.01, -3.0}) table.rows.push_back({x, x});
+    EXPECT_TRUE(shared_decimals(field, table, 0).empty()) << "nominal points are as they were typed";
+    field.measured = true;
     EXPECT_EQ(shared_decimals(field, table, 0), (std::vector<int>{3, 3, 3}));
     EXPECT_TRUE(shared_decimals(field, table, 1).empty());
     table.rows.push_back({1.23456789, 1.0});

@@ -121,8 +121,10 @@ TEST_F(ResultsSession, ADotOfTheCloudTellsItsInputs) {
         return QPointF(at.x, at.y) / view.devicePixelRatioF();
     };
     std::size_t clicked = 0;  // not all: where the point itself is meant there is no trial
-    for (; clicked < cloud->size() && !view.picked_trial(); clicked += 97)
+    for (; clicked < cloud->size() && !view.picked_trial(); clicked += 97) {
         QTest::mouseClick(&view, Qt::LeftButton, {}, pixel_of(clicked).toPoint());
+        settle();  // one click after the other
+    }
     ASSERT_TRUE(view.picked_trial().has_value());
     const auto of_cloud = std::find(cloud->trials.begin(), cloud->trials.end(), *view.picked_trial());
     if (of_cloud != cloud->trials.end()) {

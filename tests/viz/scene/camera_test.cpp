@@ -210,6 +210,16 @@ TEST(Pick, FindsEachPointUnderItsPixel) {
     EXPECT_EQ(pick_item(scene, camera, size, {3, 3}, everything), std::nullopt);
 }
 
+/// Points that stand close in a small picture: A was taken for B, for it is nearer to the eye.
+TEST(Pick, OfPointsWithinReachTheOneThatThePointerIsOn) {
+    const Scene scene = stewart();
+    const Camera far = zoomed(iso(), 0.1);
+    for (const char* id : {"point:b1", "point:b2", "point:b3", "point:p1", "point:p2", "point:p3"}) {
+        const Pixel at = project(far, size, find_item(scene, id)->position);
+        EXPECT_EQ(pick_item(scene, far, size, at, everything, 40.0).value_or(""), id);
+    }
+}
+
 TEST(Pick, PlatesEllipsoidsAndHiddenLayers) {
     const Scene scene = stewart();
     const Camera top = view_of(bounds_of(scene), StandardView::top, size);
