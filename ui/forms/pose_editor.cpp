@@ -24,10 +24,11 @@ PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWid
     const std::array<QString, 3> axes{"x", "y", "z"};
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setHorizontalSpacing(3);  // six numbers are wide
+    layout->setHorizontalSpacing(4);  // six numbers are wide
     for (std::size_t i = 0; i < edits_.size(); ++i) {
         auto* edit = edits_[i] = new QuantityEdit(this);
         keep_letters(*edit, letters);
+        edit->setTextMargins(-1, 0, -1, 0);
         edit->set_keeps_unit(false);
         edit->set_optional(false);
         edit->set_help(help_text(field));

@@ -56,13 +56,14 @@ TEST_F(ResultsSession, ABarAndARowOfTheBudgetLeadToTheirSource) {
 
 /// Where its chart can spare the room, the budget does not scroll sideways; a handle that was moved stays.
 TEST_F(ResultsSession, TheBudgetTakesTheRoomThatItsChartCanSpare) {
-    window_->resize(1900, 1000);
+    window_->resize(1920, 1000);
     open(project_copy(QStringLiteral("ballbar-design")));
     select(SetupOwner::analysis, "points");
     ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
     window_->results().tabs().setCurrentIndex(1);
     SortableTable& budget = window_->results().budget_table();
-    ASSERT_TRUE(wait_for([&] { return budget.horizontalScrollBar()->maximum() == 0; }, 3000));
+    ASSERT_TRUE(wait_for([&] { return budget.horizontalScrollBar()->maximum() == 0; }, 3000))
+        << budget.horizontalScrollBar()->maximum() << " pixels are missing";
     settle();
     auto* chart = window_->findChild<ChartView*>(QStringLiteral("contributions_chart"));
     EXPECT_GE(chart->width(), 320);
