@@ -9,7 +9,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int least_chart = 320;  ///< in which marks and their labels can be read
+constexpr int least_chart = 310;  ///< in which marks and their labels can be read
 
 QSplitter* parted(Qt::Orientation orientation, QWidget* first, QWidget* second, int first_part,
                   int second_part) {
