@@ -9,7 +9,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int least_chart = 310;  ///< in which marks and their labels can be read
+constexpr int least_chart = 320;  ///< in which marks and their labels can be read
 
 QSplitter* parted(Qt::Orientation orientation, QWidget* first, QWidget* second, int first_part,
                   int second_part) {
@@ -44,7 +44,7 @@ void widen(QSplitter& splitter, QAbstractScrollArea& view) {
     const qsizetype other = 1 - own;
     if (sizes[other] == 0) return;
     const int all = sizes[0] + sizes[1];
-    const int kept = along == Qt::Horizontal ? std::max(least_chart, all / 4) : all / 2;
+    const int kept = along == Qt::Horizontal ? std::max(least_chart, all / 5) : all / 2;
     const int more = std::min(missing, sizes[other] - kept);
     if (more <= 0) return;
     sizes[own] += more;

@@ -66,7 +66,7 @@ TEST_F(ResultsSession, TheBudgetTakesTheRoomThatItsChartCanSpare) {
         << budget.horizontalScrollBar()->maximum() << " pixels are missing";
     settle();
     auto* chart = window_->findChild<ChartView*>(QStringLiteral("contributions_chart"));
-    EXPECT_GE(chart->width(), 310);
+    EXPECT_GE(chart->width(), 320);
     EXPECT_GT(budget.width(), 3 * chart->width() / 2) << "more than it has by itself";
     auto* splitter = qobject_cast<QSplitter*>(budget.parentWidget());
     ASSERT_NE(splitter, nullptr);
