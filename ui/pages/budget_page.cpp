@@ -155,10 +155,12 @@ void BudgetPage::take_result() {
     if (!status.result) return;
     const QString said = status.is_of_present() ? result_words(status) : reservation(status);
     const QString correlated = status.prepared ? correlation_words(*status.prepared) : QString();
-    lines_->setText(lines_of(*status.result) +
+    QString lines = lines_of(*status.result) +
                     (correlated.isEmpty() ? QString() : QStringLiteral("<br>") + correlated) +
                     QStringLiteral("<br><small>") + said.toHtmlEscaped() + first_order_words(*status.result) +
-                    QStringLiteral("</small>"));
+                    QStringLiteral("</small>");
+    // A label breaks a number between its groups, but at no such space.
+    lines_->setText(lines.replace(QChar(0x202f), QChar(QChar::Nbsp)));
 }
 
 std::set<int> BudgetPage::selected_rows() const {

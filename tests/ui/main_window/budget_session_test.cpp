@@ -135,6 +135,7 @@ TEST_F(BudgetSession, GaugeBlockFromNothingToPdfInTwentyActions) {
     EXPECT_TRUE(lines.text().contains(QString::fromUtf8("±"))) << lines.text().toStdString();
     EXPECT_TRUE(lines.text().contains(QString::fromUtf8("\u00a0=\u00a00.9<")))
         << "the correlation is said, too";
+    EXPECT_FALSE(lines.text().contains(QChar(0x202f))) << "a label breaks numbers there";
     settle();
     keep_picture(QStringLiteral("budget.png"));
     const QString pdf = folder_.filePath(QStringLiteral("gauge.pdf"));
