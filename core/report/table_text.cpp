@@ -95,8 +95,17 @@ int decimals_of_column(const DataTable& table, std::size_t column) {
     const bool are_deviations = head.digits > 0 && smallest < 0.0;
     if (numbers.empty() || (head.digits > 0 && !are_deviations)) return -1;
     int decimals = are_deviations ? -1 : common_decimals(numbers);
-    if (decimals < 0 && largest > 0.0)
+    if (decimals < 0 && largest > 0.0) {
         decimals = std::max(0, decimals_for(largest, are_deviations ? head.digits : computed_digits));
+        // 21.521 degC is computed, too: in K it is another number.
+        const auto has_no_more = [&](int fewer) {
+            return std::ranges::all_of(numbers, [fewer, step = std::pow(10.0, -decimals)](double number) {
+                const double part = number * std::pow(10.0, fewer);
+                return std::abs(part - std::round(part)) < 0.5 * step * std::pow(10.0, fewer);
+            });
+        };
+        while (!are_deviations && decimals > 0 && has_no_more(decimals - 1)) --decimals;
+    }
     const bool is_lost = std::ranges::any_of(numbers, [step = std::pow(10.0, -decimals)](double number) {
         return number != 0.0 && std::abs(number) < 0.5 * step;
     });

@@ -21,7 +21,8 @@ std::string text_at(const std::vector<SetupCell>& row, std::size_t column) {
 std::vector<int> shared_decimals(const FieldSpec& field, const SetupTable& table, std::size_t column) {
     if (column >= field.columns.size()) return {};
     const bool observed = field.columns[column].observed,
-               of_one_kind = field.measured && !(field.columns[column].unit == Unit{});
+               of_one_kind = field.measured && field.columns[column].kind == FieldKind::number &&
+                             SetupSchema::column(field, "unit") >= field.columns.size();
     if (!observed && !of_one_kind) return {};
     const std::size_t quantity = SetupSchema::column(field, "quantity"),
                       series = SetupSchema::column(field, "series");

@@ -11,7 +11,8 @@
 namespace covaria {
 
 /// Of the number in each row, as `common_decimals` has them: of observations those of one series, of a column
-/// with a unit in a table of what was measured all. Empty for others: what was chosen stays as it was typed.
+/// in a table of what was measured all, where its rows have no units of their own. Empty for others: what was
+/// chosen stays as it was typed.
 std::vector<int> shared_decimals(const FieldSpec& field, const SetupTable& table, std::size_t column);
 
 }  // namespace covaria

@@ -5,6 +5,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
+#include <set>
 
 #include "ui/theme/strings.h"
 
@@ -47,17 +48,6 @@ double text_width(const Text& text, const QFont& font) {
     return LabelText(text, font).width();
 }
 
-namespace {
-
-/// Between digits, where the ones that remain would be another number.
-bool is_in_number(const std::string& letters, std::size_t at) {
-    static const std::string of_number = "0123456789.,\u202f";  // the bytes of the space between groups, too
-    const auto belongs = [&](std::size_t i) { return of_number.find(letters[i]) != std::string::npos; };
-    return at > 0 && at < letters.size() && belongs(at - 1) && belongs(at);
-}
-
-}  // namespace
-
 Text shortened(const Text& text, const QFont& font, double width) {
     if (text.empty() || text_width(text, font) <= width) return text;
     const std::string letters = text.letters();
@@ -65,14 +55,26 @@ Text shortened(const Text& text, const QFont& font, double width) {
     for (std::size_t at = 0; at < letters.size();
          at += character_length(std::string_view(letters).substr(at)))
         begins.push_back(at);
-    const auto with = [&](std::size_t kept) {
-        const std::size_t after = kept / 2, before = kept - after;
-        std::size_t until = begins[before], from = after > 0 ? begins[begins.size() - after] : letters.size();
-        while (is_in_number(letters, until)) --until;
-        while (is_in_number(letters, from)) ++from;
-        return text.part(0, until) + "…" + text.part(from);
+    begins.push_back(letters.size());
+    // The digits that remain of a number would be another one.
+    const auto is_of_number = [&](std::size_t character) {
+        static const std::set<std::string, std::less<>> known{
+            "0", "1", "2", "3", "4", "5", "6", "7", "8", "9", ".", ",", "\u202f",
+            "−", "×", "⁻", "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+        const std::size_t begin = begins[character];
+        return known.contains(std::string_view(letters).substr(begin, begins[character + 1] - begin));
     };
-    std::size_t most = 0, too_many = begins.size();
+    const std::size_t count = begins.size() - 1;
+    const auto is_in_number = [&](std::size_t character) {
+        return character > 0 && character < count && is_of_number(character - 1) && is_of_number(character);
+    };
+    const auto with = [&](std::size_t kept) {
+        std::size_t until = kept - kept / 2, from = count - kept / 2;
+        while (is_in_number(until)) --until;
+        while (is_in_number(from)) ++from;
+        return text.part(0, begins[until]) + "…" + text.part(begins[from]);
+    };
+    std::size_t most = 0, too_many = count;
     while (most + 1 < too_many) {
         const std::size_t middle = (most + too_many) / 2;
         (text_width(with(middle), font) <= width ? most : too_many) = middle;

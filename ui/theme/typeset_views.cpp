@@ -83,10 +83,10 @@ void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     QStyleOptionViewItem cell(option);
     initStyleOption(&cell, index);
     Text text = text_from(index.data(typeset_role), cell.text);
-    const QRect whole = std::exchange(cell.rect, seen_part(cell.rect, cell.widget));
+    cell.rect = seen_part(cell.rect, cell.widget);
     // The digits that remain of a number would be another one.
     const bool is_number = cell.displayAlignment & Qt::AlignRight;
-    if (cell.rect != whole && is_number && !cell.text.isEmpty() &&
+    if (is_number && !cell.text.isEmpty() &&
         text_width(text, cell.font) + text_margins(cell) > cell.rect.width()) {
         cell.text = QStringLiteral("…");
         text = Text("…");

@@ -195,6 +195,14 @@ TEST(ReadTable, ComputedNumbersAndDeviationsOfAColumnShareTheirDecimals) {
     EXPECT_EQ(cell_text(block, 1, 3), "1e-07") << "nothing is lost";
 }
 
+TEST(ReadTable, ATemperatureHasNoMoreDecimalsThanWereRead) {
+    DataTable table{"t", "T", {{.header = "t", .unit = Unit::of("degC")}}, {}, {}};
+    for (const double t : {21.521, 22.012, 26.01}) table.rows.push_back({Unit::of("degC").to_si(t)});
+    const TableBlock block = read_table(table, {});
+    EXPECT_EQ(cell_text(block, 0, 0), "21.521");
+    EXPECT_EQ(cell_text(block, 2, 0), "26.010");
+}
+
 TEST(Report, BudgetsAreShownInFullForTheGroupWithTheLargestUncertainties) {
     const ReportDocument document = test::sample_report();
     int budgets = 0;

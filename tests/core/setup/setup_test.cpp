@@ -181,9 +181,9 @@ TEST(SharedDecimals, OfObservationsAreThoseOfTheSeries) {
     EXPECT_TRUE(shared_decimals(field, table, 0).empty());
 }
 
-TEST(SharedDecimals, OfAColumnWithAUnitAreOneForAll) {
+TEST(SharedDecimals, OfAMeasuredColumnAreOneForAll) {
     FieldSpec field{"points", "Points", FieldKind::table, "Measured points."};
-    field.columns = {{"x", "x", FieldKind::number, Unit::of("mm")}, {"weight", "weight"}};
+    field.columns = {{"x", "x", FieldKind::number, Unit::of("mm")}, {"n", "n", FieldKind::integer}};
     SetupTable table;
     for (const double x : {25.503, 26.01, -3.0}) table.rows.push_back({x, x});
     EXPECT_TRUE(shared_decimals(field, table, 0).empty()) << "nominal points are as they were typed";

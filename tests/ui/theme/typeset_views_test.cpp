@@ -213,6 +213,18 @@ TEST(Shortened, ANumberIsWholeOrNotThere) {
     }
 }
 
+TEST(Shortened, CharactersStayWhole) {
+    const QFont font = QApplication::font();
+    const Text whole = "a 5–10 mm, 6.1×10⁻⁵, −5 一12";
+    for (double part = 0.05; part < 1.0; part += 0.01) {
+        const std::string shown = shortened(whole, font, part * text_width(whole, font)).letters();
+        EXPECT_FALSE(QString::fromStdString(shown).contains(QChar(QChar::ReplacementCharacter))) << shown;
+        EXPECT_EQ(shown.find("10⁻") != std::string::npos || shown.find("⁵") != std::string::npos,
+                  shown.find("6.1×10⁻⁵") != std::string::npos)
+            << shown;
+    }
+}
+
 TEST(Shortened, LabelsThatWouldLookAlikeAreCutWhereTheyAreAlike) {
     const QFont font = QApplication::font();
     const std::vector<Text> names{"d, comparator, random effects", "d, comparator, systematic effects",
