@@ -63,6 +63,20 @@ std::vector<bool> begin_quantities(const UncertaintyResult& result, const std::v
     return begin;
 }
 
+void add_estimate(Table& table, const UncertaintyResult& result,
+                  const std::shared_ptr<const std::vector<BudgetPlace>>& places,
+                  const NumberLocale& numbers) {
+    table
+        .add("estimate",
+             [&result, places, numbers, begin = begin_quantities(result, *places)](std::size_t i) -> Cell {
+                 const BudgetRow& row = result.budget.rows[(*places)[i].output][(*places)[i].row];
+                 return begin[i] ? estimate_cell(result.budget.components[row.component], numbers) : Cell();
+             })
+        .print_symbol("x_i")
+        .round({.match = "u", .input = true})
+        .not_in_files();
+}
+
 Cell interval(double si, const Unit& unit) {
     return Measured{si, Scale::interval, unit, {}};
 }
@@ -168,16 +182,7 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
     add("unit", [](L l) -> Cell { return unit_of(l.component); })
         .print("Unit")
         .window("Unit", "Of the component's u");
-    table
-        .add("estimate",
-             [&result, places, begin = begin_quantities(result, *places),
-              numbers = language.numbers()](std::size_t i) -> Cell {
-                 const BudgetRow& row = result.budget.rows[(*places)[i].output][(*places)[i].row];
-                 return begin[i] ? estimate_cell(result.budget.components[row.component], numbers) : Cell();
-             })
-        .print_symbol("x_i")
-        .round({.match = "u", .input = true})
-        .not_in_files();
+    add_estimate(table, result, places, language.numbers());
     add("u", [](L l) { return interval(l.component.standard_uncertainty, unit_of(l.component)); })
         .print_symbol("u(x_i)")
         .window("u", "Standard uncertainty of the component")
