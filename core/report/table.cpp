@@ -26,6 +26,10 @@ TableCell file_cell(const Cell& cell, const DisplayUnits& units) {
     return {};
 }
 
+double as_headed(const NumberRule& rule, double value) {
+    return rule.percent ? 100.0 * value : value;
+}
+
 }  // namespace
 
 Unit quotient(const Unit& of, const Unit& per) {
@@ -78,6 +82,12 @@ std::optional<double> number_in(const Cell& cell, const DisplayUnits& units) {
     return number ? std::optional(number->in(units).value) : std::nullopt;
 }
 
+std::optional<double> exact_number(const Column& column, std::size_t row, const DisplayUnits& units) {
+    std::optional<double> number = number_in(column.cell(row), units);
+    if (number) *number = as_headed(column.rule, *number);
+    return number;
+}
+
 bool is_numeric(const Column& column) {
     const NumberRule& rule = column.rule;
     return rule.digits > 0 || rule.decimals >= 0 || !rule.match.empty() || rule.typed ||
@@ -127,7 +137,7 @@ NumberForm form_of(const Table& table, const Column& column, const DisplayUnits&
 std::string format_by(const NumberRule& rule, double value, const NumberPlace& place) {
     const std::optional<double>& other = place.other;
     if (rule.degrees_of_freedom) return format_degrees_of_freedom(value);
-    if (rule.percent) value *= 100.0;
+    value = as_headed(rule, value);
     if (rule.of_limit) return format_part_of_limit(value, rule.decimals);
     if (rule.decimals >= 0) return format_decimals(value, rule.decimals);
     const bool matches = other && !rule.input && std::isfinite(*other) && *other != 0.0;

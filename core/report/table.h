@@ -133,6 +133,8 @@ struct NumberPlace {
 std::string format_by(const NumberRule& rule, double value, const NumberPlace& place = {});
 /// A number as a view shows it; nothing for other cells.
 std::optional<double> number_in(const Cell& cell, const DisplayUnits& units = {});
+/// Likewise with all its digits, for programs: in the unit, or in per cent, that the head says.
+std::optional<double> exact_number(const Column& column, std::size_t row, const DisplayUnits& units = {});
 bool is_numeric(const Column& column);
 /// Of a matched column: the number that decides the decimals of this cell.
 std::optional<double> matched_to(const Table& table, const Column& column, std::size_t row,

@@ -310,9 +310,8 @@ QVariant BudgetSheetModel::uncertainty(int row, int role) const {
     if (role == exact_role) return value;
     if (role != Qt::DisplayRole) return {};
     if (!std::isfinite(value) || value == 0.0) return localized(format_significant(value, 2));
-    const double estimate = std::abs(component.unit.from_si(component.estimate));
-    return to_qt(grouped_digits(format_in_row(value, decimals_for(value, 2), std::max(estimate, value)),
-                                user_numbers()));
+    const double largest = std::max(value, std::abs(component.unit.from_si(component.estimate)));
+    return to_qt(grouped_digits(format_in_row(value, decimals_for(value, 2), largest), user_numbers()));
 }
 
 QVariant BudgetSheetModel::computed(int row, int section, int role) const {
@@ -344,7 +343,7 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     if (lines_[at]) {
         const Column& of = budget_[key];
         if (role == exact_role) {
-            const auto number = number_in(of.cell(*lines_[at]), view.units);
+            const auto number = exact_number(of, *lines_[at], view.units);
             return number ? QVariant(*number) : QVariant();
         }
         if (role == Qt::DisplayRole) return to_qt(to_unicode(cell_shown(budget_, of, *lines_[at], view)));
@@ -468,7 +467,12 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
     cells[column("a")] = number(read->a);
     cells[column("b")] = number(read->b);
     cells[column("stated_unit")] = {to_qt(read->unit)};
-    if (read->degrees_of_freedom) cells[column("nu")] = number(read->degrees_of_freedom);
+    // Those of another kind of statement, or of another certificate, are not its own.
+    const std::string before = text_at(row, "statement");
+    const bool is_another =
+        !before.empty() &&
+        (read->kind != before || (read->kind.starts_with("certificate") && read->b != number_at(row, "b")));
+    if (read->degrees_of_freedom || is_another) cells[column("nu")] = number(read->degrees_of_freedom);
     return cells;
 }
 

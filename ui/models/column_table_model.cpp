@@ -51,7 +51,7 @@ QVariant ColumnTableModel::data(const QModelIndex& index, int role) const {
             if (std::holds_alternative<std::string>(of.cell(row))) return {};
             return QVariant::fromValue(shown(of, row));
         case exact_role: {
-            const auto number = number_in(of.cell(row), view_.units);
+            const auto number = exact_number(of, row, view_.units);
             return number ? QVariant(*number) : QVariant();
         }
         case Qt::TextAlignmentRole:

@@ -93,7 +93,7 @@ TEST_F(BudgetSheetModelTest, IsTypedFromNothing) {
     EXPECT_EQ(text(1, Section::type), QStringLiteral("B"));
     EXPECT_EQ(text(1, Section::stated), QString::fromUtf8("U = 0.0194 µm, k = 2"));
     const double share = model->index(0, Section::share).data(exact_role).toDouble();
-    EXPECT_NEAR(share, 25.0 * 25.0 / (25.0 * 25.0 + 9.7 * 9.7), 1e-12);
+    EXPECT_NEAR(share, 100.0 * 25.0 * 25.0 / (25.0 * 25.0 + 9.7 * 9.7), 1e-10) << "in % as the head says";
 }
 
 TEST_F(BudgetSheetModelTest, AListIsTheObservationsOfItsRow) {
@@ -248,6 +248,22 @@ TEST_F(BudgetSheetModelTest, AListGivesItsRowTheUnit) {
 }
 
 /// So that what a target needs can be typed as it is said.
+/// Those of the certificate before stayed without a word, and of a rectangular distribution, too.
+TEST_F(BudgetSheetModelTest, AnotherStatementDoesNotKeepTheDegreesOfFreedom) {
+    type(0, Section::symbol, "l_S");
+    type(0, Section::estimate, "1 mm");
+    type(0, Section::stated, "U = 75 nm, k = 3, nu 18");
+    type(0, Section::stated, "U = 80 nm, k = 3");
+    EXPECT_EQ(text(0, Section::nu), QStringLiteral("18")) << "a figure was mended";
+    type(0, Section::stated, "U = 30 nm, k = 2");
+    EXPECT_EQ(stored(0, "nu"), SetupCell());
+    type(0, Section::nu, "9");
+    type(0, Section::stated, "rect 0.01 mm");
+    EXPECT_EQ(stored(0, "nu"), SetupCell());
+    type(0, Section::stated, "rect 0.01 mm, nu 12");
+    EXPECT_EQ(text(0, Section::nu), QStringLiteral("12"));
+}
+
 TEST_F(BudgetSheetModelTest, UThatIsTypedKeepsTheFormOfTheStatement) {
     type(0, Section::symbol, "l_S");
     type(0, Section::estimate, "1 mm");

@@ -273,7 +273,7 @@ TEST(Words, ALabelThatCoversLinesHasAGround) {
     Scene scene;
     scene.size = 1.0;
     for (int i = -20; i <= 20; ++i)
-        scene.links.push_back({.from = {-0.4, 0, 0.02 * i}, .to = {0.4, 0, 0.02 * i}});
+        scene.links.push_back({.item = {}, .from = {-0.4, 0, 0.02 * i}, .to = {0.4, 0, 0.02 * i}});
     scene.labels.push_back({"L          L", Eigen::Vector3d::Zero(), 0.01, Role::text, 20, ""});
     detail::OverlayView look;
     const PictureSize size{800, 600};
