@@ -268,6 +268,20 @@ TEST(Words, ANarrowPictureKeepsTheShortLinesOfItsLegend) {
     EXPECT_EQ(words_of(scene, {}, {1280, 800}).size(), 2U);
 }
 
+// The remark of a preview was cut at the right.
+TEST(Words, ALongCaptionIsBrokenIntoLines) {
+    Scene scene;
+    scene.size = 1.0;
+    scene.caption =
+        "uncertainty × 2000 (automatic), ellipsoids p = 95 %; Preview with 12 000 of 1 000 000 trials";
+    const auto lines = words_of(scene, {}, {460, 300});
+    EXPECT_EQ(lines.size(), 2U);
+    std::string all;
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) all += (all.empty() ? "" : " ") + *line;
+    EXPECT_EQ(all, scene.caption);
+    EXPECT_EQ(words_of(scene, {}, {1280, 800}).size(), 1U);
+}
+
 // Lines of sight on all sides of a label: what is behind it does not show through its letters.
 TEST(Words, ALabelThatCoversLinesHasAGround) {
     Scene scene;
