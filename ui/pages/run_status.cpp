@@ -36,7 +36,6 @@ RunStatus::RunStatus(Document& document, AnalysisRunner& runner, Selection& sele
     text_ = new QLabel(this);
     bar_ = new QProgressBar(this);
     bar_->setFixedWidth(160);
-    follow_font(*this, [this] { bar_->setFixedHeight(fontMetrics().height()); });
     bar_->setTextVisible(false);
     bar_->setAccessibleName(tr("Progress of the run"));
     stop_ = new QToolButton(this);
@@ -46,6 +45,11 @@ RunStatus::RunStatus(Document& document, AnalysisRunner& runner, Selection& sele
     stop_->setAccessibleName(tr("Stop all runs"));
     for (QWidget* widget : std::initializer_list<QWidget*>{bar_, stop_, picture_, text_})
         row->addWidget(widget);
+    follow_font(*this, [this] {
+        bar_->setFixedHeight(fontMetrics().height());
+        // Between runs, too: the scene would move while it is dragged.
+        setMinimumHeight(stop_->sizeHint().height());
+    });
     connect(stop_, &QToolButton::clicked, &runner_, &AnalysisRunner::stop_all);
     connect(&runner_, &AnalysisRunner::progress_changed, this, &RunStatus::show_progress);
     connect(&runner_.kept(), &KeptStates::progress_changed, this,

@@ -239,6 +239,8 @@ TEST_F(Look, StatusBarSaysHowTheAnalysisStands) {
     wait_until_idle();
     const auto* status = window_->statusBar()->findChild<RunStatus*>();
     ASSERT_NE(status, nullptr);
+    EXPECT_GE(status->minimumHeight(), status->findChild<QToolButton*>()->sizeHint().height())
+        << "a run, which shows its button, does not move the scene";
     EXPECT_TRUE(status->words().contains(QStringLiteral("up to date"))) << status->words().toStdString();
     const AnalysisEntry& analysis = window_->document().project().analyses.front();
     EXPECT_TRUE(status->words().startsWith(QString::fromStdString(analysis.name)));
