@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/text/wrapped.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -99,19 +100,7 @@ std::vector<Text> shortened_apart(const std::vector<Text>& texts, const QFont& f
 }
 
 std::vector<Text> wrapped(const Text& text, const QFont& font, double width) {
-    std::vector<Text> lines;
-    const std::string letters = text.letters();
-    for (std::size_t begin = 0; begin <= letters.size();) {
-        const std::size_t end = std::min(letters.find(' ', begin), letters.size());
-        const Text word = text.part(begin, end);
-        const Text longer = lines.empty() ? word : lines.back() + " " + word;
-        if (!lines.empty() && text_width(longer, font) <= width)
-            lines.back() = longer;
-        else
-            lines.push_back(word);
-        begin = end + 1;
-    }
-    return lines;
+    return covaria::wrapped(text, [&](const Text& line) { return text_width(line, font) <= width; });
 }
 
 }  // namespace covaria::ui

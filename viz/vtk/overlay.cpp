@@ -7,6 +7,7 @@
 #include "core/text/numbers.h"
 #include "core/text/round_numbers.h"
 #include "core/text/symbol.h"
+#include "core/text/wrapped.h"
 
 namespace covaria::detail {
 namespace {
@@ -116,30 +117,16 @@ void Overlay::paint_caption() {
     const bool drawn = view_.layers[Layer::ellipsoids] || view_.layers[Layer::clouds] || before;
     if (scene_.caption.empty() || !drawn) return;
     const double room = canvas_.size().width - 2 * px(margin);
-    std::vector<Word> lines{{scene_.caption, Role::text, false, 1.0}};
-    if (mask_of(lines.front()).letters.width > room) lines = broken(scene_.caption, room);
+    const auto word_of = [](const Text& line) { return Word{line, Role::text, false, 1.0}; };
+    const auto fits = [&](const Text& line) { return mask_of(word_of(line)).letters.width <= room; };
+    std::vector<Text> lines{scene_.caption};
+    if (!fits(lines.front())) lines = wrapped(scene_.caption, fits);
     double y = canvas_.size().height - px(margin - 4);
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-        y -= mask_of(*line).letters.height;
-        put(*line, px(margin), y);
+        y -= mask_of(word_of(*line)).letters.height;
+        put(word_of(*line), px(margin), y);
         y -= px(2);
     }
-}
-
-std::vector<Word> Overlay::broken(const std::string& text, double room) {
-    std::vector<Word> lines;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find(' ', begin), text.size());
-        const std::string word = text.substr(begin, end - begin);
-        const Word longer{lines.empty() ? Text(word) : lines.back().text + " " + word, Role::text, false,
-                          1.0};
-        if (!lines.empty() && mask_of(longer).letters.width <= room)
-            lines.back() = longer;
-        else
-            lines.push_back({word, Role::text, false, 1.0});
-        begin = end + 1;
-    }
-    return lines;
 }
 
 void Overlay::paint_scale_bar() {
@@ -155,10 +142,10 @@ void Overlay::paint_scale_bar() {
     const double right = canvas_.size().width - px(margin), height = mask.letters.height + px(14);
     double y = canvas_.size().height - px(margin);
     // In a narrow picture it stands above the caption.
-    const auto has_room = [&] {
+    const auto is_clear = [&] {
         return is_free({right - length - px(3), y - height, length + px(6), height});
     };
-    for (int lines = 0; lines < 2 && !has_room(); ++lines) y -= height;
+    for (int lines = 0; lines < 2 && !is_clear(); ++lines) y -= height;
     const Colour ink = colour(Role::text);
     canvas_.rectangle({right - length - px(3), y - px(7), length + px(6), px(10)}, ground_top(view_.palette),
                       0.7);

@@ -49,8 +49,6 @@ private:
     void paint_head(const std::vector<HeadLine>& lines);
     void paint_legend_mark(const LegendLine& line, double x, double middle);
     void paint_caption();
-    /// Lines no wider than `room`, in pixels, where words allow it.
-    std::vector<Word> broken(const std::string& text, double room);
     void paint_scale_bar();
     double colour_bar_height() const;
     double claim_colour_bar();
