@@ -60,9 +60,9 @@ public:
     void fill_down(const QModelIndexList& cells) override;
     void clear(const QModelIndexList& cells) override;
     void remove_rows_at(const std::set<int>& rows) override;
-    /// u, which follows, and a unit that is there: what is typed next is the statement.
+    /// u, which follows, and a unit that was typed behind the estimate: what is typed next is the statement.
     bool is_passed_over(const QModelIndex& cell) const override {
-        return cell.column() == u || (cell.column() == unit && !text_at(cell.row(), "unit").empty());
+        return cell.column() == u || (cell.column() == unit && cell.row() == typed_with_unit_);
     }
     bool is_linked() const override { return sheet_.is_linked(); }
 
@@ -122,8 +122,9 @@ private:
     DisplayUnits units_;
     bool current_ = true;
     int steps_ = 0;
-    Table budget_;                                   ///< of the result's output, a line for each row there
-    std::vector<std::optional<std::size_t>> lines_;  ///< of `budget_`, for each row of the sheet
+    int typed_with_unit_ = -1;  ///< row whose estimate was typed last, with a unit behind it
+    Table budget_;              ///< of the result's output, a line for each row there
+    std::vector<std::optional<std::size_t>> lines_;       ///< of `budget_`, for each row of the sheet
     std::vector<std::optional<std::size_t>> components_;  ///< of the result, likewise
 };
 

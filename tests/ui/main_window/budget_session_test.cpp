@@ -202,6 +202,15 @@ TEST_F(BudgetSession, TabPassesOverAUnitThatCameWithTheEstimate) {
     EXPECT_EQ(cell(0, Section::unit), QStringLiteral("mm"));
 }
 
+/// As in any spreadsheet: who types the unit into its own cell finds it behind the estimate.
+TEST_F(BudgetSession, TabStopsAtAUnitThatStoodBefore) {
+    new_equation(QStringLiteral("y = a"));
+    type_cell(0, Section::estimate, QStringLiteral("50 mm"));
+    type_cell(0, Section::estimate, QStringLiteral("60"));
+    EXPECT_EQ(sheet()->currentIndex().column(), Section::unit);
+    EXPECT_EQ(cell(0, Section::unit), QStringLiteral("mm"));
+}
+
 /// u follows from the statement: typing there changes that.
 TEST_F(BudgetSession, TypingOnUStatesTheUncertainty) {
     new_equation(QStringLiteral("y = a"));
