@@ -1567,8 +1567,8 @@
         <translation>Gleichungen</translation>
     </message>
     <message>
-        <source>One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation>Eine Gleichung je Zeile: y = x_1*x_2 + 3 [mm]. Namen ohne Gleichung sind Eingangsgrößen. &apos;solve y = 1: y^2 = x&apos; findet y in jedem Versuch, ausgehend von seinem Startwert. &apos;#&apos; beginnt einen Kommentar.</translation>
+        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
+        <translation>Eine Gleichung je Zeile: y = x_1*x_2 + x_3. Namen ohne Gleichung sind Eingangsgrößen; eine Zahl hat ihre Einheit in Klammern: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; findet y in jedem Versuch, ausgehend von seinem Startwert. &apos;#&apos; beginnt einen Kommentar.</translation>
     </message>
     <message>
         <source>symbol</source>

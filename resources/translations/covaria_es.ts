@@ -1567,8 +1567,8 @@
         <translation>Ecuaciones</translation>
     </message>
     <message>
-        <source>One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation>Una ecuación por línea: y = x_1*x_2 + 3 [mm]. Los nombres sin ecuación son magnitudes de entrada. &apos;solve y = 1: y^2 = x&apos; halla y en cada prueba, desde su valor inicial. &apos;#&apos; inicia un comentario.</translation>
+        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
+        <translation>Una ecuación por línea: y = x_1*x_2 + x_3. Los nombres sin ecuación son magnitudes de entrada; un número lleva su unidad entre corchetes: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; halla y en cada prueba, desde su valor inicial. &apos;#&apos; inicia un comentario.</translation>
     </message>
     <message>
         <source>symbol</source>

@@ -1566,8 +1566,8 @@
         <translation>방정식</translation>
     </message>
     <message>
-        <source>One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation>한 줄에 방정식 하나: y = x_1*x_2 + 3 [mm]. 방정식이 없는 이름은 입력량입니다. &apos;solve y = 1: y^2 = x&apos;는 매 시행에서 시작값으로부터 y를 구합니다. &apos;#&apos;은 주석의 시작입니다.</translation>
+        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
+        <translation>한 줄에 방정식 하나: y = x_1*x_2 + x_3. 방정식이 없는 이름은 입력량이며, 숫자의 단위는 대괄호 안에 적습니다: 3 [mm]. &apos;solve y = 1: y^2 = x&apos;는 매 시행에서 시작값으로부터 y를 구합니다. &apos;#&apos;은 주석의 시작입니다.</translation>
     </message>
     <message>
         <source>symbol</source>

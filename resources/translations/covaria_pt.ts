@@ -1567,8 +1567,8 @@
         <translation>Equações</translation>
     </message>
     <message>
-        <source>One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation>Uma equação por linha: y = x_1*x_2 + 3 [mm]. Nomes sem equação são grandezas de entrada. &apos;solve y = 1: y^2 = x&apos; acha y em cada ensaio, a partir de seu valor inicial. &apos;#&apos; inicia um comentário.</translation>
+        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
+        <translation>Uma equação por linha: y = x_1*x_2 + x_3. Nomes sem equação são grandezas de entrada; um número tem sua unidade entre colchetes: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; acha y em cada ensaio, a partir de seu valor inicial. &apos;#&apos; inicia um comentário.</translation>
     </message>
     <message>
         <source>symbol</source>

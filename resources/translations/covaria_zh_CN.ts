@@ -1566,8 +1566,8 @@
         <translation>方程</translation>
     </message>
     <message>
-        <source>One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation>每行一个方程：y = x_1*x_2 + 3 [mm]。没有方程的名称为输入量。&apos;solve y = 1: y^2 = x&apos; 在每次试验中从其初值起求解 y。&apos;#&apos; 后为注释。</translation>
+        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
+        <translation>每行一个方程：y = x_1*x_2 + x_3。没有方程的名称为输入量；数字的单位写在方括号中：3 [mm]。&apos;solve y = 1: y^2 = x&apos; 在每次试验中从其初值起求解 y。&apos;#&apos; 后为注释。</translation>
     </message>
     <message>
         <source>symbol</source>

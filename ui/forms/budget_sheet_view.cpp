@@ -32,6 +32,7 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     frozen_->setSelectionModel(selectionModel());
     frozen_->setItemDelegate(new CellDelegate(frozen_));
     frozen_->setEditTriggers(NoEditTriggers);
+    frozen_->setFocusPolicy(Qt::ClickFocus);  // by Tab it would lead back here; before it has a proxy
     frozen_->setFocusProxy(this);
     frozen_->setFrameShape(QFrame::NoFrame);
     frozen_->setAlternatingRowColors(true);

@@ -269,8 +269,28 @@ void SpreadsheetView::contextMenuEvent(QContextMenuEvent* event) {
     menu.exec(event->globalPos());
 }
 
+/// A whole table is copied with its heads, and without the row for new ones.
 void SpreadsheetView::copy() {
-    QGuiApplication::clipboard()->setText(block_text(selectedIndexes()));
+    QModelIndexList cells = selectedIndexes();
+    const auto all = qsizetype(model_.rowCount()) * model_.columnCount();
+    const bool whole = cells.size() > 1 && cells.size() == all;
+    if (whole) {
+        const int rows = filled_rows();
+        cells.removeIf([rows](const QModelIndex& cell) { return cell.row() >= rows; });
+    }
+    QGuiApplication::clipboard()->setText(block_text(cells, whole));
+}
+
+/// Up to the last one in which anything stands.
+int SpreadsheetView::filled_rows() const {
+    int rows = model_.rowCount();
+    const auto is_empty = [this](int row) {
+        for (int column = 0; column < model_.columnCount(); ++column)
+            if (!model_.index(row, column).data().toString().isEmpty()) return false;
+        return true;
+    };
+    while (rows > 0 && is_empty(rows - 1)) --rows;
+    return rows;
 }
 
 void SpreadsheetView::cut() {
@@ -282,7 +302,8 @@ void SpreadsheetView::paste() {
     QModelIndex corner = currentIndex();
     for (const QModelIndex& cell : selectedIndexes())
         corner = model_.index(std::min(corner.row(), cell.row()), std::min(corner.column(), cell.column()));
-    model_.paste(corner, QGuiApplication::clipboard()->text());
+    const QString text = QGuiApplication::clipboard()->text();
+    model_.paste(corner, corner.column() > 0 ? text : without_heads(text, model_));
 }
 
 void SpreadsheetView::clear() {

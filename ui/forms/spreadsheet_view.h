@@ -44,6 +44,7 @@ protected:
 private:
     QAction* add(const QString& text, const QKeySequence& key, void (SpreadsheetView::*method)());
     void copy();
+    int filled_rows() const;
     void cut();
     void paste();
     void clear();

@@ -298,7 +298,7 @@ QVariant BudgetSheetModel::sensitivity(int row, int role) const {
     const double value = of_result.interval_from_si(of_row.interval_to_si(si));
     if (role == exact_role) return value;
     if (role != Qt::DisplayRole) return {};
-    return to_qt(grouped_digits(format_significant(value, 2), user_numbers()) +
+    return to_qt(grouped_digits(format_significant(value, digits_), user_numbers()) +
                  unit_after_number(quotient(of_result, of_row)));
 }
 
@@ -309,9 +309,9 @@ QVariant BudgetSheetModel::uncertainty(int row, int role) const {
     const double value = component.unit.interval_from_si(component.standard_uncertainty);
     if (role == exact_role) return value;
     if (role != Qt::DisplayRole) return {};
-    if (!std::isfinite(value) || value == 0.0) return localized(format_significant(value, 2));
+    if (!std::isfinite(value) || value == 0.0) return localized(format_significant(value, digits_));
     const double largest = std::max(value, std::abs(component.unit.from_si(component.estimate)));
-    return to_qt(grouped_digits(format_in_row(value, decimals_for(value, 2), largest), user_numbers()));
+    return to_qt(grouped_digits(format_in_row(value, decimals_for(value, digits_), largest), user_numbers()));
 }
 
 QVariant BudgetSheetModel::computed(int row, int section, int role) const {
@@ -326,7 +326,7 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
         return sheet_.taken_words(row, column("statement"));
     if (!result_ || at >= components_.size() || !components_[at]) return {};
     // What is stated stays in the row's unit, what comes of it is in that of the results below.
-    const TableView view{section == contribution ? units_ : DisplayUnits(), 2, language_of_window()};
+    const TableView view{section == contribution ? units_ : DisplayUnits(), digits_, language_of_window()};
     const BudgetComponent& component = result_->budget.components[*components_[at]];
     if (section == estimate && role == Qt::DisplayRole) {
         if (row > 0 && symbol_of(row) == symbol_of(row - 1)) return {};  // it stands above

@@ -45,6 +45,7 @@ public:
     void set_result(std::shared_ptr<const UncertaintyResult> result, std::size_t output, bool current);
     /// Of the result, for what comes of the rows.
     void set_units(const DisplayUnits& units);
+    void set_digits(int digits) { digits_ = digits; }  ///< significant ones of u, with the next result
     SetupTableModel& sheet() { return sheet_; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -120,6 +121,7 @@ private:
     std::shared_ptr<const UncertaintyResult> result_;
     std::size_t output_ = 0;
     DisplayUnits units_;
+    int digits_ = 2;
     bool current_ = true;
     int steps_ = 0;
     int typed_with_unit_ = -1;  ///< row whose estimate was typed last, with a unit behind it

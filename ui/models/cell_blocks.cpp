@@ -112,4 +112,14 @@ QString block_text(const QModelIndexList& cells, bool heads) {
     return lines.join('\n') + '\n';
 }
 
+/// Two heads tell it: those behind them may have the unit of another result.
+QString without_heads(const QString& text, const QAbstractItemModel& model) {
+    QString begin;
+    for (int column = 0; column < std::min(2, model.columnCount()); ++column)
+        begin += quoted_if_needed(model.headerData(column, Qt::Horizontal).toString()) + QLatin1Char('\t');
+    if (model.columnCount() < 2 || !text.startsWith(begin)) return text;
+    const qsizetype end = text.indexOf(QLatin1Char('\n'));
+    return end < 0 ? QString() : text.sliced(end + 1);
+}
+
 }  // namespace covaria::ui

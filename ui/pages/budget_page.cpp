@@ -108,6 +108,7 @@ void BudgetPage::show_analysis() {
     if (!field) return;
     model_ = std::make_unique<BudgetSheetModel>(document_, address, *field);
     model_->set_units(units_);
+    model_->set_digits(digits_);
     view_ = new BudgetSheetView(*model_, this);
     view_->setObjectName(QStringLiteral("budget"));
     view_->setAccessibleName(tr("Budget"));
@@ -140,6 +141,7 @@ void BudgetPage::set_units(const DisplayUnits& units) {
 
 void BudgetPage::set_digits(int digits) {
     digits_ = digits;
+    if (model_) model_->set_digits(digits_);
     take_result();
 }
 

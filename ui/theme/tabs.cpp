@@ -143,6 +143,7 @@ void TabBar::fill_menu() {
 
 Tabs::Tabs(QWidget* parent) : QTabWidget(parent) {
     setTabBar(new TabBar);
+    tabBar()->setFocusPolicy(Qt::StrongFocus);  // keys go on from the tab that was clicked
     setDocumentMode(true);
 }
 

@@ -97,7 +97,9 @@ Columns<Observation> observation_columns() {
 void add_equations(Fields<Stated>& fields) {
     fields.section("Equations")
         .add(&Stated::text, "equations", "Equations",
-             "One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. "
+             "One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a "
+             "number "
+             "has its unit in brackets: 3 [mm]. "
              "'solve y = 1: y^2 = x' finds y in every trial, from its starting value. '#' starts a comment.",
              {.default_value = std::string("y = x_1 + x_2"), .several_lines = true})
         .table(&Stated::outputs, "outputs", "Results",

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <cmath>
 
@@ -209,6 +210,19 @@ TEST_F(BudgetSession, TabStopsAtAUnitThatStoodBefore) {
     type_cell(0, Section::estimate, QStringLiteral("60"));
     EXPECT_EQ(sheet()->currentIndex().column(), Section::unit);
     EXPECT_EQ(cell(0, Section::unit), QStringLiteral("mm"));
+}
+
+TEST_F(BudgetSession, DigitsOfUAreThoseOfItsComponentsToo) {
+    new_equation(QStringLiteral("y = a"));
+    type_cell(0, Section::estimate, QStringLiteral("50 mm"));
+    type_cell(0, Section::stated, QStringLiteral("U = 1 um, p = 95 %"));
+    ASSERT_TRUE(wait_for([&] { return cell(0, Section::u).endsWith(QStringLiteral("51")); }))
+        << cell(0, Section::u).toStdString();
+    window_->results().digits().setValue(4);
+    EXPECT_TRUE(wait_for([&] { return cell(0, Section::u).endsWith(QStringLiteral("5102")); }))
+        << cell(0, Section::u).toStdString();
+    EXPECT_TRUE(cell(0, Section::contribution).endsWith(QStringLiteral("5102")))
+        << cell(0, Section::contribution).toStdString();
 }
 
 /// u follows from the statement: typing there changes that.

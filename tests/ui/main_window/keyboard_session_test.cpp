@@ -1,5 +1,9 @@
 // The window with the keyboard alone: from pane to pane, into tables and out of them, to what was added.
+#include <QClipboard>
 #include <QPlainTextEdit>
+#include <QScrollBar>
+#include <QTabBar>
+#include <QTabWidget>
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/forms/budget_sheet_view.h"
@@ -7,6 +11,7 @@
 #include "ui/main_window/help_actions.h"
 #include "ui/pages/budget_page.h"
 #include "ui/pages/help_pane.h"
+#include "ui/pages/results_pane.h"
 
 namespace covaria::ui::keyboard_session_test {
 namespace {
@@ -29,6 +34,13 @@ protected:
         ASSERT_NE(focused, nullptr);
         QTest::keyClick(focused, key, modifiers);
         QCoreApplication::processEvents();
+    }
+    void open_h1() {
+        const QString file = folder_.filePath(QStringLiteral("h1.covaria"));
+        ASSERT_TRUE(
+            QFile::copy(QStringLiteral(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria"), file));
+        open(file);
+        wait_until_idle();
     }
     void add_equation() {
         trigger(QStringLiteral("New Project"));
@@ -105,6 +117,51 @@ TEST_F(KeyboardSession, TabLeavesATableBehindItsLastCellAndCtrlTabAtOnce) {
     press_keys(Qt::Key_Tab, Qt::ControlModifier);
     EXPECT_FALSE(table->hasFocus());
     EXPECT_EQ(table->currentIndex(), cells.index(1, 1));
+}
+
+TEST_F(KeyboardSession, CtrlTabLeavesABudgetThatIsScrolled) {
+    open_h1();
+    auto* budget = window_->scene().findChild<BudgetSheetView*>();
+    ASSERT_NE(budget, nullptr);
+    window_->resize(900, 700);
+    budget->setFocus();
+    ASSERT_TRUE(wait_for([&] { return budget->hasFocus(); }, 2000));
+    budget->setCurrentIndex(budget->model()->index(0, 1));
+    budget->horizontalScrollBar()->setValue(budget->horizontalScrollBar()->maximum());
+    ASSERT_GT(budget->horizontalScrollBar()->value(), 0) << "with a frozen column above it";
+    press_keys(Qt::Key_Tab, Qt::ControlModifier);
+    EXPECT_FALSE(budget->hasFocus());
+    EXPECT_NE(QApplication::focusWidget(), nullptr);
+}
+
+TEST_F(KeyboardSession, ATabThatIsClickedHasTheKeyboard) {
+    open_h1();
+    window_->project_pane().setFocus();
+    QTabBar& tabs = *window_->results().tabs().tabBar();
+    QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(1).center());
+    EXPECT_EQ(pane_with_focus().toStdString(), "results");
+    press_keys(Qt::Key_Right);
+    EXPECT_EQ(tabs.currentIndex(), 2);
+}
+
+/// With its heads, and without the row for new ones; what is pasted back is the same budget.
+TEST_F(KeyboardSession, AWholeBudgetIsCopiedWithItsHeads) {
+    open_h1();
+    auto* budget = window_->scene().findChild<BudgetSheetView*>();
+    ASSERT_NE(budget, nullptr);
+    budget->setFocus();
+    ASSERT_TRUE(wait_for([&] { return budget->hasFocus(); }, 2000));
+    const int rows = budget->model()->rowCount();
+    press_keys(Qt::Key_A, Qt::ControlModifier);
+    press_keys(Qt::Key_C, Qt::ControlModifier);
+    const QStringList lines = QGuiApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
+    ASSERT_EQ(lines.size(), rows) << "heads, and all rows but the one for new ones";
+    EXPECT_TRUE(lines.front().startsWith(budget->model()->headerData(0, Qt::Horizontal).toString() +
+                                         QLatin1Char('\t')));
+    budget->setCurrentIndex(budget->model()->index(0, 0));
+    press_keys(Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(budget->model()->rowCount(), rows);
+    EXPECT_EQ(budget->model()->index(0, 0).data(Qt::EditRole).toString(), lines[1].section('\t', 0, 0));
 }
 
 /// Nothing but keys after the analysis has been added.
