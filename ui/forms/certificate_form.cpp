@@ -1,6 +1,7 @@
 #include "ui/forms/certificate_form.h"
 
 #include <QApplication>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "core/manual/help_page.h"
@@ -13,6 +14,7 @@
 #include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
 #include "ui/forms/prose_editor.h"
+#include "ui/forms/scrolled.h"
 #include "ui/forms/simple_editors.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
@@ -50,7 +52,8 @@ FieldSpec spec_of(const CertificateField& field) {
 CertificateForm::CertificateForm(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      layout_(new QFormLayout(this)),
+      fields_(new QWidget),
+      layout_(new QFormLayout(fields_)),
       state_(new QLabel(this)),
       next_(new QPushButton(tr("Next Missing"), this)) {
     layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
@@ -71,13 +74,19 @@ void CertificateForm::add_head() {
         tr("Goes to the next field that %1 requires and that is empty").arg(QLatin1String(standard)));
     next_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     next_->setFocusPolicy(Qt::TabFocus);  // a click goes on from the field that has the focus
-    layout_->addRow(state_);
-    layout_->addRow(next_);
+    auto* head = new QVBoxLayout;
+    head->addWidget(state_);
+    head->addWidget(next_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    head->setContentsMargins(layout_->contentsMargins());
+    column->addLayout(head);
+    column->addWidget(scrolled(fields_), 1);
     connect(next_, &QPushButton::clicked, this, &CertificateForm::focus_next_missing);
 }
 
 void CertificateForm::add_section(const CertificateSection& section) {
-    auto* label = new QLabel(core_text(section.title), this);
+    auto* label = new QLabel(core_text(section.title), fields_);
     QFont bold = label->font();
     bold.setBold(true);
     label->setFont(bold);
@@ -88,7 +97,7 @@ void CertificateForm::add_section(const CertificateSection& section) {
 
 void CertificateForm::add_field(const CertificateField& field) {
     FieldEditor* editor = make_editor(field);
-    QLabel* title = make_form_label(field.title, this);
+    QLabel* title = make_form_label(field.title, fields_);
     title->setToolTip(help_text(spec_of(field)));
     title->setBuddy(editor);
     layout_->addRow(title, editor);
@@ -105,20 +114,20 @@ FieldEditor* CertificateForm::make_editor(const CertificateField& field) {
     switch (field.kind) {
         case CertificateText::line:
         case CertificateText::country:
-            return new TextEditor(spec, this);
+            return new TextEditor(spec, fields_);
         case CertificateText::lines:
-            return new ProseEditor(spec, this);
+            return new ProseEditor(spec, fields_);
         case CertificateText::language:
-            return new ListEditor(spec, this);
+            return new ListEditor(spec, fields_);
         case CertificateText::picture:
-            return new FileEditor(spec, document_, tr("Pictures (*.png *.jpg *.jpeg)"), this);
+            return new FileEditor(spec, document_, tr("Pictures (*.png *.jpg *.jpeg)"), fields_);
         case CertificateText::date:
         case CertificateText::dates:
             break;
     }
     const auto days =
         field.kind == CertificateText::dates ? DateEditor::Days::interval : DateEditor::Days::one;
-    return new DateEditor(spec, days, document_, {project_address, spec.key}, this);
+    return new DateEditor(spec, days, document_, {project_address, spec.key}, fields_);
 }
 
 void CertificateForm::write(const CertificateField& field, const std::string& text) {

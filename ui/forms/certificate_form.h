@@ -38,6 +38,7 @@ private:
     void refresh_problems();
 
     Document& document_;
+    QWidget* fields_;  ///< scrolled, below what is missing and the way to it
     QFormLayout* layout_;
     QLabel* state_;
     QPushButton* next_;

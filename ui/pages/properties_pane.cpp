@@ -15,6 +15,7 @@
 #include "ui/forms/quantity_edit.h"
 #include "ui/forms/report_form.h"
 #include "ui/forms/requirements_form.h"
+#include "ui/forms/scrolled.h"
 #include "ui/forms/setup_form.h"
 #include "ui/forms/spreadsheet_view.h"
 #include "ui/forms/studies_form.h"
@@ -23,7 +24,6 @@
 #include "ui/pages/inputs_page.h"
 #include "ui/pages/notes_page.h"
 #include "ui/pages/project_page.h"
-#include "ui/pages/scrolled.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/tabs.h"
 
@@ -121,7 +121,7 @@ void PropertiesPane::add_project_pages() {
     tabs_->addTab(scrolled(project_), tr("Project"));
     certificate_ = new CertificateForm(document_);
     set_help_place(*certificate_, QStringLiteral("certificate"));
-    tabs_->addTab(scrolled(certificate_), tr("Certificate"));
+    tabs_->addTab(certificate_, tr("Certificate"));
     tabs_->addTab(scrolled(new ReportForm(document_)), tr("Report"));
 }
 
