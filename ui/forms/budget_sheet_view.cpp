@@ -69,7 +69,10 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
 
 /// Only where the column itself is out of view: it is edited in its own place.
 void BudgetSheetView::place_frozen() {
-    frozen_->setVisible(horizontalScrollBar()->value() > 0);
+    const bool scrolled = horizontalScrollBar()->value() > 0;
+    frozen_->setVisible(scrolled);
+    setProperty(covered_width, scrolled ? columnWidth(0) : 0);
+    horizontalHeader()->setProperty(covered_width, property(covered_width));
     frozen_->setColumnWidth(0, columnWidth(0));
     frozen_->horizontalHeader()->setFixedHeight(horizontalHeader()->height());
     frozen_->setGeometry(verticalHeader()->width() + frameWidth(), frameWidth(), columnWidth(0),

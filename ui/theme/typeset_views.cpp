@@ -43,13 +43,17 @@ QColor text_colour(const QStyleOptionViewItem& option) {
         group, option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
 }
 
-/// What the right edge of its view leaves of `whole`: there it is drawn as if it ended there.
+/// What the edges of its view, and a column that lies over it, leave of `whole`: it is drawn as if it began
+/// and ended there.
 QRect seen_part(const QRect& whole, const QWidget* view) {
     const auto* area = qobject_cast<const QAbstractScrollArea*>(view);
     if (!area) return whole;
-    const int edge = area->viewport()->rect().right();
-    return whole.left() < edge && whole.right() > edge ? whole.adjusted(0, 0, edge - whole.right(), 0)
-                                                       : whole;
+    QRect room = area->viewport()->rect();
+    room.setLeft(room.left() + area->property(covered_width).toInt());
+    room.setTop(whole.top());
+    room.setBottom(whole.bottom());
+    const QRect seen = whole & room;
+    return seen.isEmpty() ? whole : seen;
 }
 
 /// Left and right of the text of a cell together.
@@ -143,8 +147,8 @@ void TypesetHeader::initStyleOptionForIndex(QStyleOptionHeader* option, int sect
 }
 
 bool TypesetHeader::draws_text(int section) const {
-    const bool is_cut = orientation() == Qt::Horizontal &&
-                        sectionViewportPosition(section) + sectionSize(section) > viewport()->width();
+    const QRect whole(sectionViewportPosition(section), 0, sectionSize(section), height());
+    const bool is_cut = orientation() == Qt::Horizontal && seen_part(whole, this) != whole;
     return is_cut || text_of(section).has_scripts();
 }
 

@@ -10,6 +10,9 @@
 
 namespace covaria::ui {
 
+/// Property of a view and of its head: px at its left that lie under something else.
+inline constexpr char covered_width[] = "covered_width";
+
 /// Cells: subscripts, and figures of equal width where numbers stand to the right.
 class TypesetDelegate : public SteadyDelegate {
 public:

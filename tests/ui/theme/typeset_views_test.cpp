@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QStandardItemModel>
 #include <QTableView>
 
@@ -164,6 +165,32 @@ TEST_F(Typeset, WhatTheEdgeOfAViewCutsIsDrawnAsIfItEndedThere) {
     EXPECT_EQ(cut_column(digits, Qt::AlignRight, 400, {}),
               cut_column(QStringLiteral("…"), Qt::AlignRight, 400, {}))
         << "a part of a number is another number";
+}
+
+/// Scrolled, or under a column that stays: the digits that remain of a number would be another one.
+TEST_F(Typeset, WhatIsCutAtTheLeftIsNoPartOfANumber) {
+    const auto scrolled = [](const QString& number, int by, int covered) {
+        QStandardItemModel model(1, 2);
+        auto* item = new QStandardItem(number);
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        model.setItem(0, 0, item);
+        QTableView view;
+        view.setItemDelegate(new TypesetDelegate(&view));
+        view.setHorizontalScrollMode(QTableView::ScrollPerPixel);
+        view.setModel(&model);
+        view.setColumnWidth(0, 160);
+        view.setColumnWidth(1, 400);
+        view.setProperty(covered_width, covered);
+        view.verticalHeader()->hide();
+        picture_of(view);  // laid out
+        view.horizontalScrollBar()->setValue(by);
+        return picture_of(view);
+    };
+    const QString digits = QStringLiteral("123456789012"), none = QStringLiteral("…");
+    EXPECT_NE(scrolled(digits, 0, 0), scrolled(none, 0, 0)) << "there is room for it";
+    EXPECT_EQ(scrolled(digits, 110, 0), scrolled(none, 110, 0));
+    EXPECT_EQ(scrolled(digits, 10, 100), scrolled(none, 10, 100));
+    EXPECT_NE(scrolled(digits, 10, 0), scrolled(none, 10, 0)) << "what is left has room for it";
 }
 
 TEST_F(Typeset, GridLinesAreSeenInBothThemes) {
