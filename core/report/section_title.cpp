@@ -63,6 +63,7 @@ void add_title(Blocks& blocks, const ReportSource& source) {
     };
     if (!project.number.empty()) add(tell<"Number">(), project.number);
     if (!project.author.empty()) add(tell<"Author">(), project.author);
+    if (!project.certificate.issued.empty()) add(tell<"Date of issue">(), project.certificate.issued);
     for (const EvaluatedAnalysis& evaluated : source.analyses)
         add(evaluated.analysis->name, in.say(analysis_text(evaluated, in)));
     if (!source.analyses.empty())

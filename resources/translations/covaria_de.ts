@@ -15029,8 +15029,8 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Bericht als &amp;Markdown …</translation>
     </message>
     <message>
-        <source>&amp;Results and Tables …</source>
-        <translation>&amp;Ergebnisse und Tabellen …</translation>
+        <source>&amp;Results and Tables (JSON, CSV) …</source>
+        <translation>&amp;Ergebnisse und Tabellen (JSON, CSV) …</translation>
     </message>
     <message>
         <source> …</source>

@@ -15029,8 +15029,8 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Informe en &amp;Markdown …</translation>
     </message>
     <message>
-        <source>&amp;Results and Tables …</source>
-        <translation>&amp;Resultados y tablas …</translation>
+        <source>&amp;Results and Tables (JSON, CSV) …</source>
+        <translation>&amp;Resultados y tablas (JSON, CSV) …</translation>
     </message>
     <message>
         <source> …</source>

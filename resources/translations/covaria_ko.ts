@@ -15026,8 +15026,8 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <translation>Markdown 보고서(&amp;M) …</translation>
     </message>
     <message>
-        <source>&amp;Results and Tables …</source>
-        <translation>결과와 표(&amp;R) …</translation>
+        <source>&amp;Results and Tables (JSON, CSV) …</source>
+        <translation>결과와 표 (JSON, CSV) (&amp;R) …</translation>
     </message>
     <message>
         <source> …</source>

@@ -15029,8 +15029,8 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Relatório em &amp;Markdown …</translation>
     </message>
     <message>
-        <source>&amp;Results and Tables …</source>
-        <translation>&amp;Resultados e tabelas …</translation>
+        <source>&amp;Results and Tables (JSON, CSV) …</source>
+        <translation>&amp;Resultados e tabelas (JSON, CSV) …</translation>
     </message>
     <message>
         <source> …</source>

@@ -15026,8 +15026,8 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <translation>报告为 Markdown(&amp;M) …</translation>
     </message>
     <message>
-        <source>&amp;Results and Tables …</source>
-        <translation>结果和表格(&amp;R) …</translation>
+        <source>&amp;Results and Tables (JSON, CSV) …</source>
+        <translation>结果和表格 (JSON, CSV) (&amp;R) …</translation>
     </message>
     <message>
         <source> …</source>

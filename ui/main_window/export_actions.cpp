@@ -83,7 +83,7 @@ QMenu* ExportActions::make_menu(QWidget* parent) {
     menu->addSeparator();
     menu->addAction(certificate_action);
     menu->addSeparator();
-    menu->addAction(tr("&Results and Tables …"), this, &ExportActions::ask_tables);
+    menu->addAction(tr("&Results and Tables (JSON, CSV) …"), this, &ExportActions::ask_tables);
     for (const Writer& writer : writer_registry())
         menu->addAction(core_text(writer.title) + tr(" …"), this,
                         [this, &writer] { ask_for_others(writer); });

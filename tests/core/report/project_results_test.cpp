@@ -75,6 +75,7 @@ TEST(ProjectResults, UnitsAndDigitsChangeNoNumberAndNoFingerprint) {
     project.results.style.units.choose(Unit::of("thou"));
     project.results.style.digits = 1;
     project.author = "A";
+    project.certificate.issued = "2026-04-20";
     EXPECT_EQ(fingerprint(project), print);
     const auto after = evaluated(project);
     ASSERT_EQ(after->outputs.size(), before->outputs.size());
@@ -91,6 +92,7 @@ TEST(ProjectResults, UnitsAndDigitsChangeNoNumberAndNoFingerprint) {
     const std::string report = to_markdown(build_report(*made, {shown}));
     EXPECT_NE(report.find("| thou "), std::string::npos) << report.substr(0, 3000);
     EXPECT_NE(report.find("| Author | A |"), std::string::npos) << report.substr(0, 600);
+    EXPECT_NE(report.find("| Date of issue | 2026-04-20 |"), std::string::npos) << report.substr(0, 600);
 }
 
 TEST(ProjectResults, TheFactorIsThatOfAnalysesThatStateNone) {
