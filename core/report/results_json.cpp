@@ -4,6 +4,7 @@
 #include "core/project/project_file.h"
 #include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
+#include "core/quantity/component_pairs.h"
 #include "core/report/json_values.h"
 #include "core/report/report.h"
 #include "core/report/result_columns.h"
@@ -243,6 +244,16 @@ OrderedJson requirement_json(const EvaluatedAnalysis& evaluated, const Requireme
     return json;
 }
 
+OrderedJson input_correlations_json(const UncertaintyResult& result,
+                                    const std::vector<ComponentCorrelation>& pairs) {
+    OrderedJson list = OrderedJson::array();
+    for (const ComponentCorrelation& pair : pairs)
+        list.push_back({{"component", result.budget.components[pair.first].id},
+                        {"otherComponent", result.budget.components[pair.second].id},
+                        {"r", json_number(pair.coefficient)}});
+    return list;
+}
+
 OrderedJson links_json(const PreparedAnalysis& analysis) {
     OrderedJson list = OrderedJson::array();
     for (const LinkedInput& input : analysis.linked)
@@ -301,6 +312,8 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     }
     if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
     if (!result.sobol.empty()) json["sobol"] = sobol_json(result);
+    if (const auto pairs = detail::correlated_pairs(result.inputs); !pairs.empty())
+        json["inputCorrelations"] = input_correlations_json(result, pairs);
     if (!evaluated.analysis->linked.empty()) {
         json["links"] = links_json(*evaluated.analysis);
         json["byAnalysis"] = shares_json(result);

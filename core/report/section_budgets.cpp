@@ -227,7 +227,9 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
         tell<"Components by falling share of the variance; cᵢ in the unit of the measurand per unit of "
              "the component.">());
     if (!result.inputs->correlations.empty())
-        words += " " + in.say(tell<"Two correlated components have half of their covariance each.">());
+        words += " " + in.say(tell<"Two correlated components have half of their covariance each, in the "
+                                   "effective degrees of freedom "
+                                   "too.">());
     if (shown.size() < groups.size()) words += " " + in.say(choice_of_groups(result));
     blocks.push_back(ParagraphBlock{words});
     for (const std::string& group : shown) {

@@ -13055,8 +13055,8 @@
         <translation>Budget von %1</translation>
     </message>
     <message>
-        <source>Two correlated components have half of their covariance each.</source>
-        <translation>Zwei korrelierte Komponenten haben je die Hälfte ihrer Kovarianz.</translation>
+        <source>Two correlated components have half of their covariance each, in the effective degrees of freedom too.</source>
+        <translation>Zwei korrelierte Komponenten haben je die Hälfte ihrer Kovarianz, auch in den effektiven Freiheitsgraden.</translation>
     </message>
     <message>
         <source>u along any axis</source>

@@ -13055,8 +13055,8 @@
         <translation>Balance de %1</translation>
     </message>
     <message>
-        <source>Two correlated components have half of their covariance each.</source>
-        <translation>Dos componentes correlacionadas tienen cada una la mitad de su covarianza.</translation>
+        <source>Two correlated components have half of their covariance each, in the effective degrees of freedom too.</source>
+        <translation>Dos componentes correlacionadas tienen cada una la mitad de su covarianza, también en los grados efectivos de libertad.</translation>
     </message>
     <message>
         <source>u along any axis</source>

@@ -13054,8 +13054,8 @@
         <translation>%1의 총괄표</translation>
     </message>
     <message>
-        <source>Two correlated components have half of their covariance each.</source>
-        <translation>상관된 두 성분은 공분산의 절반씩을 가집니다.</translation>
+        <source>Two correlated components have half of their covariance each, in the effective degrees of freedom too.</source>
+        <translation>상관된 두 성분은 공분산의 절반씩을 가지며, 유효 자유도에서도 그렇습니다.</translation>
     </message>
     <message>
         <source>u along any axis</source>

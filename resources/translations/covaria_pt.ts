@@ -13055,8 +13055,8 @@
         <translation>Balanço de %1</translation>
     </message>
     <message>
-        <source>Two correlated components have half of their covariance each.</source>
-        <translation>Duas componentes correlacionadas têm cada uma a metade da sua covariância.</translation>
+        <source>Two correlated components have half of their covariance each, in the effective degrees of freedom too.</source>
+        <translation>Duas componentes correlacionadas têm cada uma a metade da sua covariância, também nos graus de liberdade efetivos.</translation>
     </message>
     <message>
         <source>u along any axis</source>

@@ -13054,8 +13054,8 @@
         <translation>%1 的预算</translation>
     </message>
     <message>
-        <source>Two correlated components have half of their covariance each.</source>
-        <translation>两个相关的分量各占其协方差的一半。</translation>
+        <source>Two correlated components have half of their covariance each, in the effective degrees of freedom too.</source>
+        <translation>两个相关的分量各占其协方差的一半，计算有效自由度时也是如此。</translation>
     </message>
     <message>
         <source>u along any axis</source>

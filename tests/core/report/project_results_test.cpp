@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "core/made/load_project.h"
 #include "core/made/made_project.h"
@@ -143,6 +145,54 @@ TEST(ProjectResults, TheReportHasAsManyDigitsAsTheyState) {
     for (const std::string& text :
          {format_significant(U, 4), format_to_match(y.quantity.unit.from_si(y.estimate), U, 4)})
         EXPECT_NE(report.find("| " + text + " |"), std::string::npos) << text;
+}
+
+/// What the files say of the inputs is enough to recompute u_c: JCGM 100 H.2, with observations made
+/// together.
+TEST(ProjectResults, TheFilesHaveTheCorrelationsOfTheInputs) {
+    Project project = load_project(COVARIA_SOURCE_DIR "/projects/gum/h2-impedance.covaria").project;
+    project.analyses[0].options.method = Method::first_order;
+    const auto made = MadeProject::make(project);
+    const auto result = evaluated(project);
+    const EvaluatedAnalysis shown{made->analysis(project.analyses[0].id), result};
+    std::map<std::string, DataTable> tables;
+    for (DataTable& table : result_tables(project, shown)) tables[table.id] = table;
+    const auto column = [&](const char* table, const char* head) {
+        const auto& columns = tables[table].columns;
+        const auto found = std::find_if(columns.begin(), columns.end(),
+                                        [&](const TableColumn& one) { return one.header == head; });
+        EXPECT_NE(found, columns.end()) << head;
+        std::vector<TableCell> cells;
+        for (const auto& row : tables[table].rows)
+            cells.push_back(row[static_cast<std::size_t>(found - columns.begin())]);
+        return cells;
+    };
+    const auto number = [](const TableCell& cell) {
+        const auto* quantity = std::get_if<Quantity>(&cell);
+        return quantity ? quantity->value : std::get<double>(cell);
+    };
+    const auto output = column("budget", "output"), id = column("budget", "id");
+    const auto sensitivity = column("budget", "sensitivity"), u = column("budget", "u");
+    const auto first = column("input-correlations", "component");
+    const auto second = column("input-correlations", "other component");
+    const auto r = column("input-correlations", "r");
+    EXPECT_EQ(r.size(), 3U) << "V, I and phi";
+    for (const OutputResult& of : result->outputs) {
+        std::map<std::string, double> signed_contributions;
+        for (std::size_t row = 0; row < id.size(); ++row)
+            if (std::get<std::string>(output[row]) == of.quantity.symbol)
+                signed_contributions[std::get<std::string>(id[row])] =
+                    number(sensitivity[row]) * number(u[row]);
+        double variance = 0.0;
+        for (const auto& [component, contribution] : signed_contributions)
+            variance += contribution * contribution;
+        for (std::size_t pair = 0; pair < r.size(); ++pair)
+            variance += 2.0 * number(r[pair]) * signed_contributions[std::get<std::string>(first[pair])] *
+                        signed_contributions[std::get<std::string>(second[pair])];
+        const double stated = of.quantity.unit.interval_from_si(of.first_order.standard_uncertainty);
+        EXPECT_NEAR(std::sqrt(variance), stated, 1e-12 * stated) << of.quantity.symbol;
+    }
+    EXPECT_NE(results_json(project, {shown}).find("\"otherComponent\": \"phi.1\""), std::string::npos);
 }
 
 }  // namespace
