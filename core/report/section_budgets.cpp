@@ -95,12 +95,15 @@ private:
         const Unit& unit = output_.quantity.unit;
         const auto number = [this](const std::string& plain) { return grouped_digits(plain, in_.numbers()); };
         const double u = unit.interval_from_si(first.standard_uncertainty);
+        const double largest = std::max(u, std::abs(unit.from_si(first.estimate)));
+        const std::string u_text = u > 0.0 && std::isfinite(u)
+                                       ? format_in_row(u, decimals_for(u, digits_), largest)
+                                       : format_significant(u, digits_);
         const std::string value =
             value_statement(first.estimate, first.expanded_uncertainty, unit, digits_, true, in_);
         return tell<
             "%1 = %2, u_c = %3, effective degrees of freedom %4, k = %5, p = %6 (law of propagation).">(
-            output_label(output_.quantity), value,
-            number(format_significant(u, digits_)) + unit_after_number(unit),
+            output_label(output_.quantity), value, number(u_text) + unit_after_number(unit),
             number(format_degrees_of_freedom(first.effective_degrees_of_freedom)),
             number(format_decimals(first.coverage_factor, 2)),
             probability_text(stated_probability(first, result_), in_));

@@ -16874,8 +16874,8 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>Signifikante Stellen der Unsicherheiten</translation>
     </message>
     <message>
-        <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation>Signifikante Stellen der Unsicherheiten; Schätzwerte werden passend gerundet</translation>
+        <source>Significant digits of uncertainties in the window; estimates are rounded to match. Documents have those of the project page.</source>
+        <translation>Signifikante Ziffern der Unsicherheiten im Fenster; Schätzwerte werden passend gerundet. Dokumente haben die der Projektseite.</translation>
     </message>
     <message>
         <source>Next step</source>

@@ -16874,8 +16874,8 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Cifras significativas de las incertidumbres</translation>
     </message>
     <message>
-        <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation>Cifras significativas de las incertidumbres; las estimaciones se redondean en consonancia</translation>
+        <source>Significant digits of uncertainties in the window; estimates are rounded to match. Documents have those of the project page.</source>
+        <translation>Cifras significativas de las incertidumbres en la ventana; las estimaciones se redondean en consecuencia. Los documentos tienen las de la página del proyecto.</translation>
     </message>
     <message>
         <source>Next step</source>

@@ -16870,8 +16870,8 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>불확도의 유효숫자</translation>
     </message>
     <message>
-        <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation>불확도의 유효숫자. 추정값은 이에 맞게 반올림합니다</translation>
+        <source>Significant digits of uncertainties in the window; estimates are rounded to match. Documents have those of the project page.</source>
+        <translation>창에 표시되는 불확도의 유효숫자 자릿수. 추정값은 그에 맞춰 반올림됩니다. 문서에는 프로젝트 페이지의 자릿수가 쓰입니다.</translation>
     </message>
     <message>
         <source>Next step</source>

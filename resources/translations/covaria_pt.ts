@@ -16874,8 +16874,8 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>Algarismos significativos das incertezas</translation>
     </message>
     <message>
-        <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation>Algarismos significativos das incertezas; as estimativas são arredondadas de acordo</translation>
+        <source>Significant digits of uncertainties in the window; estimates are rounded to match. Documents have those of the project page.</source>
+        <translation>Algarismos significativos das incertezas na janela; as estimativas são arredondadas de acordo. Os documentos têm os da página do projeto.</translation>
     </message>
     <message>
         <source>Next step</source>

@@ -16870,8 +16870,8 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>不确定度的有效位数</translation>
     </message>
     <message>
-        <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation>不确定度的有效位数；估计值相应修约</translation>
+        <source>Significant digits of uncertainties in the window; estimates are rounded to match. Documents have those of the project page.</source>
+        <translation>窗口中不确定度的有效位数；估计值相应修约。文件采用项目页面中的位数。</translation>
     </message>
     <message>
         <source>Next step</source>

@@ -96,7 +96,9 @@ void ResultsPane::make_head() {
     digits_->setRange(fewest_digits, most_digits);
     digits_->setPrefix(tr("digits of U: "));
     digits_->setAccessibleName(tr("Significant digits of uncertainties"));
-    digits_->setToolTip(tr("Significant digits of uncertainties; estimates are rounded to match"));
+    digits_->setToolTip(
+        tr("Significant digits of uncertainties in the window; estimates are rounded to match. "
+           "Documents have those of the project page."));
     next_ = new QPushButton;
     next_->setObjectName(QStringLiteral("next_step"));
     next_->setAccessibleName(tr("Next step"));

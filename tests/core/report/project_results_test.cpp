@@ -195,5 +195,15 @@ TEST(ProjectResults, TheFilesHaveTheCorrelationsOfTheInputs) {
     EXPECT_NE(results_json(project, {shown}).find("\"otherComponent\": \"phi.1\""), std::string::npos);
 }
 
+TEST(ProjectResults, CombinedUncertaintyIsWrittenAsTheResultBesideIt) {
+    Project project = shipped();
+    project.results.style.units.choose(Unit::of("mm"));
+    const auto made = MadeProject::make(project);
+    const EvaluatedAnalysis shown{made->analysis(project.analyses[0].id), evaluated(project)};
+    const std::string report = to_markdown(build_report(*made, {shown}));
+    EXPECT_NE(report.find("= 0.000\u202f032\u00a0mm, effective"), std::string::npos)
+        << report.substr(report.find("u\\_c = "), 60);
+}
+
 }  // namespace
 }  // namespace covaria::test::project_results_test
