@@ -99,7 +99,7 @@ std::string lower_case(const std::string& text) {
     return lower;
 }
 
-/// "u(x_i) [mm]", "Value (mm)", "Value / mm": the unit behind, where it is one.
+/// "u(x_i) [mm]", "Value (mm)", "Value / mm", "c / (nm/K)": the unit behind, where it is one.
 BudgetHead with_unit_behind(const std::string& header) {
     BudgetHead head{.word = plain_name(header)};
     std::string& word = head.word;
@@ -110,13 +110,13 @@ BudgetHead with_unit_behind(const std::string& header) {
         word = plain_name(word.substr(0, keep));
         return true;
     };
+    if (const std::size_t at = word.rfind(" / "); at != std::string::npos && at > 0)
+        if (cut(at + 3, std::string::npos, at)) return head;
     for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')})
         if (word.size() > 2 && word.back() == close)
             if (const std::size_t at = word.rfind(open);
                 at != std::string::npos && at > 0 && (open == '[' || word[at - 1] == ' '))
                 if (cut(at + 1, word.size() - at - 2, at)) return head;
-    if (const std::size_t at = word.rfind(" / "); at != std::string::npos && at > 0)
-        cut(at + 3, std::string::npos, at);
     return head;
 }
 

@@ -29,4 +29,8 @@ std::string csv_text(const std::string& text) {
     return out + "\"";
 }
 
+std::string csv_head(const std::string& name, const std::string& unit) {
+    return unit.empty() || unit == "1" ? name : name + " (" + unit + ")";
+}
+
 }  // namespace covaria

@@ -39,8 +39,8 @@ std::string head_line(const DataTable& table) {
     std::string line;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
         const TableColumn& column = table.columns[c];
-        const std::string unit = column.unit.text() == "1" ? "" : " (" + column.unit.text() + ")";
-        line += (c ? "," : "") + csv_text(column.header + (needs_units(table, c) ? "" : unit));
+        const std::string unit = needs_units(table, c) ? "" : column.unit.text();
+        line += (c ? "," : "") + csv_text(csv_head(column.header, unit));
         if (needs_units(table, c)) line += "," + csv_text(column.header + " unit");
     }
     return line + "\r\n";

@@ -109,24 +109,23 @@ DataTable rows_table(const DesignResult& result) {
 }
 
 DataTable gains_table(const DesignResult& result) {
-    DataTable table = table_of("gains", "Candidates and what they gain",
-                               {"row", "name", "chosen", "gain (%)", "x (mm)", "y (mm)", "z (mm)"});
-    const Unit mm = Unit::of("mm");
+    DataTable table = table_of("gains", "Candidates and what they gain", {"row", "name", "chosen", "gain"});
+    table.columns.back().unit = Unit::of("%");
+    for (const char* axis : {"x", "y", "z"}) table.columns.push_back({axis, Unit::of("mm"), true});
     for (const DesignGain& gain : result.gains) {
         table.rows.push_back({static_cast<double>(gain.row), gain.name, std::string(yes_or_no(gain.kept)),
-                              gain.gain ? TableCell(100.0 * *gain.gain) : TableCell()});
+                              number_cell(gain.gain)});
         for (Eigen::Index axis = 0; axis < 3; ++axis)
-            table.rows.back().push_back(gain.place ? TableCell(mm.from_si((*gain.place)[axis]))
-                                                   : TableCell());
+            table.rows.back().push_back(gain.place ? TableCell((*gain.place)[axis]) : TableCell());
     }
     return table;
 }
 
 DataTable sources_table(const DesignResult& result) {
     DataTable table =
-        table_of("sources", "What would be gained without the uncertainty of", {"origin", "gain (%)"});
-    for (const DesignSource& source : result.sources)
-        table.rows.push_back({source.origin, 100.0 * source.gain});
+        table_of("sources", "What would be gained without the uncertainty of", {"origin", "gain"});
+    table.columns.back().unit = Unit::of("%");
+    for (const DesignSource& source : result.sources) table.rows.push_back({source.origin, source.gain});
     return table;
 }
 
@@ -190,15 +189,16 @@ void say_yes_and_no(DataTable& table, std::size_t column) {
                                                : tell<"no">();
 }
 
-OrderedJson cell_json(const TableCell& cell) {
-    if (const auto* number = std::get_if<double>(&cell)) return json_number(*number);
+OrderedJson cell_json(const TableCell& cell, const Unit& unit) {
+    if (const auto* number = std::get_if<double>(&cell)) return json_number(unit.from_si(*number));
     if (const auto* quantity = std::get_if<Quantity>(&cell)) return json_number(quantity->value);
     if (!std::holds_alternative<std::monostate>(cell)) return english_of(cell);
     return nullptr;
 }
 
-/// "U by Monte Carlo" -> "UByMonteCarlo".
-std::string key_of(const std::string& head) {
+/// "U by Monte Carlo" -> "UByMonteCarlo"; x in mm -> "xMm".
+std::string key_of(const TableColumn& column) {
+    const std::string head = column.header + (column.unit == Unit{} ? "" : " " + column.unit.text());
     std::string key;
     bool capital = false;
     for (const char c : head) {
@@ -422,7 +422,7 @@ std::string design_json(const DesignResult& result) {
         for (const auto& cells : table.rows) {
             OrderedJson row = OrderedJson::object();
             for (std::size_t c = 0; c < cells.size(); ++c)
-                row[key_of(table.columns[c].header)] = cell_json(cells[c]);
+                row[key_of(table.columns[c])] = cell_json(cells[c], table.columns[c].unit);
             rows.push_back(std::move(row));
         }
         json[table.id] = std::move(rows);

@@ -4,7 +4,6 @@
 #include "core/report/csv_text.h"
 #include "core/report/plots.h"
 #include "core/text/numbers.h"
-#include "core/text/ticks.h"
 
 namespace covaria {
 namespace {
@@ -25,7 +24,7 @@ std::string category(const PlotAxis& axis, const std::vector<double>& positions,
 }
 
 std::string matrix_csv(const PlotSpecification& plot, const PlotSeries& map) {
-    std::vector<std::string> head = {to_unicode(title_with_unit(map.name, map.unit))};
+    std::vector<std::string> head = {csv_head(to_unicode(map.name), map.unit)};
     for (const Text& category : plot.x.categories) head.push_back(to_unicode(category));
     std::string out = line(head);
     const std::size_t columns = plot.x.categories.size();
@@ -45,8 +44,8 @@ std::string plot_csv(const PlotSpecification& plot) {
     for (const PlotSeries& series : plot.series) {
         if (series.kind == SeriesKind::heat_map) return matrix_csv(plot, series);
         const Text name = series.name.empty() ? Text() : series.name + ": ";
-        head.push_back(to_unicode(name + title_with_unit(plot.x.title, plot.x.unit)));
-        head.push_back(to_unicode(name + title_with_unit(plot.y.title, plot.y.unit)));
+        head.push_back(csv_head(to_unicode(name + plot.x.title), plot.x.unit));
+        head.push_back(csv_head(to_unicode(name + plot.y.title), plot.y.unit));
         rows = std::max({rows, series.x.size(), series.y.size()});
     }
     std::string out = head.empty() ? std::string() : line(head);

@@ -48,9 +48,8 @@ std::string PlottedOutput::unit() const {
 void PlottedOutput::set_density_axis(PlotAxis& axis) const {
     axis.title = language_.say(plot_words::density);
     axis.short_title = language_.say(plot_words::short_density);
-    const std::string text = unit();
-    const bool compound = text.find('/') != std::string::npos || text.find("·") != std::string::npos;
-    if (!text.empty()) axis.unit = compound ? "1/(" + text + ")" : "1/" + text;
+    if (const auto per_unit = Unit::parse("1/(" + unit_.interval().text() + ")"); per_unit && !is_one(unit_))
+        axis.unit = per_unit->display();
 }
 
 int PlottedOutput::exponent_of_results(double largest) const {

@@ -4,6 +4,7 @@
 #include "core/report/report_parts.h"
 #include "core/report/study_plots.h"
 #include "core/result/representation.h"
+#include "core/text/head_with_unit.h"
 #include "core/text/numbers.h"
 
 namespace covaria::report_parts {
@@ -40,11 +41,13 @@ std::string what_was_done(const StudyResult& study, const DocumentLanguage& in) 
 TableBlock sweep_table(const StudyResult& study, const DocumentLanguage& in) {
     TableBuilder table("study-" + study.id, study.name, in);
     const StudyAxisValues& axis = study.axes.front();
-    table.number(in.say(axis.title.message()) + (axis.unit == Unit{} ? "" : " / " + axis.unit.display()), 4);
+    const auto head = [](const Text& name, const Unit& unit) {
+        return to_unicode(head_with_unit(name, unit));
+    };
+    table.number(head(in.say(axis.title.message()), axis.unit), 4);
     const std::vector<StudyQuantity> all = study_quantities(study, in);
     const std::size_t shown = std::min(all.size(), most_quantities);
-    for (std::size_t q = 0; q < shown; ++q)
-        table.number(to_unicode(all[q].title) + " / " + all[q].unit.display(), 3);
+    for (std::size_t q = 0; q < shown; ++q) table.number(head(all[q].title, all[q].unit), 3);
     for (std::size_t i = 0; i < study.points.size(); ++i) {
         std::vector<TableCell> row{axis.values[i]};
         for (std::size_t q = 0; q < shown && study.points[i].has_values(); ++q)

@@ -11,6 +11,7 @@
 #include "core/report/plot_words.h"
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
+#include "core/text/head_with_unit.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "core/text/ticks.h"
@@ -176,7 +177,7 @@ Plane plane_of(const StudyResult& study, const StudyView& view) {
 
 Text title_of(const StudyResult& study, const StudyView& view, const StudyQuantity& quantity,
               const DocumentLanguage& language) {
-    Text title = study.name + ": " + title_with_unit(quantity.title, axis_unit(quantity.unit));
+    Text title = study.name + ": " + head_with_unit(quantity.title, quantity.unit);
     if (study.axes.size() < 3) return title;
     const StudyAxisValues& axis = study.axes[std::min<std::size_t>(view.fixed_axis, 2)];
     const double value = axis.values[std::min(view.slice, axis.values.size() - 1)];

@@ -1,5 +1,6 @@
 // Cells of a table as the views show them.
 #include "core/report/table.h"
+#include "core/text/head_with_unit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -157,8 +158,7 @@ Text head_shown(const Column& column, const TableView& view) {
 }
 
 Text head_shown(const Text& title, const Column& column, const TableView& view) {
-    if (!column.unit || *column.unit == Unit{}) return title;
-    return title + (" / " + view.units.of(*column.unit).display());
+    return column.unit ? head_with_unit(title, view.units.of(*column.unit)) : title;
 }
 
 Text cell_shown(const Table& table, const Column& column, std::size_t row, const TableView& view) {

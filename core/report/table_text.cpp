@@ -7,15 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/text/head_with_unit.h"
 #include "core/text/numbers.h"
 #include "core/text/written_out.h"
 
 namespace covaria {
 namespace {
-
-std::string unit_suffix(const TableColumn& column) {
-    return column.unit.text() == "1" ? "" : " (" + column.unit.display() + ")";
-}
 
 /// Of a number that is shown in its own unit, or in that of its column.
 const Unit& unit_of(const TableCell& cell, const TableColumn& column) {
@@ -203,8 +200,8 @@ bool is_numeric_column(const TableBlock& block, std::size_t column) {
 }
 
 Text head_text(const TableColumn& column) {
-    return (column.is_symbol ? symbols_text(column.header) : running_text(column.header)) +
-           unit_suffix(column);
+    return head_with_unit(column.is_symbol ? symbols_text(column.header) : running_text(column.header),
+                          column.unit);
 }
 
 Text cell_typeset(const TableBlock& block, std::size_t row, std::size_t column) {

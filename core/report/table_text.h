@@ -23,7 +23,7 @@ std::string cell_text(const TableBlock& block, std::size_t row, std::size_t colu
 /// Whether every filled cell of the column is a number: such columns are set flush right.
 bool is_numeric_column(const TableBlock& block, std::size_t column);
 
-/// Head with its symbols and its unit: "U (mm)".
+/// Head with its symbols and its unit: "U / mm".
 Text head_text(const TableColumn& column);
 /// `cell_text` with its symbols, of numbers typeset: as readers of HTML and PDF see it.
 Text cell_typeset(const TableBlock& block, std::size_t row, std::size_t column);

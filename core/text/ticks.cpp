@@ -70,11 +70,4 @@ Ticks logarithmic_ticks(double low, double high, int most, const NumberLocale& l
     return enough ? fine : linear_on_logarithmic(low, high, most, locale);
 }
 
-Text title_with_unit(const Text& words, const std::string& unit, int exponent) {
-    const std::string power = exponent == 0 ? std::string() : power_of_ten(exponent);
-    if (power.empty()) return unit.empty() ? words : words + (" (" + unit + ")");
-    if (unit.empty()) return words + (" (" + power + ")");
-    return words + (" (" + (unit.starts_with("1/") ? power + unit.substr(1) : power + " " + unit) + ")");
-}
-
 }  // namespace covaria

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/text/numbers.h"
-#include "core/text/text.h"
 
 namespace covaria {
 
@@ -28,7 +27,5 @@ Ticks linear_ticks(double low, double high, int most, const NumberLocale& locale
 int axis_exponent(double largest);
 /// The same for log10 of the value: whole decades, or 1-2-5 inside a decade.
 Ticks logarithmic_ticks(double low, double high, int most, const NumberLocale& locale = {});
-/// "x (mm)" of x in mm; with 10^-6 "x (10⁻⁶ mm)", "density (10⁻⁶/mm)", "u(x) (10⁻⁶)".
-Text title_with_unit(const Text& words, const std::string& unit, int exponent = 0);
 
 }  // namespace covaria

@@ -5,6 +5,7 @@
 #include "core/quantity/input_quantity.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
+#include "core/text/head_with_unit.h"
 #include "core/writers/formats.h"
 #include "core/writers/xlsx_book.h"
 
@@ -43,18 +44,18 @@ std::string range(int column, int first, int last) {
 
 /// In line 4. `y`: unit of contributions.
 void write_heads(XlsxBook& book, const Unit& y) {
-    const std::string u_y = "[" + y.display() + "]";
-    const std::vector<std::pair<std::string, double>> heads{{"Quantity", 14},
-                                                            {"Component", 36},
-                                                            {"Estimate", 18},
-                                                            {"Unit", 10},
-                                                            {"Standard uncertainty", 14},
-                                                            {"Distribution", 14},
-                                                            {"Degrees of freedom", 12},
-                                                            {"Sensitivity coefficient", 14},
-                                                            {"Contribution " + u_y, 16},
-                                                            {"Its square", 14},
-                                                            {"Its fourth power over nu", 14}};
+    const std::vector<std::pair<std::string, double>> heads{
+        {"Quantity", 14},
+        {"Component", 36},
+        {"Estimate", 18},
+        {"Unit", 10},
+        {"Standard uncertainty", 14},
+        {"Distribution", 14},
+        {"Degrees of freedom", 12},
+        {"Sensitivity coefficient", 14},
+        {to_unicode(head_with_unit("Contribution", y)), 16},
+        {"Its square", 14},
+        {"Its fourth power over nu", 14}};
     for (std::size_t i = 0; i < heads.size(); ++i) {
         book.text(4, static_cast<int>(i) + 1, heads[i].first, Look::head);
         book.set_width(static_cast<int>(i) + 1, heads[i].second);

@@ -5706,20 +5706,8 @@
         <translation>후보와 그 이득</translation>
     </message>
     <message>
-        <source>gain (%)</source>
-        <translation>이득 (%)</translation>
-    </message>
-    <message>
-        <source>x (mm)</source>
-        <translation>x (mm)</translation>
-    </message>
-    <message>
-        <source>y (mm)</source>
-        <translation>y (mm)</translation>
-    </message>
-    <message>
-        <source>z (mm)</source>
-        <translation>z (mm)</translation>
+        <source>gain</source>
+        <translation>이득</translation>
     </message>
     <message>
         <source>What would be gained without the uncertainty of</source>

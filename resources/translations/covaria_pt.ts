@@ -5707,20 +5707,8 @@
         <translation>Candidatos e o que ganham</translation>
     </message>
     <message>
-        <source>gain (%)</source>
-        <translation>ganho (%)</translation>
-    </message>
-    <message>
-        <source>x (mm)</source>
-        <translation>x (mm)</translation>
-    </message>
-    <message>
-        <source>y (mm)</source>
-        <translation>y (mm)</translation>
-    </message>
-    <message>
-        <source>z (mm)</source>
-        <translation>z (mm)</translation>
+        <source>gain</source>
+        <translation>ganho</translation>
     </message>
     <message>
         <source>What would be gained without the uncertainty of</source>

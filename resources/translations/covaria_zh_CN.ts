@@ -5706,20 +5706,8 @@
         <translation>候选项及其收益</translation>
     </message>
     <message>
-        <source>gain (%)</source>
-        <translation>收益 (%)</translation>
-    </message>
-    <message>
-        <source>x (mm)</source>
-        <translation>x (mm)</translation>
-    </message>
-    <message>
-        <source>y (mm)</source>
-        <translation>y (mm)</translation>
-    </message>
-    <message>
-        <source>z (mm)</source>
-        <translation>z (mm)</translation>
+        <source>gain</source>
+        <translation>收益</translation>
     </message>
     <message>
         <source>What would be gained without the uncertainty of</source>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text/head_with_unit.h"
 #include "ui/charts/mark_labels.h"
 #include "ui/theme/fonts.h"
 #include "ui/theme/label_text.h"
@@ -21,18 +22,17 @@ double widest(const Ticks& ticks, const QFont& font) {
     return width;
 }
 
-/// The title, else its short form, else the words shortened before the unit ("Wahrsch…dichte (1/mm)").
+/// The title, else its short form, else the words shortened before the unit ("Wahrsch…dichte / (1/mm)").
 Text fitting_title(const PlotAxis& axis, int exponent, const QFont& font, double room) {
-    const auto titled = [&](const Text& words) { return title_with_unit(words, axis.unit, exponent); };
+    const auto titled = [&](const Text& words) { return head_with_unit(words, axis.unit, exponent); };
     const Text& shorter = axis.short_title.empty() ? axis.title : axis.short_title;
     for (const Text& words : {axis.title, shorter})
         if (const Text title = titled(words); text_width(title, font) <= room) return title;
-    const Text unit = titled({});  // " (1/mm)"
+    const Text unit = titled({});  // "(1/mm)"
     if (unit.empty()) return shortened(shorter, font, room);
-    const double left = room - text_width(unit, font);
+    const double left = room - (text_width(titled(shorter), font) - text_width(shorter, font));
     if (left >= text_width("nnn…", font)) return titled(shortened(shorter, font, left));
-    const Text bare = unit.part(1);
-    return text_width(bare, font) <= room ? bare : shortened(titled(shorter), font, room);
+    return text_width(unit, font) <= room ? unit : shortened(titled(shorter), font, room);
 }
 
 /// The chart while it is laid out: what is there already, and the measures that everything is set by.
@@ -131,7 +131,7 @@ public:
             sheet_.add_text(tick.text, {left, top}, TextKind::figures);
         }
         if (sheet_.plot.x.title.empty()) return;
-        const Text title = title_with_unit(sheet_.plot.x.title, sheet_.plot.x.unit, sheet_.out.x.exponent);
+        const Text title = head_with_unit(sheet_.plot.x.title, sheet_.plot.x.unit, sheet_.out.x.exponent);
         const double width = text_width(title, sheet_.out.fonts.label);
         const double middle =
             std::min(geometry.area.center().x(), sheet_.size.width() - sheet_.edge - 0.5 * width);

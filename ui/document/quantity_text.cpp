@@ -90,12 +90,4 @@ double converted_interval(double value, const Unit& from, const Unit& to) {
     return QString::number(to.interval_from_si(from.interval_to_si(value)), 'g', 15).toDouble();
 }
 
-Text with_unit(const Text& title, const Unit& unit) {
-    return unit == Unit() ? title : title + (" / " + unit.display());
-}
-
-QString with_unit(const QString& title, const Unit& unit) {
-    return unit == Unit() ? title : title + QStringLiteral(" / ") + to_qt(unit.display());
-}
-
 }  // namespace covaria::ui

@@ -8,7 +8,6 @@
 #include "core/base/error.h"
 #include "core/base/unit.h"
 #include "core/text/numbers.h"
-#include "core/text/text.h"
 
 namespace covaria::ui {
 
@@ -35,9 +34,5 @@ QString quantity_text(const Quantity& quantity, const QLocale& locale);
 double converted(double value, const Unit& from, const Unit& to);
 /// Likewise a difference or an uncertainty: without the zero of degC.
 double converted_interval(double value, const Unit& from, const Unit& to);
-
-/// "x / mm": title of a column or field with its unit.
-QString with_unit(const QString& title, const Unit& unit);
-Text with_unit(const Text& title, const Unit& unit);
 
 }  // namespace covaria::ui

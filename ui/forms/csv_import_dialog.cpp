@@ -10,6 +10,7 @@
 
 #include "core/base/file_io.h"
 #include "core/project/table_columns.h"
+#include "core/text/head_with_unit.h"
 #include "core/text/symbol.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
@@ -92,8 +93,9 @@ void CsvImportDialog::offer_columns(const std::vector<std::string>& headers) {
         choice->addItem(known ? tr("as it is named") : tr("unknown: choose"), to_qt(header));
         choice->addItem(tr("not read"), QString());
         for (const ColumnSpec& column : field_.columns)
-            choice->addItem(to_qt(to_unicode(with_unit(title_text(core_words(column.title)), column.unit))),
-                            to_qt(column_header(column, column.unit)));
+            choice->addItem(
+                to_qt(to_unicode(head_with_unit(title_text(core_words(column.title)), column.unit))),
+                to_qt(column_header(column, column.unit)));
         columns_->setCellWidget(row, 1, choice);
         connect(choice, &QComboBox::currentIndexChanged, this, &CsvImportDialog::read);
     }
@@ -144,7 +146,7 @@ void CsvImportDialog::show_preview() {
     for (std::size_t c = 0; c < field_.columns.size(); ++c) {
         const Unit unit = c < table.units.size() ? table.units[c] : field_.columns[c].unit;
         const QString title =
-            to_qt(to_unicode(with_unit(title_text(core_words(field_.columns[c].title)), unit)));
+            to_qt(to_unicode(head_with_unit(title_text(core_words(field_.columns[c].title)), unit)));
         preview_->setHorizontalHeaderItem(static_cast<int>(c), new QTableWidgetItem(title));
         for (int r = 0; r < rows; ++r) {
             const auto& row = table.rows[static_cast<std::size_t>(r)];

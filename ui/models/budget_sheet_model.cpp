@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/report/result_columns.h"
+#include "core/text/head_with_unit.h"
 #include "core/text/symbol.h"
 #include "ui/document/observation_edits.h"
 #include "ui/document/quantity_text.h"
@@ -385,12 +386,11 @@ QVariant BudgetSheetModel::headerData(int section, Qt::Orientation orientation, 
     if (section < 0 || section >= sections) return {};
     const SectionHead& head = head_of(section);
     Text title = section == nu ? symbol_text("nu") : Text(to_std(ui::tr(head.title)));
-    if (section == contribution && result_)
-        title = to_std(with_unit(QString::fromUtf8(head.title),
-                                 units_.of(result_->outputs[output_].quantity.unit).interval()));
     const bool of_output = section == c || section == contribution || section == share;
     if (of_output && result_ && result_->outputs.size() > 1)
         title = title + " (" + symbol_text(result_->outputs[output_].quantity.symbol) + ")";
+    if (section == contribution && result_)
+        title = head_with_unit(title, units_.of(result_->outputs[output_].quantity.unit).interval());
     if (role == Qt::DisplayRole) return to_qt(to_unicode(title));
     if (role == typeset_role) return QVariant::fromValue(title);
     if (role == Qt::ToolTipRole)

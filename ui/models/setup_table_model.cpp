@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/setup/text_columns.h"
+#include "core/text/head_with_unit.h"
 #include "core/text/symbol.h"
 #include "ui/document/project_edits.h"
 #include "ui/document/quantity_text.h"
@@ -173,7 +174,7 @@ QVariant SetupTableModel::headerData(int section, Qt::Orientation orientation, i
         return role == Qt::ToolTipRole ? QVariant(complaint({section, -1})) : QVariant();
     }
     if (section < 0 || section >= columnCount()) return {};
-    const Text title = with_unit(title_text(core_words(column(section).title)), unit(section));
+    const Text title = head_with_unit(title_text(core_words(column(section).title)), unit(section));
     if (role == Qt::DisplayRole) return to_qt(to_unicode(title));
     if (role == typeset_role) return QVariant::fromValue(title);
     if (role == Qt::ToolTipRole) return core_text(column(section).help);

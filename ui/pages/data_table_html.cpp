@@ -4,6 +4,7 @@
 
 #include "core/base/message.h"
 #include "core/report/table_text.h"
+#include "core/text/head_with_unit.h"
 #include "core/text/symbol.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/core_text.h"
@@ -20,10 +21,8 @@ QString element(const char* tag, bool is_numeric, const QString& content) {
 }
 
 QString head_of(const TableColumn& column) {
-    QString head = column.is_symbol ? to_qt(to_html(symbols_text(column.header)))
-                                    : core_text(column.header).toHtmlEscaped();
-    if (!(column.unit == Unit())) head += QStringLiteral("<br>(%1)").arg(to_qt(column.unit.display()));
-    return head;
+    const Text name = column.is_symbol ? symbols_text(column.header) : Text(to_std(core_text(column.header)));
+    return to_qt(to_html(head_with_unit(name, column.unit)));
 }
 
 /// As in a report, in the user's numbers. The narrow space between groups would be read as one to break at.

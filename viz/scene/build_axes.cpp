@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/own_names.h"
+#include "core/text/head_with_unit.h"
 #include "core/text/numbers.h"
 #include "core/text/round_numbers.h"
 #include "core/text/symbol.h"
@@ -106,7 +107,7 @@ void add_axes(Scene& scene) {
     static constexpr const char* names[] = {"x", "y", "z"};
     for (int i = 0; i < 3; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        axes.titles[k] = std::string(names[i]) + " / " + scene.unit.text;
+        axes.titles[k] = to_unicode(head_with_unit(names[i], scene.unit.text));
         const double own = extent[i] >= 2 * step ? step : round_step(extent[i] / 3);
         axes.ticks[k] =
             ticks_between(axes.low[i], axes.high[i], std::min(own, longest_step(extent[i])), scene);

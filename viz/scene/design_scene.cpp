@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/text/head_with_unit.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "viz/scene/build_parts.h"
@@ -50,7 +51,7 @@ void scale_colours(SceneMap& map) {
 /// The rows of the table, larger where they were chosen.
 SceneMap map_of_rows(const DesignResult& design, double extent, const DocumentLanguage& in) {
     SceneMap map;
-    map.title = in.say(tell<"gain (%)">());
+    map.title = to_unicode(head_with_unit(in.say(tell<"gain">()), Unit::of("%")));
     map.radius = point_radius * extent;
     for (const DesignGain& gain : design.gains) {
         if (!gain.place) continue;

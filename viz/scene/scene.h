@@ -205,7 +205,7 @@ struct LengthUnit {
 /// Points of space coloured by a number: a map of a study, the candidates of a design. Positions and values
 /// are in the order of its grid; a value that is not finite is left out.
 struct SceneMap {
-    std::string title = {};                       ///< of the colour bar: "u(3D), B (mm)"
+    std::string title = {};                       ///< of the colour bar: "u(3D), B / mm"
     std::vector<Eigen::Vector3d> positions = {};  ///< m
     std::vector<double> values = {};              ///< in the unit that the title names
     std::vector<bool> shown = {};                 ///< as a point; the others are left to the surfaces

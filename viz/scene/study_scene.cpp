@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/text/head_with_unit.h"
 #include "core/text/numbers.h"
 #include "core/text/round_numbers.h"
 #include "viz/scene/build_parts.h"
@@ -54,7 +55,7 @@ bool fills_volume(const StudyResult& study, const SceneMap& map) {
 SceneMap map_of(const StudyResult& study, const StudyQuantity& quantity, std::size_t triple,
                 const StudySceneOptions& wanted) {
     SceneMap map;
-    map.title = quantity.id + (quantity.unit == Unit{} ? "" : " (" + quantity.unit.display() + ")");
+    map.title = to_unicode(head_with_unit(quantity.id, quantity.unit));
     map.low = std::numeric_limits<double>::infinity();
     map.high = -map.low;
     for (std::size_t i = 0; i < study.points.size(); ++i) {

@@ -162,6 +162,9 @@ TEST(ReadWorkbook, HeadersOfEa402AreKnown) {
         {"Phase of the moon", BudgetColumn::unread}};
     for (const auto& [header, column] : cases) EXPECT_EQ(budget_head_of(header).column, column) << header;
     EXPECT_EQ(budget_head_of("Contribution [nm]").unit->text(), "nm");
+    EXPECT_EQ(budget_head_of("Contribution / nm").unit->text(), "nm");
+    EXPECT_EQ(budget_head_of("Contribution / (mV/V)").column, BudgetColumn::contribution);
+    EXPECT_EQ(budget_head_of("Contribution / (mV/V)").unit->text(), "mV/V");
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(Report, ManyGroupsBecomeRowsOfTheMatrix) {
     const TableBlock* summary = table_with_id(document, "summary-typed");
     ASSERT_NE(summary, nullptr);
     EXPECT_EQ(summary->table.rows.size(), 20U);
-    EXPECT_EQ(head_of(summary->table.columns[1]), "U(x) (mm)");
+    EXPECT_EQ(head_of(summary->table.columns[1]), "U(x) / mm");
     EXPECT_EQ(cell_text(*summary, 0, 1), "0.74");
 }
 
@@ -163,13 +163,13 @@ TEST(ReadTable, HasTheUnitInTheHeadAndEvenDecimals) {
                   {Quantity{2.0, mm}, Quantity{2.0, deg}, Quantity{0.1234, mm}},
                   {TableCell{}, Quantity{0.25, mm}, TableCell{}}};
     const TableBlock block = read_table(table, {});
-    EXPECT_EQ(head_of(block.table.columns[0]), "same (mm)");
+    EXPECT_EQ(head_of(block.table.columns[0]), "same / mm");
     EXPECT_EQ(cell_text(block, 0, 0), "1.5");
     EXPECT_EQ(cell_text(block, 1, 0), "2.0");
     EXPECT_EQ(head_of(block.table.columns[1]), "other");
     EXPECT_EQ(cell_text(block, 1, 1), "2°");
     EXPECT_EQ(cell_text(block, 0, 1), "1.5\u00a0mm");
-    EXPECT_EQ(head_of(block.table.columns[2]), "rounded (mm)");
+    EXPECT_EQ(head_of(block.table.columns[2]), "rounded / mm");
     EXPECT_EQ(cell_text(block, 1, 2), "0.12");
 }
 
@@ -240,7 +240,7 @@ TEST(Report, SetupLeavesOutEmptyColumns) {
     const TableBlock* points = table_with_id(document, "setup-points");
     ASSERT_NE(points, nullptr);
     ASSERT_EQ(points->table.columns.size(), 3U);
-    EXPECT_EQ(head_of(points->table.columns[2]), "uₓ (mm)");
+    EXPECT_EQ(head_of(points->table.columns[2]), "uₓ / mm");
     EXPECT_EQ(cell_text(*points, 0, 1), "-344");
     EXPECT_EQ(cell_text(*points, 0, 2), "0.066");
 }

@@ -75,19 +75,6 @@ TEST(LogarithmicTicks, AreDecadesOrOneTwoFive) {
     EXPECT_GE(logarithmic_ticks(4.35, 4.6, 4).ticks.size(), 2U) << "inside a single step: linear";
 }
 
-TEST(TickTitles, TellThePower) {
-    const auto shown = [](const char* words, const char* unit, int exponent) {
-        return to_unicode(title_with_unit(words, unit, exponent));
-    };
-    EXPECT_EQ(shown("x", "mm", 0), "x (mm)");
-    EXPECT_EQ(shown("x", "mm", -6), "x (10⁻⁶ mm)");
-    EXPECT_EQ(shown("probability density", "1/mm", 6), "probability density (10⁶/mm)");
-    EXPECT_EQ(shown("x", "", 12), "x (10¹²)");
-    EXPECT_EQ(shown("x", "", 0), "x");
-    EXPECT_EQ(shown("u(x)", "", -6), "u(x) (10⁻⁶)");
-    EXPECT_EQ(shown("u(x)", "mm", -3), "u(x) (10⁻³ mm)");
-}
-
 TEST(RoundNumbers, NearestBelowAboveAndTexts) {
     EXPECT_DOUBLE_EQ(nearest_round_number(109), 100);
     EXPECT_DOUBLE_EQ(nearest_round_number(1600), 2000);

@@ -163,7 +163,7 @@ TEST_F(DesignSession, TheSceneShowsWhatWasFoundWhileItsTabIsOnTop) {
         const auto scene = window_->scene().view().scene();
         return scene && scene->map ? scene->map->title : std::string();
     };
-    EXPECT_TRUE(wait_for([&] { return map() == "gain (%)"; }));
+    EXPECT_TRUE(wait_for([&] { return map() == "gain / %"; }));
     EXPECT_EQ(window_->scene().view().scene()->map->positions.size(), 22u);
     EXPECT_FALSE(scene_picture().isNull());
     window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/design-scene.png"));

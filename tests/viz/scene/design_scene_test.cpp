@@ -51,7 +51,7 @@ DesignResult of_values() {
 TEST(DesignScene, CandidatesHaveTheColourOfTheirGainAndThoseChosenAreMarked) {
     const Scene scene = design_scene(of_rows(), {});
     ASSERT_TRUE(scene.map);
-    EXPECT_EQ(scene.map->title, "gain (%)");
+    EXPECT_EQ(scene.map->title, "gain / %");
     ASSERT_EQ(scene.map->positions.size(), 4u);
     EXPECT_EQ(scene.map->marked, (std::vector<bool>{true, false, true, false}));
     EXPECT_NEAR(scene.map->values[0], 50.0, 1e-12);

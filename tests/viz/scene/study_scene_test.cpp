@@ -44,11 +44,11 @@ TEST(StudyScene, PointsStandWhereTheTargetIs) {
     EXPECT_NEAR((scene.map->positions.back() - Eigen::Vector3d(8.3, 2.0, 0.8)).norm(), 0.0, 1e-9);
     EXPECT_NEAR(scene.map->values.front(), 1e3 * map.result.points.front().places[0].standard_uncertainty(),
                 1e-9);
-    EXPECT_EQ(scene.map->title, "u(3D), B (mm)");
+    EXPECT_EQ(scene.map->title, "u(3D), B / mm");
     EXPECT_GE(scene.bodies.size(), 4u) << "the instruments stand around the map";
     const std::string dump = dump_scene(scene);
     EXPECT_TRUE(
-        line_with(dump, "map \"").starts_with("map \"u(3D), B (mm)\" points 405 with values 405 shown 405 "))
+        line_with(dump, "map \"").starts_with("map \"u(3D), B / mm\" points 405 with values 405 shown 405 "))
         << dump.substr(0, 2000);
     EXPECT_EQ(line_with(dump, "iso-surfaces of").substr(0, 27), "iso-surfaces of 9 x 9 x 5: ");
 }

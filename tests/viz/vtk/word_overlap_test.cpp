@@ -108,7 +108,7 @@ std::vector<Scene> scenes_of(const fs::path& file) {
             scenes.push_back(*std::move(scene));
             // And with the colour bar of a study, and the remark of a preview.
             Scene map = scenes.back();
-            map.map = SceneMap{.title = "u(3D), platform (mm)", .positions = {Eigen::Vector3d::Zero()}};
+            map.map = SceneMap{.title = "u(3D), platform / mm", .positions = {Eigen::Vector3d::Zero()}};
             map.map->values = {0.5};
             map.map->shown = {false};
             map.map->ticks = {{0.25, "0.25"}, {0.5, "0.50"}, {0.75, "0.75"}};
