@@ -56,13 +56,13 @@ TEST(ChartLayout, ShortensTheTitleOfAnAxisAndKeepsANoun) {
             if (text.kind == TextKind::axis_title && text.upwards) return to_unicode(text.text);
         return std::string();
     };
-    EXPECT_EQ(title({600, 400}), "probability density (1/mm)");
-    EXPECT_EQ(title({600, 150}), "density (1/mm)");
+    EXPECT_EQ(title({600, 400}), "probability density / (1/mm)");
+    EXPECT_EQ(title({600, 150}), "density / (1/mm)");
     plot.y.title = "Anteil an der Varianz der Ausgangsgröße";
     plot.y.unit = "%";
     plot.y.short_title = {};
     EXPECT_TRUE(title({600, 220}).starts_with("Anteil")) << title({600, 220});
-    EXPECT_TRUE(title({600, 220}).ends_with(" (%)")) << title({600, 220});
+    EXPECT_TRUE(title({600, 220}).ends_with(" / %")) << title({600, 220});
 }
 
 TEST(ChartLayout, KeepsLongNamesInside) {
