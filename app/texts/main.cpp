@@ -175,6 +175,7 @@ void say_tables_of(TextList& list, const std::shared_ptr<const UncertaintyResult
               {"shortest low", "shortest high", "stated low", "stated high"});
     say_table(list, budget_table(*result, budget_places(*result, 0)));
     say_table(list, inputs_table(result->inputs, all_shares(result->inputs)));
+    say_table(list, input_correlations_table(result->inputs, {}));
     say_table(list, regions_table(*result));
     const ResultComparison comparison = compare_results(result, result);
     say_table(list, compared_results_table(comparison));

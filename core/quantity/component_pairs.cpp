@@ -223,11 +223,4 @@ Result<std::vector<ComponentCorrelation>> resolved_correlations(const InputSet& 
     return resolved;
 }
 
-std::vector<ComponentCorrelation> detail::correlated_pairs(const InputSet& inputs) {
-    auto pairs = resolved_correlations(inputs);
-    if (!pairs) return {};
-    std::erase_if(*pairs, [](const ComponentCorrelation& pair) { return pair.coefficient == 0.0; });
-    return *std::move(pairs);
-}
-
 }  // namespace covaria

@@ -15,10 +15,6 @@ double correlation_between(const InputSet& inputs, std::size_t first, std::size_
 /// u_j/u for independent ones. Held components are left out.
 std::vector<Share> correlations_with_total(const InputSet& inputs, std::size_t quantity);
 
-/// All pairs with a coefficient other than 0 (`resolved_correlations`); none where they contradict each
-/// other.
-std::vector<ComponentCorrelation> correlated_pairs(const InputSet& inputs);
-
 /// Components that are correlated with each other, directly or through others: sorted sets of two or more.
 std::vector<std::vector<std::size_t>> correlated_sets(std::size_t components,
                                                       const std::vector<ComponentCorrelation>& correlations);

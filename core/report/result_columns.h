@@ -50,7 +50,12 @@ Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows);
 /// Every share of every quantity.
 std::vector<InputRow> all_shares(const InputSet& inputs);
 
-/// Correlation coefficients: "output symbol" and a column for each of the outputs.
+/// Correlation coefficients of components: a row for each pair.
+Table input_correlations_table(const InputSet& inputs, std::vector<ComponentCorrelation> pairs);
+/// Those that were stated or observed, and the +-1 of quantities that add their components.
+std::vector<ComponentCorrelation> all_correlations(const InputSet& inputs);
+
+/// Correlation coefficients of outputs: "output symbol" and a column for each of the outputs.
 Table correlation_table(const UncertaintyResult& result, const std::vector<std::size_t>& outputs);
 /// Joint coverage regions of the groups of measurands.
 Table regions_table(const UncertaintyResult& result);

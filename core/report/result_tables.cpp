@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/project/stated_requirements.h"
-#include "core/quantity/component_pairs.h"
 #include "core/report/report.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
@@ -40,16 +39,6 @@ DataTable links_table(const std::vector<LinkedInput>& linked) {
             {input.symbol, input.name.english(), input.unit.text(), value_in(input.unit, input.estimate),
              interval_in(input.unit, input.standard_uncertainty), input.degrees_of_freedom, input.analysis,
              input.output.group, input.output.symbol, std::string(input.linearised ? "yes" : "no")});
-    return table;
-}
-
-DataTable input_correlations_table(const UncertaintyResult& result,
-                                   const std::vector<ComponentCorrelation>& pairs) {
-    DataTable table = table_with("input-correlations", "Correlation coefficients of components",
-                                 {"component", "other component", "r"});
-    for (const ComponentCorrelation& pair : pairs)
-        table.rows.push_back({result.budget.components[pair.first].id,
-                              result.budget.components[pair.second].id, pair.coefficient});
     return table;
 }
 
@@ -205,8 +194,8 @@ std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnal
         matrix_table(result, correlation_of(result.covariance), "correlation", false),
         data_table(inputs_table(result.inputs, all_shares(result.inputs))),
         data_table(regions_table(result))};
-    if (const auto pairs = detail::correlated_pairs(result.inputs); !pairs.empty())
-        tables.push_back(input_correlations_table(result, pairs));
+    if (auto pairs = all_correlations(result.inputs); !pairs.empty())
+        tables.push_back(data_table(input_correlations_table(result.inputs, std::move(pairs))));
     if (result.trials > 0) {
         tables.push_back(histograms_table(result));
         tables.push_back(convergence_table(result));

@@ -4,7 +4,6 @@
 #include "core/project/project_file.h"
 #include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
-#include "core/quantity/component_pairs.h"
 #include "core/report/json_values.h"
 #include "core/report/report.h"
 #include "core/report/result_columns.h"
@@ -244,16 +243,6 @@ OrderedJson requirement_json(const EvaluatedAnalysis& evaluated, const Requireme
     return json;
 }
 
-OrderedJson input_correlations_json(const UncertaintyResult& result,
-                                    const std::vector<ComponentCorrelation>& pairs) {
-    OrderedJson list = OrderedJson::array();
-    for (const ComponentCorrelation& pair : pairs)
-        list.push_back({{"component", result.budget.components[pair.first].id},
-                        {"otherComponent", result.budget.components[pair.second].id},
-                        {"r", json_number(pair.coefficient)}});
-    return list;
-}
-
 OrderedJson links_json(const PreparedAnalysis& analysis) {
     OrderedJson list = OrderedJson::array();
     for (const LinkedInput& input : analysis.linked)
@@ -281,6 +270,16 @@ OrderedJson shares_json(const UncertaintyResult& result) {
     return list;
 }
 
+/// The pairs of the table of them, by the ids that budget and inputs have.
+OrderedJson input_correlations_json(const InputSet& inputs) {
+    OrderedJson list = OrderedJson::array();
+    for (const ComponentCorrelation& pair : all_correlations(inputs))
+        list.push_back({{"component", inputs.components[pair.first].id},
+                        {"with", inputs.components[pair.second].id},
+                        {"coefficient", json_number(pair.coefficient)}});
+    return list;
+}
+
 OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     OrderedJson outputs = OrderedJson::array();
@@ -301,6 +300,8 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
                         {"seed", std::to_string(result.provenance.seed)},
                         {"outputs", std::move(outputs)},
                         {"covariance", covariance_json(result)}};
+    if (auto pairs = input_correlations_json(result.inputs); !pairs.empty())
+        json["inputCorrelations"] = std::move(pairs);
     std::vector<std::string> warnings;
     for (const std::vector<Message>* said : {&evaluated.warnings, &result.warnings})
         for (const Message& warning : *said) warnings.push_back(warning.english());
@@ -312,8 +313,6 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     }
     if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
     if (!result.sobol.empty()) json["sobol"] = sobol_json(result);
-    if (const auto pairs = detail::correlated_pairs(result.inputs); !pairs.empty())
-        json["inputCorrelations"] = input_correlations_json(result, pairs);
     if (!evaluated.analysis->linked.empty()) {
         json["links"] = links_json(*evaluated.analysis);
         json["byAnalysis"] = shares_json(result);

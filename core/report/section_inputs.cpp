@@ -59,15 +59,16 @@ void add_rows(const InputSet& inputs, const Members& members, std::vector<InputR
     for (std::size_t k = 0; shares > 1 && k < shares; ++k) rows.push_back({members, k, true});
 }
 
-void add_correlations(Blocks& blocks, const InputSet& inputs, const DocumentLanguage& in) {
+/// Those of quantities that add their components are in the rows of these.
+void add_correlations(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
+    const InputSet& inputs = evaluated.result->inputs;
     if (inputs.correlations.empty()) return;
-    TableBuilder table("input-correlations", tell<"Correlation coefficients of components">(), in);
-    table.text(tell<"Component">(), true);
-    table.text(tell<"Component">(), true);
-    table.symbol("r", 3);
-    for (const ComponentCorrelation& c : inputs.correlations)
-        table.row(
-            {symbol_of_component(inputs, c.first), symbol_of_component(inputs, c.second), c.coefficient});
+    const Table all = input_correlations_table(inputs, inputs.correlations);
+    static const std::vector<std::string> keys = {"label", "other label", "r"};
+    TableBuilder table("input-correlations-" + evaluated.analysis->id,
+                       tell<"Correlation coefficients of components">(), in);
+    table.columns(all, keys);
+    for (std::size_t row = 0; row < all.rows; ++row) table.row(print_row(all, keys, row, in));
     blocks.push_back(table.take());
 }
 
@@ -111,7 +112,7 @@ void add_inputs(Blocks& blocks, const ReportSource& source, const EvaluatedAnaly
     blocks.push_back(table.take());
     if (const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id))
         add_quantity_notes(blocks, inputs, *entry, in);
-    add_correlations(blocks, inputs, in);
+    add_correlations(blocks, evaluated, in);
 }
 
 }  // namespace covaria::report_parts

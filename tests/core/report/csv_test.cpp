@@ -70,6 +70,21 @@ TEST(ResultTables, HoldEverythingOfTheResult) {
         for (const auto& row : table.rows) ASSERT_EQ(row.size(), table.columns.size()) << table.id;
 }
 
+TEST(ResultTables, CorrelationsOfInputsAreThereWithTheIdsOfTheBudget) {
+    UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
+    InputSet inputs = result.inputs;
+    inputs.correlations = {{0, 4, -0.36}};
+    result.inputs = inputs;
+    const std::vector<DataTable> tables =
+        result_tables(test::sample_project(), test::sample_analysis(result));
+    const auto table = std::find_if(tables.begin(), tables.end(),
+                                    [](const DataTable& t) { return t.id == "input-correlations"; });
+    ASSERT_NE(table, tables.end());
+    EXPECT_EQ(to_csv(*table),
+              "symbol,component,id,other symbol,other component,other id,r\r\n"
+              "b_1x,coordinate of a point,b_1x.typed,p_1_1y,coordinate of a point,p_1_1y.typed,-0.36\r\n");
+}
+
 TEST(ResultTables, CovarianceIsInTheProductOfUnits) {
     const UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
     const std::vector<DataTable> tables =

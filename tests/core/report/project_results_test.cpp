@@ -173,8 +173,8 @@ TEST(ProjectResults, TheFilesHaveTheCorrelationsOfTheInputs) {
     };
     const auto output = column("budget", "output"), id = column("budget", "id");
     const auto sensitivity = column("budget", "sensitivity"), u = column("budget", "u");
-    const auto first = column("input-correlations", "component");
-    const auto second = column("input-correlations", "other component");
+    const auto first = column("input-correlations", "id");
+    const auto second = column("input-correlations", "other id");
     const auto r = column("input-correlations", "r");
     EXPECT_EQ(r.size(), 3U) << "V, I and phi";
     for (const OutputResult& of : result->outputs) {
@@ -192,7 +192,7 @@ TEST(ProjectResults, TheFilesHaveTheCorrelationsOfTheInputs) {
         const double stated = of.quantity.unit.interval_from_si(of.first_order.standard_uncertainty);
         EXPECT_NEAR(std::sqrt(variance), stated, 1e-12 * stated) << of.quantity.symbol;
     }
-    EXPECT_NE(results_json(project, {shown}).find("\"otherComponent\": \"phi.1\""), std::string::npos);
+    EXPECT_NE(results_json(project, {shown}).find("\"with\": \"phi.1\""), std::string::npos);
 }
 
 TEST(ProjectResults, CombinedUncertaintyIsWrittenAsTheResultBesideIt) {

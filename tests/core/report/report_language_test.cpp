@@ -288,6 +288,7 @@ std::set<std::string> declared() {
     know(known, results_table(result));
     know(known, budget_table(result, budget_places(result, 0)));
     know(known, inputs_table(result.inputs, all_shares(result.inputs)));
+    know(known, input_correlations_table(result.inputs, {}));
     know(known, regions_table(result));
     const ResultComparison comparison = test::sample_comparison();
     know(known, compared_results_table(comparison));

@@ -60,6 +60,16 @@ TEST(ResultsJson, NumbersAreInTheUnitThatIsNamed) {
                 1e-12);
 }
 
+TEST(ResultsJson, CorrelationsOfInputsAreThereWhereThereAreSome) {
+    UncertaintyResult result = test::sample_result();
+    EXPECT_FALSE(Json::parse(text_of(result))["analyses"][0].contains("inputCorrelations"));
+    InputSet inputs = result.inputs;
+    inputs.correlations = {{0, 4, -0.36}};
+    result.inputs = inputs;
+    const Json pairs = Json::parse(text_of(result))["analyses"][0]["inputCorrelations"];
+    EXPECT_EQ(pairs.dump(), "[{\"component\":\"b_1x.typed\",\"with\":\"b_2y.typed\",\"coefficient\":-0.36}]");
+}
+
 TEST(ResultsJson, InfinityIsNullAndTheSeedIsText) {
     const Json analysis = Json::parse(text_of(test::sample_result()))["analyses"][0];
     EXPECT_TRUE(analysis["outputs"][0]["firstOrder"]["effectiveDegreesOfFreedom"].is_null());
