@@ -159,7 +159,7 @@ TEST_F(ChartPicture, LooksAsKept) {
         draw({plot, Theme::light(), {380, 260}, {}});
         const QImage kept(file);
         ASSERT_FALSE(kept.isNull()) << file.toStdString();
-        EXPECT_LT(differing(image_, kept), 0.01) << "differs from " << file.toStdString();
+        ASSERT_LT(differing(image_, kept), 0.01) << "differs from " << file.toStdString();
     }
 }
 
