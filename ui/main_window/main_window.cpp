@@ -139,7 +139,7 @@ void MainWindow::arrange() {
     docks_[2]->raise();
     if (help_) help_->hide();
     given_to_names_ = room_for_names();
-    const int for_forms = std::max(395, (27 * width()) / 100);  // all its tabs, where there is room
+    const int for_forms = std::max({395, (27 * width()) / 100, properties_->room_for_tabs() + 4});
     resizeDocks({docks_[0], docks_[1]}, {given_to_names_, for_forms}, Qt::Horizontal);
     resizeDocks({docks_[2]}, {(45 * height()) / 100}, Qt::Vertical);
     addToolBar(Qt::TopToolBarArea, toolbar_);

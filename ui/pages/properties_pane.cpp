@@ -28,6 +28,31 @@
 #include "ui/theme/tabs.h"
 
 namespace covaria::ui {
+namespace {
+
+enum AnalysisTab {
+    setup_tab,
+    inputs_tab,
+    options_tab,
+    studies_tab,
+    designs_tab,
+    requirements_tab,
+    notes_tab
+};
+
+QStringList analysis_tabs() {
+    return {PropertiesPane::tr("Set-up"),  PropertiesPane::tr("Inputs"),  PropertiesPane::tr("Options"),
+            PropertiesPane::tr("Studies"), PropertiesPane::tr("Designs"), PropertiesPane::tr("Requirements"),
+            PropertiesPane::tr("Notes")};
+}
+
+}  // namespace
+
+int PropertiesPane::room_for_tabs() {
+    TabBar bar;
+    for (const QString& title : analysis_tabs()) bar.addTab(title);
+    return bar.closest_width();
+}
 
 PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selection& selection,
                                QWidget* parent)
@@ -76,7 +101,7 @@ void PropertiesPane::rebuild() {
         selection_.select_field(path);
         following_ = false;
     });
-    tabs_->addTab(scrolled(setup_), tr("Set-up"));
+    tabs_->addTab(scrolled(setup_), analysis_tabs()[setup_tab]);
     if (entry.owner == SetupOwner::asset)
         add_asset_pages(entry);
     else
@@ -130,15 +155,16 @@ void PropertiesPane::add_asset_pages(const SetupAddress& entry) {
 }
 
 void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
+    const QStringList titles = analysis_tabs();
     inputs_ = new InputsPage(document_, runner_, entry.id);
     options_ = new OptionsForm(document_, entry.id);
     show_forecast(to_qt(entry.id));
-    tabs_->addTab(inputs_, tr("Inputs"));
-    tabs_->addTab(scrolled(options_), tr("Options"));
+    tabs_->addTab(inputs_, titles[inputs_tab]);
+    tabs_->addTab(scrolled(options_), titles[options_tab]);
     studies_ = new StudiesForm(document_, runner_, selection_, entry.id);
-    tabs_->addTab(scrolled(studies_), tr("Studies"));
+    tabs_->addTab(scrolled(studies_), titles[studies_tab]);
     designs_ = new DesignsForm(document_, runner_, selection_, entry.id);
-    tabs_->addTab(scrolled(designs_), tr("Designs"));
+    tabs_->addTab(scrolled(designs_), titles[designs_tab]);
     requirements_ = new RequirementsForm(document_, runner_, entry.id);
     requirements_->set_units(units_);
     connect(requirements_, &RequirementsForm::place_wanted, this, &PropertiesPane::place_wanted);
@@ -147,7 +173,7 @@ void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
     set_help_place(*studies_, QStringLiteral("analysis-studies"));
     set_help_place(*designs_, QStringLiteral("analysis-designs"));
     set_help_place(*requirements_, QStringLiteral("analysis-requirements"));
-    tabs_->addTab(scrolled(requirements_), tr("Requirements"));
+    tabs_->addTab(scrolled(requirements_), titles[requirements_tab]);
 }
 
 void PropertiesPane::show_forecast(const QString& analysis) {
@@ -157,7 +183,7 @@ void PropertiesPane::show_forecast(const QString& analysis) {
 }
 
 void PropertiesPane::add_notes_page(const SetupAddress& entry) {
-    tabs_->addTab(new NotesPage(document_, entry), tr("Notes"));
+    tabs_->addTab(new NotesPage(document_, entry), analysis_tabs()[notes_tab]);
 }
 
 void PropertiesPane::discard_if_gone() {
@@ -170,22 +196,22 @@ void PropertiesPane::follow_field(const QString& field) {
     if (following_ || !setup_ || field.isEmpty()) return;
     const QPointer<QWidget> focus = QApplication::focusWidget();
     following_ = true;
-    if (setup_->focus_field(to_std(field))) tabs_->setCurrentIndex(0);
+    if (setup_->focus_field(to_std(field))) tabs_->setCurrentIndex(setup_tab);
     following_ = false;
     if (focus) focus->setFocus();
 }
 
 void PropertiesPane::show_studies() {
-    if (studies_) tabs_->setCurrentIndex(3);
+    if (studies_) tabs_->setCurrentIndex(studies_tab);
 }
 
 void PropertiesPane::show_designs() {
-    if (designs_) tabs_->setCurrentIndex(4);
+    if (designs_) tabs_->setCurrentIndex(designs_tab);
 }
 
 void PropertiesPane::go_to_first_field() {
     if (!setup_) return;
-    tabs_->setCurrentIndex(0);
+    tabs_->setCurrentIndex(setup_tab);
     setup_->focus_first();
 }
 
@@ -209,15 +235,15 @@ void PropertiesPane::go_to_field(const QString& path) {
         return;
     }
     if (project_ && project_->focus_field(field)) return tabs_->setCurrentIndex(0);
-    if (studies_ && studies_->focus_field(field)) return tabs_->setCurrentIndex(3);
-    if (designs_ && designs_->focus_field(field)) return tabs_->setCurrentIndex(4);
-    if (requirements_ && requirements_->focus_field(field)) return tabs_->setCurrentIndex(5);
+    if (studies_ && studies_->focus_field(field)) return tabs_->setCurrentIndex(studies_tab);
+    if (designs_ && designs_->focus_field(field)) return tabs_->setCurrentIndex(designs_tab);
+    if (requirements_ && requirements_->focus_field(field)) return tabs_->setCurrentIndex(requirements_tab);
     if (setup_ && setup_->focus_field(field))
-        tabs_->setCurrentIndex(0);
+        tabs_->setCurrentIndex(setup_tab);
     else if (options_ && options_->focus_field(field))
-        tabs_->setCurrentIndex(2);
+        tabs_->setCurrentIndex(options_tab);
     else if (inputs_ && inputs_->focus_field(field))
-        tabs_->setCurrentIndex(1);
+        tabs_->setCurrentIndex(inputs_tab);
 }
 
 }  // namespace covaria::ui

@@ -41,6 +41,8 @@ public:
     void focus_field(const QString& path);
     SetupForm* setup_form() const { return setup_; }
     QTabWidget* tabs() const { return tabs_; }
+    /// px in which the names of all tabs of an analysis are whole.
+    static int room_for_tabs();
     /// Of requirements and what is said of them.
     void set_units(const DisplayUnits& units);
     /// Of the set-up, where one begins to fill it in.

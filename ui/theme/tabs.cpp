@@ -54,6 +54,13 @@ bool TabBar::is_shortened(int index) const {
     return !is_in_menu(index) && QTabBar::tabSizeHint(index).width() > widest_;
 }
 
+int TabBar::closest_width() const {
+    int width = 0;
+    for (int i = 0; i < count(); ++i)
+        if (isTabVisible(i)) width += QTabBar::tabSizeHint(i).width() + closer_ - most_closer;
+    return width;
+}
+
 QSize TabBar::minimumSizeHint() const {
     return {4 * more_->sizeHint().width(), QTabBar::minimumSizeHint().height()};
 }

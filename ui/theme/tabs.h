@@ -23,6 +23,8 @@ public:
     bool is_shortened(int index) const;
     /// px that a tab is narrower than the style has it.
     int closer() const { return closer_; }
+    /// px by which no name has to be shortened.
+    int closest_width() const;
     QToolButton& menu_button() { return *more_; }
     QSize minimumSizeHint() const override;
 

@@ -96,6 +96,8 @@ private:
             if (!bar.isTabVisible(i)) continue;
             if (own && own->is_in_menu(i))
                 say("tab in menu", bar.tabText(i), 1);
+            else if (own && own->is_shortened(i))
+                say("tab shortened", bar.tabText(i), 1);
             else
                 say("tab", bar.tabText(i), bar.tabRect(i).right() - bar.width() + 1);
         }
