@@ -46,6 +46,12 @@ double t_distribution_function(double t, double nu) {
     return boost::math::cdf(boost::math::students_t_distribution<double, Quiet>(nu), t);
 }
 
+double t_density(double t, double nu) {
+    if (!(nu > 0.0) || std::isnan(t)) return nan_value;
+    if (nu > 1e15) return normal_density(t);
+    return boost::math::pdf(boost::math::students_t_distribution<double, Quiet>(nu), t);
+}
+
 double chi_squared_quantile(double p, double dof) {
     if (!is_probability(p) || !(dof > 0.0) || std::isinf(dof)) return nan_value;
     return boost::math::quantile(boost::math::chi_squared_distribution<double, Quiet>(dof), p);

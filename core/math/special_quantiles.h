@@ -11,6 +11,8 @@ double t_quantile(double p, double nu);
 /// Distribution function of Student's t; `nu` may be infinite. To full relative precision in the lower tail.
 /// NaN unless nu > 0.
 double t_distribution_function(double t, double nu);
+/// Density of Student's t; `nu` may be infinite. NaN unless nu > 0.
+double t_density(double t, double nu);
 /// Quantile of chi-squared with `dof` degrees of freedom. NaN unless 0 < p < 1 and 0 < dof < infinity.
 double chi_squared_quantile(double p, double dof);
 /// Probability that chi-squared exceeds `value` >= 0: the p of a chi-squared test. NaN unless 0 < dof <

@@ -31,7 +31,7 @@ std::vector<ComparedPlace> compared_places(const ResultComparison& comparison, s
 /// Whether its part of the variance is another, beyond rounding.
 bool has_changed(const ResultComparison& comparison, const ComparedPlace& place);
 
-/// Distributions over each other: trials where they ran, else the normal one of the law of propagation.
+/// Distributions over each other: trials where they ran, else that of the law of propagation.
 PlotSpecification compared_distributions_plot(const ResultComparison& comparison, std::size_t output,
                                               const DisplayUnits& units = {},
                                               const DocumentLanguage& language = {});

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/normal_quantile.h"
 #include "core/report/comparison_columns.h"
 #include "core/report/plot_words.h"
 #include "core/report/plots_parts.h"
@@ -23,12 +22,11 @@ PlotSeries density_line(const PlottedOutput& y) {
         line = plot_parts::histogram_bars(y);
         line.kind = SeriesKind::line;
         line.bar_width = 0.0;
+        line.name = y.language().say(plot_words::monte_carlo);
     } else if (first.standard_uncertainty > 0.0 && std::isfinite(first.standard_uncertainty)) {
         const double mean = y.value(first.estimate), u = y.interval(first.standard_uncertainty);
-        line = plot_parts::curve(mean - 4.0 * u, mean + 4.0 * u, 161,
-                                 [&](double x) { return normal_density((x - mean) / u) / u; });
+        line = plot_parts::first_order_curve(y, mean - 4.0 * u, mean + 4.0 * u, 161);
     }
-    line.name = y.language().say(trials ? plot_words::monte_carlo : plot_words::normal_of_first_order);
     return line;
 }
 

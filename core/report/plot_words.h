@@ -20,6 +20,7 @@ inline const Phrase short_density{"density"};
 inline const Phrase normal_of_moments{"normal, same mean and u"};
 inline const Phrase normal_of_interval{"normal, same interval"};
 inline const Phrase normal_of_first_order{"normal, first order"};
+inline const Phrase t_of_first_order{"Student t, first order"};
 inline const Phrase interval{"%1 coverage interval"};
 inline const Phrase mean{"mean %1"};
 inline const Phrase normal_quantiles{"Normal quantiles of %1"};

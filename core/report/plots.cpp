@@ -117,7 +117,7 @@ PlotSeries normal_curve(const PlotAxis& axis, double mean, double u) {
                  [&](double x) { return normal_density((x - mean) / u) / u; });
 }
 
-void add_normal_curves(PlotSpecification& plot, const PlottedOutput& y) {
+void add_curves(PlotSpecification& plot, const PlottedOutput& y) {
     const MonteCarloOutput& mc = *y.trials();
     const FirstOrderOutput& first = y.output().first_order;
     if (std::isfinite(mc.standard_uncertainty)) {
@@ -127,10 +127,7 @@ void add_normal_curves(PlotSpecification& plot, const PlottedOutput& y) {
         plot.series.push_back(std::move(fit));
     }
     if (!(first.standard_uncertainty > 0.0)) return;
-    PlotSeries other = normal_curve(plot.x, y.value(first.estimate), y.interval(first.standard_uncertainty));
-    other.name = y.language().say(plot_words::normal_of_first_order);
-    other.role = SeriesRole::first_order;
-    plot.series.push_back(std::move(other));
+    plot.series.push_back(first_order_curve(y, plot.x.low, plot.x.high, curve_points));
 }
 
 void add_interval(PlotSpecification& plot, const PlottedOutput& y, double probability) {
@@ -192,7 +189,7 @@ PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t ou
     y.set_density_axis(plot.y);
     plot.series.push_back(histogram_bars(y));
     set_range(plot.x, plot.series.front(), y);
-    add_normal_curves(plot, y);
+    add_curves(plot, y);
     add_interval(plot, y, result.coverage_probability);
     return plot;
 }

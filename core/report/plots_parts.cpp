@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/special_quantiles.h"
 #include "core/report/plot_words.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_statement.h"
@@ -96,6 +97,17 @@ PlotSeries curve(double low, double high, std::size_t points, const std::functio
         series.y.push_back(f(x));
     }
     return series;
+}
+
+PlotSeries first_order_curve(const PlottedOutput& y, double low, double high, std::size_t points) {
+    const FirstOrderOutput& first = y.output().first_order;
+    const double nu = first.effective_degrees_of_freedom;
+    const double mean = y.value(first.estimate), u = y.interval(first.standard_uncertainty);
+    PlotSeries line = curve(low, high, points, [&](double x) { return t_density((x - mean) / u, nu) / u; });
+    line.name = y.language().say(std::isfinite(nu) ? plot_words::t_of_first_order
+                                                   : plot_words::normal_of_first_order);
+    line.role = SeriesRole::first_order;
+    return line;
 }
 
 }  // namespace covaria::plot_parts

@@ -58,5 +58,9 @@ PlotSeries histogram_bars(const PlottedOutput& y);
 
 /// f at `points` places, evenly spaced over [low, high].
 PlotSeries curve(double low, double high, std::size_t points, const std::function<double(double)>& f);
+/// Probability density by the law of propagation, that of which k is a quantile: Student's t about the
+/// estimate with scale u for finite effective degrees of freedom (JCGM 100 G.3), else normal. 0 < u <
+/// infinity.
+PlotSeries first_order_curve(const PlottedOutput& y, double low, double high, std::size_t points);
 
 }  // namespace covaria::plot_parts

@@ -4795,6 +4795,10 @@
         <translation>Normalverteilung, erste Ordnung</translation>
     </message>
     <message>
+        <source>Student t, first order</source>
+        <translation>Student-t, erste Ordnung</translation>
+    </message>
+    <message>
         <source>%1 coverage interval</source>
         <translation>Überdeckungsintervall %1</translation>
     </message>

@@ -4795,6 +4795,10 @@
         <translation>normal, primer orden</translation>
     </message>
     <message>
+        <source>Student t, first order</source>
+        <translation>t de Student, primer orden</translation>
+    </message>
+    <message>
         <source>%1 coverage interval</source>
         <translation>intervalo de cobertura del %1</translation>
     </message>

@@ -4794,6 +4794,10 @@
         <translation>정규분포, 1차</translation>
     </message>
     <message>
+        <source>Student t, first order</source>
+        <translation>스튜던트 t, 1차</translation>
+    </message>
+    <message>
         <source>%1 coverage interval</source>
         <translation>%1 포함구간</translation>
     </message>

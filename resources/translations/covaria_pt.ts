@@ -4795,6 +4795,10 @@
         <translation>normal, primeira ordem</translation>
     </message>
     <message>
+        <source>Student t, first order</source>
+        <translation>t de Student, primeira ordem</translation>
+    </message>
+    <message>
         <source>%1 coverage interval</source>
         <translation>intervalo de abrangência de %1</translation>
     </message>

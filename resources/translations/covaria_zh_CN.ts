@@ -4794,6 +4794,10 @@
         <translation>正态分布，一阶</translation>
     </message>
     <message>
+        <source>Student t, first order</source>
+        <translation>t 分布，一阶</translation>
+    </message>
+    <message>
         <source>%1 coverage interval</source>
         <translation>%1 包含区间</translation>
     </message>

@@ -14,6 +14,10 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 TEST(SpecialQuantiles, StudentTAsInTableG2) {  // JCGM 100 table G.2: two-sided t_p(nu)
+    EXPECT_NEAR(t_density(0.0, 4.0), 0.375, 1e-15);
+    EXPECT_NEAR(t_density(-1.0, 1.0), 0.5 / M_PI, 1e-15) << "Cauchy";
+    EXPECT_NEAR(t_density(1.0, INFINITY), std::exp(-0.5) / std::sqrt(2.0 * M_PI), 1e-15);
+    EXPECT_TRUE(std::isnan(t_density(0.0, 0.0)));
     EXPECT_NEAR(t_quantile(0.975, 1), 12.71, 0.005);
     EXPECT_NEAR(t_quantile(0.975, 4), 2.78, 0.005);
     EXPECT_NEAR(t_quantile(0.995, 16), 2.92, 0.005);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/report/comparison_report.h"
 #include "core/report/report.h"
 #include "core/report/table_text.h"
@@ -153,6 +155,21 @@ TEST(Comparison, DistributionsLieOverEachOther) {
     }
     EXPECT_NEAR(plot.x.low, -120'000.0 - 4.5 * 1000.0, 1e-9);
     EXPECT_EQ(plot.x.unit, "µm");
+}
+
+/// The curve is of the distribution that k is from.
+TEST(Comparison, FewDegreesOfFreedomAreDrawnAsStudentsT) {
+    auto first = test::plot_sample();
+    first.outputs[0].monte_carlo.reset();
+    first.outputs[0].first_order.effective_degrees_of_freedom = 4.0;
+    const auto result = std::make_shared<const UncertaintyResult>(std::move(first));
+    const PlotSpecification plot = compared_distributions_plot(compare_results(result, result), 0);
+    ASSERT_EQ(plot.series.size(), 2u);
+    EXPECT_EQ(to_unicode(plot.series[1].name), "after: Student t, first order");
+    const OutputResult& y = result->outputs[0];
+    const double u = y.quantity.unit.interval_from_si(y.first_order.standard_uncertainty);
+    const auto& density = plot.series[1].y;
+    EXPECT_NEAR(*std::max_element(density.begin(), density.end()), 0.375 / u, 1e-9 / u);
 }
 
 TEST(Comparison, TheChangesOfABudgetAreBars) {
