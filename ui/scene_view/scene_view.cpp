@@ -115,16 +115,14 @@ void SceneView::send_scene() {
                  : whole_;
     if (scene_)
         service_.post(
-            [shown = scene_, framed = framed_ && !moved_, reserved = pixels_of_cube(),
+            [shown = scene_, needs_fit = framing_.next(scene_, framed_, moved_.has_value()),
+             reserved = pixels_of_cube(),
              first = std::exchange(starts_over_, false)](SceneRenderer& renderer) {
-                // Results add lines to the legend that a framed scene stands beside.
-                const bool other = renderer.scene().title != shown->title ||
-                                   renderer.scene().legend.size() < shown->legend.size();
                 renderer.set_scene(*shown);
                 renderer.set_reserved(reserved);
                 if (first)
                     renderer.set_view(StandardView::iso);
-                else if (other && framed)
+                else if (needs_fit(renderer.camera(), renderer.size()))
                     renderer.fit();
             },
             moved_ ? RenderQuality::moving : RenderQuality::full);
@@ -171,6 +169,7 @@ void SceneView::fit() {
 
 void SceneView::start_over() {
     starts_over_ = framed_ = true;
+    framing_ = {};
     visibility_ = {};
     if (camera_.perspective) set_perspective(false);
     select({});

@@ -9,6 +9,7 @@
 
 #include "core/project/saved_view.h"
 #include "ui/scene_view/render_service.h"
+#include "viz/scene/framing.h"
 #include "viz/scene/handles.h"
 #include "viz/scene/view_cube.h"
 #include "viz/scene/visibility.h"
@@ -51,6 +52,8 @@ public:
     /// Marks an item without telling anybody; empty = none.
     void select(const QString& item_id);
     const QString& selected() const { return selected_; }
+    /// An item, not the camera.
+    bool is_dragging() const { return moved_ && dragged_; }
     /// While a tool asks for places, a click picks one and moves nothing.
     void set_picks_places(bool picks);
     void set_measure(MeasureMark mark);
@@ -165,6 +168,7 @@ private:
     std::optional<QPointF> brought_to_;  ///< by the drag that goes on
     QPointF grip_;                       ///< from the pointer to its middle, device pixels
     bool framed_ = true;  ///< everything is in the picture, and stays so when the pane changes its size
+    Framing framing_;
     RenderService service_;
 };
 

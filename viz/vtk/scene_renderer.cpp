@@ -168,6 +168,9 @@ void SceneRenderer::set_palette(ScenePalette palette) {
 void SceneRenderer::set_size(int width, int height) {
     implementation_->size = {std::clamp(width, 1, 16384), std::clamp(height, 1, 16384)};
 }
+PictureSize SceneRenderer::size() const {
+    return implementation_->size;
+}
 void SceneRenderer::set_pixel_ratio(double ratio) {
     implementation_->ratio = std::isfinite(ratio) ? std::clamp(ratio, 0.0, 16.0) : 0.0;
 }

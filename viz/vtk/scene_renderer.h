@@ -55,6 +55,7 @@ public:
     void set_palette(ScenePalette palette);
     /// In device pixels; clamped to 1 ... 16384.
     void set_size(int width, int height);
+    PictureSize size() const;
     /// Size of letters and line widths: 1 at 96 dots per inch, 2 on a display of twice the density.
     /// 0 (the default) = chosen from the size of the picture.
     void set_pixel_ratio(double ratio);

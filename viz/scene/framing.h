@@ -1,0 +1,27 @@
+// When a picture is framed anew: the view that somebody has stays while what it shows is edited.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "viz/scene/camera.h"
+
+namespace covaria {
+
+/// What was looked at before: scene by scene, of the same thing or of another.
+class Framing {
+public:
+    /// Asked with the camera that looks at the scene when it comes.
+    using Judgement = std::function<bool(const Camera&, PictureSize)>;
+
+    /// Whether the next scene needs to be framed. `framed`: nobody has chosen what is in the picture. `held`:
+    /// something is being dragged, and nothing moves but that; what has left the picture by then is seen when
+    /// the first scene comes that is not held.
+    Judgement next(std::shared_ptr<const Scene> scene, bool framed, bool held);
+
+private:
+    std::shared_ptr<const Scene> before_;
+    std::size_t explained_ = 0;  ///< most lines of the legend, which a framed scene stands beside
+};
+
+}  // namespace covaria
