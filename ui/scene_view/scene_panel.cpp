@@ -83,6 +83,7 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     make_toolbar();
     view_->set_empty_text(tr("Select an analysis in the project tree to see its layout here."));
     connect(view_, &SceneView::item_picked, this, &ScenePanel::take_pick);
+    connect(view_, &SceneView::drag_finished, this, &ScenePanel::refresh);  // nothing is held any more
     const auto refresh_if_shown = [this](const QString& id) {
         if (id == analysis_) refresh();
     };
@@ -193,6 +194,7 @@ void ScenePanel::make_layers_menu() {
 void ScenePanel::show_analysis(const QString& id) {
     if (id == analysis_) return;
     analysis_ = id;
+    drawn_magnification_.reset();
     measuring_->put_away();
     view_->set_visibility({});
     view_->forget_trial();
@@ -221,6 +223,7 @@ void ScenePanel::start_over() {
     picked_->hide();
     view_->forget_trial();
     view_->start_over();
+    drawn_magnification_.reset();
     refresh();
 }
 
@@ -253,6 +256,7 @@ SceneOptions ScenePanel::options() const {
     options.group = to_std(group());
     if (const QVariant factor = magnification_->currentData(); factor.isValid())
         options.magnification = factor.toDouble();
+    if (view_->is_dragging()) options.held_magnification = drawn_magnification_;
     options.probability = probability_->currentData().toDouble();
     options.language = scene_language(language_of_window());
     options.context = context_;
@@ -382,6 +386,7 @@ void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>
     if (number < shown_number_) return;
     shown_number_ = number;
     if (*scene) {
+        if (draws_uncertainty(**scene)) drawn_magnification_ = (*scene)->magnification;
         view_->show_scene(std::make_shared<const Scene>(std::move(**scene)));
         measuring_->set_result(result);
         view_->forget_trial();

@@ -105,6 +105,7 @@ private:
     std::shared_ptr<const DesignResult> design_;
     QString design_remark_;
     DisplayUnits units_;
+    std::optional<double> drawn_magnification_;  ///< of the last scene that drew uncertainty
     std::string source_asset_, source_;          ///< the selected set-up field
     std::map<std::string, std::string> groups_;  ///< in which each source is shown
     LayerVisibility layers_;

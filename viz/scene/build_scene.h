@@ -21,6 +21,8 @@ struct SceneOptions {
     double probability = 0.95;  ///< of ellipsoids
     std::optional<double> magnification =
         {};  ///< empty = automatic (a round number, so that the largest ellipsoid is seen)
+    /// In place of the automatic one: of the picture before, while something is dragged in it.
+    std::optional<double> held_magnification = {};
     bool ellipsoids = true, clouds = true, wall_histograms = true, labels = true, links = true, bodies = true;
     std::size_t cloud_limit = 20'000;  ///< points of each cloud; more trials are thinned evenly
     std::string histograms_of = {};    ///< name of the point; empty = the first with output quantities

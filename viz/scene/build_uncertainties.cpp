@@ -134,7 +134,7 @@ Message magnification_words(const Scene& scene, const SceneOptions& options) {
 }
 
 std::string caption_of(const Scene& scene, const SceneOptions& options) {
-    if (scene.ellipsoids.empty() && scene.ellipsoids_before.empty() && scene.clouds.empty()) return {};
+    if (!draws_uncertainty(scene)) return {};
     const bool ellipsoids = !scene.ellipsoids.empty() || !scene.ellipsoids_before.empty();
     return ellipsoids ? magnified_ellipsoids_words(scene, options)
                       : options.language.say(tell<"uncertainty × %1">(magnification_words(scene, options)));
@@ -143,7 +143,7 @@ std::string caption_of(const Scene& scene, const SceneOptions& options) {
 }  // namespace
 
 double magnification_of(const SceneOptions& options, double automatic) {
-    return stated_magnification(options).value_or(automatic);
+    return stated_magnification(options).value_or(options.held_magnification.value_or(automatic));
 }
 
 std::string magnified_ellipsoids_words(const Scene& scene, const SceneOptions& options) {

@@ -121,6 +121,10 @@ bool SceneMesh::operator==(const SceneMesh& other) const {
            X_WM.matrix() == other.X_WM.matrix() && colour == other.colour && opacity == other.opacity;
 }
 
+bool draws_uncertainty(const Scene& scene) {
+    return !scene.ellipsoids.empty() || !scene.ellipsoids_before.empty() || !scene.clouds.empty();
+}
+
 const SceneItem* find_item(const Scene& scene, const std::string& id) {
     if (const SceneItem* item = find_in(scene.points, id)) return item;
     if (const SceneItem* item = find_in(scene.frames, id)) return item;

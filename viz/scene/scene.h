@@ -262,6 +262,8 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
+/// Ellipsoids or clouds: what a magnification is of.
+bool draws_uncertainty(const Scene& scene);
 /// The item with this id, or null.
 const SceneItem* find_item(const Scene& scene, const std::string& id);
 /// Axes of an instrument have no name of their own.

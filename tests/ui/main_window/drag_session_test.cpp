@@ -133,6 +133,36 @@ TEST_F(DragSession, APointStaysWhereTheHandRests) {
     EXPECT_EQ(window_->document().undo_stack().count(), steps + 1);
 }
 
+/// He has turned it: nothing jumps while he drags, nor when results come after it.
+TEST_F(DragSession, TheViewStaysAndTheMagnificationIsHeld) {
+    open_network();
+    QTest::keyClick(&view(), Qt::Key_Left);
+    scene_picture();
+    const auto camera = [this] { return view().saved("view"); };
+    const auto seen = camera();
+    std::vector<double> drawn;
+    const QPoint from = pick("point:B");
+    const double before = view().scene()->magnification;
+    QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 5; ++i) {
+        QTest::qWait(60);
+        const QPoint to = from + i * QPoint(-16, -4);
+        QMouseEvent move(QEvent::MouseMove, to, view().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&view(), &move);
+        ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
+        scene_picture();
+        if (!view().scene()->ellipsoids.empty()) drawn.push_back(view().scene()->magnification);
+    }
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, from + QPoint(-80, -20));
+    ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
+    scene_picture();
+    EXPECT_FALSE(drawn.empty());
+    EXPECT_TRUE(std::ranges::all_of(drawn, [&](double m) { return m == before; }))
+        << testing::PrintToString(drawn);
+    EXPECT_NE(view().scene()->magnification, before) << "of what it has become, when it is let go";
+    EXPECT_TRUE(camera() == seen);
+}
+
 TEST_F(DragSession, AnInstrumentIsMovedInItsOwnSetUp) {
     open_network();
     const auto before = station("camera-2");
