@@ -198,7 +198,7 @@ void ScenePanel::show_analysis(const QString& id) {
     measuring_->put_away();
     view_->set_visibility({});
     view_->forget_trial();
-    picked_->hide();
+    say_nothing();
     refresh();
 }
 
@@ -220,7 +220,7 @@ void ScenePanel::start_over() {
     source_asset_.clear();
     source_.clear();
     measuring_->put_away();
-    picked_->hide();
+    say_nothing();
     view_->forget_trial();
     view_->start_over();
     drawn_magnification_.reset();
@@ -376,7 +376,7 @@ void ScenePanel::show_in_space(bool in_space) {
     flat_->setVisible(!in_space);
     setFocusProxy(in_space || !below_ ? view_ : below_);
     line_->setVisible(in_space);
-    if (!in_space) picked_->hide();
+    if (!in_space) say_nothing();
 }
 
 void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene,
@@ -423,6 +423,12 @@ void ScenePanel::place_words() {
     const int height = std::max(line_->height(), picked_->heightForWidth(width()));
     picked_->setGeometry(0, line_->geometry().bottom() + 1 - height, width(), height);
     picked_->raise();
+    view_->set_covered(picked_->isHidden() ? 0 : height - line_->height());
+}
+
+void ScenePanel::say_nothing() {
+    picked_->hide();
+    view_->set_covered(0);
 }
 
 void ScenePanel::resizeEvent(QResizeEvent* event) {
@@ -435,7 +441,7 @@ void ScenePanel::describe_item(const QString& id) {
     if (measuring_->is_active()) return;
     const SceneItem* item = view_->scene() ? find_item(*view_->scene(), id.toStdString()) : nullptr;
     picked_->setToolTip({});
-    if (!item) return picked_->hide();
+    if (!item) return say_nothing();
     const LengthUnit& unit = view_->scene()->unit;
     const QString place = tr("<b>%1</b>  at %2")
                               .arg(to_qt(name_of(*item)).toHtmlEscaped(),

@@ -91,6 +91,7 @@ private:
     void show_trial(std::uint64_t trial);
     void say(const QString& words, const QString& shorter = {});
     void place_words();
+    void say_nothing();
     void describe_item(const QString& id);
     void show_words();
     void take_pick(const QString& id);

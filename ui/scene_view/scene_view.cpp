@@ -190,6 +190,12 @@ void SceneView::set_measure(MeasureMark mark) {
     service_.post([mark = std::move(mark)](SceneRenderer& renderer) { renderer.set_measure(mark); });
 }
 
+void SceneView::set_covered(int height) {
+    if (std::exchange(covered_, height) == height) return;
+    service_.post(
+        [pixels = height * devicePixelRatioF()](SceneRenderer& renderer) { renderer.set_covered(pixels); });
+}
+
 void SceneView::set_empty_text(const QString& text) {
     empty_text_ = text;
     update();

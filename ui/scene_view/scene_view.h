@@ -57,6 +57,8 @@ public:
     /// While a tool asks for places, a click picks one and moves nothing.
     void set_picks_places(bool picks);
     void set_measure(MeasureMark mark);
+    /// px at its foot that words lie over: caption and scale bar stand above them.
+    void set_covered(int height);
     /// What is shown instead of a picture while there is no scene: what to do next.
     void set_empty_text(const QString& text);
     const QString& empty_text() const { return empty_text_; }
@@ -149,6 +151,7 @@ private:
     QImage image_;
     Camera camera_;  ///< of the image
     bool starts_over_ = false;
+    int covered_ = 0;
     QString selected_;
     QString reached_;        ///< the item whose handles show because the pointer came to it
     int grasped_axis_ = -1;  ///< of the arrow under the pointer

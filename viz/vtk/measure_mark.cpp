@@ -56,9 +56,10 @@ void Overlay::paint_measured_value(Pixel at) {
     const double w = mask.letters.width, h = mask.letters.height, gap = px(5);
     const double x = std::clamp(at.x - w / 2, gap, std::max(gap, canvas_.size().width - w - gap));
     double y = at.y + 2 * gap;
-    for (const double step : {0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0}) {
-        y = std::clamp(at.y + 2 * gap + step * (h + 3 * gap), gap,
-                       std::max(gap, canvas_.size().height - h - gap));
+    const double lowest = std::max(gap, canvas_.size().height - view_.covered - h - gap);
+    for (int tried = 0; tried < 25; ++tried) {
+        const int step = tried % 2 == 0 ? tried / 2 : -(tried + 1) / 2;
+        y = std::clamp(at.y + 2 * gap + step * (h + 3 * gap), gap, lowest);
         if (is_free({x - gap, y - gap, w + 2 * gap, h + 2 * gap})) break;
     }
     canvas_.rectangle({x - gap, y - gap, w + 2 * gap, h + 2 * gap}, ground_top(view_.palette), 0.85);

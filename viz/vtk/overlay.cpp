@@ -17,7 +17,11 @@ constexpr double margin = picture_margin;
 }  // namespace
 
 Overlay::Overlay(const Scene& scene, const OverlayView& view, Image& image, TextMasks& masks)
-    : scene_(scene), view_(view), canvas_(image), masks_(masks), taken_{view.reserved} {}
+    : scene_(scene), view_(view), canvas_(image), masks_(masks), taken_{view.reserved} {
+    const PictureSize size = canvas_.size();
+    if (view.covered > 0.0)
+        taken_.push_back({0.0, size.height - view.covered, double(size.width), view.covered});
+}
 
 void Overlay::paint() {
     // What has its place in a corner comes first, as far as room is concerned: the words along the axes and
@@ -121,7 +125,7 @@ void Overlay::paint_caption() {
     const auto fits = [&](const Text& line) { return mask_of(word_of(line)).letters.width <= room; };
     std::vector<Text> lines{scene_.caption};
     if (!fits(lines.front())) lines = wrapped(scene_.caption, fits);
-    double y = canvas_.size().height - px(margin - 4);
+    double y = canvas_.size().height - view_.covered - px(margin - 4);
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
         y -= mask_of(word_of(*line)).letters.height;
         put(word_of(*line), px(margin), y);
@@ -140,7 +144,7 @@ void Overlay::paint_scale_bar() {
                     Role::text, false, 0.92};
     const TextMask& mask = mask_of(word);
     const double right = canvas_.size().width - px(margin), height = mask.letters.height + px(14);
-    double y = canvas_.size().height - px(margin);
+    double y = canvas_.size().height - view_.covered - px(margin);
     // In a narrow picture it stands above the caption.
     const auto is_clear = [&] {
         return is_free({right - length - px(3), y - height, length + px(6), height});

@@ -19,6 +19,7 @@ struct OverlayView {
     std::string selected = {};
     MeasureMark measure = {};
     ScreenRect reserved = {};  ///< where something else will be painted
+    double covered = 0.0;      ///< px at the foot of the picture that lie under something else
 };
 
 /// Paints on `image` and remembers what is taken, so that later words avoid earlier ones.

@@ -40,6 +40,7 @@ struct SceneRenderer::Implementation {
     std::string selected;
     MeasureMark measure;
     ScreenRect reserved;
+    double covered = 0.0;
     Camera camera;
     bool camera_set = false;
 
@@ -143,7 +144,8 @@ Result<Image> SceneRenderer::Implementation::draw(RenderQuality quality) {
     auto image = window.picture(scale * size.width, scale * size.height);
     if (!image) return image;
     if (twice) *image = detail::half_size(*image);
-    const detail::OverlayView view{camera, layers, palette, pixel_ratio(), selected, measure, reserved};
+    const detail::OverlayView view{camera,   layers,  palette,  pixel_ratio(),
+                                   selected, measure, reserved, covered};
     detail::Overlay(scene, view, *image, masks).paint();
     return image;
 }
@@ -189,6 +191,9 @@ void SceneRenderer::set_measure(MeasureMark mark) {
 }
 void SceneRenderer::set_reserved(const ScreenRect& rect) {
     implementation_->reserved = rect;
+}
+void SceneRenderer::set_covered(double height) {
+    implementation_->covered = height;
 }
 const MeasureMark& SceneRenderer::measure() const {
     return implementation_->measure;

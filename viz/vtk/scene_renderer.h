@@ -66,6 +66,8 @@ public:
     const MeasureMark& measure() const;
     /// Pixels that are painted over: words stay clear of them.
     void set_reserved(const ScreenRect& rect);
+    /// Caption and scale bar stand above what covers so many px of the foot.
+    void set_covered(double height);
 
     void set_view(StandardView view);  ///< direction, and everything in the picture
     void fit();

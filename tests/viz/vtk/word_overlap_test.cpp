@@ -40,7 +40,7 @@ std::vector<View> views() {
 
 struct Counts {
     std::size_t words = 0;
-    std::vector<std::string> overlaps, nameless;
+    std::vector<std::string> overlaps, nameless, covered;
 };
 
 std::string view_words(const Scene& scene, const View& view) {
@@ -70,6 +70,13 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
             if (words[i].rect.overlaps(words[j].rect))
                 counts.overlaps.push_back(view_words(scene, view) + to_unicode(words[i].text) + " on " +
                                           to_unicode(words[j].text));
+    look.covered = 40.0 * view.ratio;
+    detail::Overlay covered(scene, look, image, masks);
+    covered.paint();
+    const double foot = view.size.height - look.covered;
+    for (const auto& word : covered.words())
+        if (word.rect.y < view.size.height && word.rect.y + word.rect.height > foot)
+            counts.covered.push_back(view_words(scene, view) + to_unicode(word.text));
     for (const int axis : {0, 1, 2}) {
         const std::string name = std::string("xyz").substr(std::size_t(axis), 1);
         const bool from_its_end = std::abs(look.camera.direction[axis]) > 0.9;
@@ -138,6 +145,7 @@ TEST(Words, NoneStandsOnAnotherInAnyExample) {
         ADD_FAILURE() << counts.overlaps[i];
     EXPECT_EQ(counts.overlaps.size(), 0U);
     EXPECT_EQ(counts.nameless, std::vector<std::string>{});
+    EXPECT_EQ(counts.covered, std::vector<std::string>{});
 }
 
 TEST(Words, ALabelWithoutRoomIsLeftOutAndComesWhenZoomed) {
