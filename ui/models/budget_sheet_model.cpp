@@ -482,7 +482,9 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_for(int row, int section, const 
     Cells cells;
     cells[column_of(section)] = {text};
     const QString figure = text.trimmed();  // "2 ppm" would be 0.000 002 degrees of freedom
-    if (section == nu && !figure.isEmpty() && !parse_number(figure, QLocale()))
+    if (section == nu && figure == QStringLiteral("∞"))
+        cells[column_of(section)] = {};  // as they are where none are stated
+    else if (section == nu && !figure.isEmpty() && !parse_number(figure, QLocale()))
         cells[column_of(section)] = {text, tr("“%1” is not a number of degrees of freedom.").arg(figure)};
     return cells;
 }

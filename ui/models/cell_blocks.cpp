@@ -8,6 +8,7 @@
 
 #include "core/text/numbers.h"
 #include "ui/models/roles.h"
+#include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -69,9 +70,13 @@ QString quoted_if_needed(QString cell) {
     return '"' + cell.replace("\"", "\"\"") + '"';
 }
 
-/// A number with the locale's decimal mark and all its digits; any other text as it is.
+/// A number with the locale's decimal mark and all its digits; what was typed and is typeset, as it was typed
+/// (V_in); any other text as it is.
 QString cell_for_programs(const QModelIndex& cell, const QLocale& locale) {
     const QVariant exact = cell.data(exact_role);
+    const bool is_typed = cell.flags() & Qt::ItemIsEditable;
+    if (!exact.isValid() && is_typed && cell.data(typeset_role).isValid())
+        return cell.data(Qt::EditRole).toString();
     if (exact.typeId() == QMetaType::QString) return exact.toString();
     if (!exact.isValid() || !std::isfinite(exact.toDouble())) return cell.data().toString();
     return to_qt(format_exact(exact.toDouble())).replace('.', locale.decimalPoint());

@@ -1,5 +1,6 @@
 // The everyday budget, with the keyboard: a gauge block with five quantities and a correlation, from nothing
 // to a PDF.
+#include <QClipboard>
 #include <QDir>
 #include <QHeaderView>
 #include <QLabel>
@@ -224,6 +225,26 @@ TEST_F(BudgetSession, DigitsOfUAreThoseOfItsComponentsToo) {
     window_->results().digits().setValue(4);
     EXPECT_TRUE(shows(Section::u, "0.0005102")) << cell(0, Section::u).toStdString();
     EXPECT_TRUE(shows(Section::contribution, "0.0005102")) << cell(0, Section::contribution).toStdString();
+}
+
+/// The same symbols, and infinite degrees of freedom as they are shown.
+TEST_F(BudgetSession, WhatIsCopiedIsPastedBackAsItWas) {
+    new_equation(QStringLiteral("V_out = V_in*R_2"));
+    for (const int row : {0, 1}) {
+        type_cell(row, Section::estimate, QStringLiteral("10"));
+        type_cell(row, Section::stated, QStringLiteral("U = 0.4, k = 2"));
+    }
+    ASSERT_TRUE(wait_for([&] { return !cell(1, Section::u).isEmpty() && status().is_of_present(); }));
+    const auto before = window_->document().project().analyses;
+    sheet()->setFocus();
+    QTest::keyClick(sheet(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(sheet(), Qt::Key_C, Qt::ControlModifier);
+    EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("\nV_in\t")))
+        << QGuiApplication::clipboard()->text().toStdString();
+    sheet()->setCurrentIndex(window_->budget().model()->index(0, 0));
+    QTest::keyClick(sheet(), Qt::Key_V, Qt::ControlModifier);
+    EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
+    EXPECT_EQ(window_->document().project().analyses, before);
 }
 
 /// u follows from the statement: typing there changes that.
