@@ -4784,7 +4784,7 @@
     </message>
     <message>
         <source>normal, same mean and u</source>
-        <translation>Normalverteilung, gleicher Mittelwert und gleiches u</translation>
+        <translation>normal, gleiches Mittel und u</translation>
     </message>
     <message>
         <source>normal, same interval</source>
@@ -4792,7 +4792,7 @@
     </message>
     <message>
         <source>normal, first order</source>
-        <translation>Normalverteilung, erste Ordnung</translation>
+        <translation>normal, erste Ordnung</translation>
     </message>
     <message>
         <source>Student t, first order</source>
@@ -13550,8 +13550,8 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Standardunsicherheit der Position im Raum: Quadratwurzel aus der Summe der Varianzen ihrer drei Koordinaten</translation>
     </message>
     <message>
-        <source>, worth %1</source>
-        <translation>, so viel wie %1</translation>
+        <source>, as good as %1 plain trials</source>
+        <translation>, so gut wie %1 gewöhnliche Versuche</translation>
     </message>
     <message>
         <source>Preview by the law of propagation, without Monte Carlo</source>

@@ -13550,8 +13550,8 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Incertidumbre típica de la posición en el espacio: raíz cuadrada de la suma de las varianzas de sus tres coordenadas</translation>
     </message>
     <message>
-        <source>, worth %1</source>
-        <translation>, por valor de %1</translation>
+        <source>, as good as %1 plain trials</source>
+        <translation>, tan buena como %1 pruebas sencillas</translation>
     </message>
     <message>
         <source>Preview by the law of propagation, without Monte Carlo</source>

@@ -13549,8 +13549,8 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <translation>공간상 위치의 표준불확도: 세 좌표의 분산의 합의 제곱근</translation>
     </message>
     <message>
-        <source>, worth %1</source>
-        <translation>, %1회 상당</translation>
+        <source>, as good as %1 plain trials</source>
+        <translation>, 일반 시행 %1회에 상당</translation>
     </message>
     <message>
         <source>Preview by the law of propagation, without Monte Carlo</source>

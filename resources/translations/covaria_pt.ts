@@ -13550,8 +13550,8 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Incerteza-padrão da posição no espaço: raiz quadrada da soma das variâncias de suas três coordenadas</translation>
     </message>
     <message>
-        <source>, worth %1</source>
-        <translation>, equivale a %1</translation>
+        <source>, as good as %1 plain trials</source>
+        <translation>, tão boa quanto %1 ensaios simples</translation>
     </message>
     <message>
         <source>Preview by the law of propagation, without Monte Carlo</source>

@@ -13549,8 +13549,8 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <translation>空间位置的标准不确定度：三个坐标的方差之和的平方根</translation>
     </message>
     <message>
-        <source>, worth %1</source>
-        <translation>，即 %1</translation>
+        <source>, as good as %1 plain trials</source>
+        <translation>，相当于 %1 次普通试验</translation>
     </message>
     <message>
         <source>Preview by the law of propagation, without Monte Carlo</source>

@@ -71,6 +71,11 @@ void UnreadTexts::replace_under(const SetupAddress& entry, const std::string& pa
     emit changed();
 }
 
+int UnreadTexts::count(const Project& project) const {
+    return int(std::count_if(texts_.begin(), texts_.end(),
+                             [&](const auto& text) { return exists(project, text.first.entry); }));
+}
+
 Problems UnreadTexts::problems(const Project& project) const {
     Problems problems;
     for (const auto& [place, text] : texts_)

@@ -55,6 +55,8 @@ public:
     bool take_back(int step);
     bool has_since(int step) const;
 
+    /// Without those of entries that are gone.
+    int count(const Project& project) const;
     /// As problems of the project; those of entries that are gone are left out.
     Problems problems(const Project& project) const;
     /// The analyses that must not run, by id, with the reason; those whose studies and designs must not.

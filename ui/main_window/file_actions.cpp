@@ -178,7 +178,7 @@ bool FileActions::save_as() {
 /// The file has no place for what cannot be read.
 void FileActions::tell_saved() {
     const QString name = QFileInfo(document_.file()).fileName();
-    const auto unread = int(document_.unread().all().size());
+    const int unread = document_.unread().count(document_.project());
     emit message(
         unread == 0 ? tr("Saved %1").arg(name)
                     : tr("Saved %1 without %n text(s) that cannot be read: see the problems", nullptr, unread)
@@ -188,7 +188,7 @@ void FileActions::tell_saved() {
 bool FileActions::may_leave() {
     finish_typing();
     // Texts that cannot be read are in no file.
-    if (!document_.is_modified() && document_.unread().all().empty()) return true;
+    if (!document_.is_modified() && document_.unread().count(document_.project()) == 0) return true;
     switch (dialogs.save_changes(document_.display_name())) {
         case SaveAnswer::save:
             return save();

@@ -326,7 +326,9 @@ void ResultsPane::show_next_step() {
 
 void ResultsPane::take_preferences() {
     shown_style_ = document_.project().results.style;
-    digits_->setValue(shown_style_.digits.value_or(preferences_.now().digits));
+    // What was chosen here stays until another number is stated.
+    const int stated = shown_style_.digits.value_or(preferences_.now().digits);
+    if (std::exchange(stated_digits_, stated) != stated) digits_->setValue(stated);
     result_model_.set_units(units_->units());
     budget_model_.set_units(units_->units());
     compare_->set_units(units_->units());

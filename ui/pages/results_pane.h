@@ -102,6 +102,7 @@ private:
     Selection& selection_;
     PreferenceStore& preferences_;
     ResultStyle shown_style_;  ///< of the project, that the tables have
+    int stated_digits_ = 0;    ///< by project or preferences
     ResultPointer result_;
     bool current_ = true;
     bool shortest_ = false;  ///< coverage intervals, else probabilistically symmetric ones

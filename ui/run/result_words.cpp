@@ -16,18 +16,19 @@ QString count(std::uint64_t trials) {
     return to_qt(count_text(trials));
 }
 
-/// ", worth 4 000 000": how many plain trials would give such interval ends, by one digit, which is all that
-/// the few batches of a preview know.
+/// ", as good as 4 000 000 plain trials": how many plain trials would give such interval ends, by one digit,
+/// which is all that the few batches of a preview know.
 QString worth(const UncertaintyResult& result) {
     constexpr double most = 1e9;  // beyond, the rest is rounding
     const auto gain = least_gain(result);
     if (!gain || *gain < 1.5) return {};
     const double trials = std::min(most, *gain * static_cast<double>(result.trials));
     const double unit = std::pow(10.0, std::floor(std::log10(trials)));
-    return tr(", worth %1").arg(count(static_cast<std::uint64_t>(std::floor(trials / unit) * unit)));
+    return tr(", as good as %1 plain trials")
+        .arg(count(static_cast<std::uint64_t>(std::floor(trials / unit) * unit)));
 }
 
-/// "Preview with 12 000 of 30 000 000 trials, worth 4 000 000"
+/// "Preview with 12 000 of 30 000 000 trials, as good as 4 000 000 plain trials"
 QString preview_words(const AnalysisStatus& status) {
     const EvaluationOptions& wanted = status.result_of->options;
     if (status.result->trials == 0) return tr("Preview by the law of propagation, without Monte Carlo");

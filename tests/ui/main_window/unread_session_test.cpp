@@ -115,6 +115,26 @@ TEST_F(UnreadSession, AStudyHoldsItsOwnRun) {
     EXPECT_TRUE(study.message.contains(QStringLiteral("kg")));
 }
 
+/// Nothing of it can be saved or lost.
+TEST_F(UnreadSession, WhatStoodInAnEntryThatIsGoneIsNotAskedFor) {
+    open(project_copy(QStringLiteral("lsm-network")));
+    select(SetupOwner::analysis, "recommended");
+    wait_until_idle();
+    show_tab(QStringLiteral("Studies"));
+    window_->selection().select_study(QStringLiteral("station-angle"));
+    type_into("axis_0_from", QStringLiteral("12 kg"));
+    Document& document = window_->document();
+    EXPECT_EQ(document.unread().count(document.project()), 1);
+    document.apply(QStringLiteral("Delete"), [](Project& project) {
+        std::erase_if(project.analyses, [](const AnalysisEntry& entry) { return entry.id == "recommended"; });
+    });
+    EXPECT_EQ(document.unread().count(document.project()), 0);
+    trigger(QStringLiteral("Save"));
+    EXPECT_FALSE(document.is_modified());
+    trigger(QStringLiteral("New Project"));
+    EXPECT_EQ(answer_.save_questions, 0) << "all of it is saved";
+}
+
 TEST_F(UnreadSession, TheTargetOfAStudyIsTypedIn) {
     open(project_copy(QStringLiteral("lsm-network")));
     select(SetupOwner::analysis, "recommended");

@@ -237,9 +237,11 @@ TEST_F(AnalysisRunnerTest, APreviewSaysWhatItIsWorth) {
     const auto count = [](std::uint64_t trials) { return to_qt(count_text(trials)); };
     const QString words_of_plain =
         QStringLiteral("Preview with %1 of %2 trials").arg(count(12'000), count(1'000'000));
-    EXPECT_EQ(words,
-              (std::vector{words_of_plain + QStringLiteral(", worth ") + count(2'000'000), words_of_plain,
-                           words_of_plain + QStringLiteral(", worth ") + count(1'000'000'000)}));
+    EXPECT_EQ(words, (std::vector{words_of_plain + QStringLiteral(", as good as ") + count(2'000'000) +
+                                      QStringLiteral(" plain trials"),
+                                  words_of_plain,
+                                  words_of_plain + QStringLiteral(", as good as ") + count(1'000'000'000) +
+                                      QStringLiteral(" plain trials")}));
     EXPECT_EQ(reductions, std::vector(3, VarianceReduction::control_variate));
 }
 
