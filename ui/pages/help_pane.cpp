@@ -2,6 +2,7 @@
 
 #include <QDesktopServices>
 #include <QFileInfo>
+#include <QScrollBar>
 #include <QTextBrowser>
 #include <QTextTable>
 #include <QUrl>
@@ -52,6 +53,9 @@ HelpPane::HelpPane(QWidget* parent) : QWidget(parent), browser_(new QTextBrowser
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(browser_);
     setFocusProxy(browser_);
+    for (QObject* part : {static_cast<QObject*>(browser_), static_cast<QObject*>(browser_->viewport()),
+                          static_cast<QObject*>(browser_->verticalScrollBar())})
+        part->installEventFilter(this);
     connect(browser_, &QTextBrowser::anchorClicked, this, &HelpPane::follow);
 }
 
@@ -81,9 +85,20 @@ bool HelpPane::show_place(const QString& anchor) {
     if (page_ != found->id) show_blocks(to_qt(found->title), found->blocks);
     page_ = found->id;
     place_ = anchor;
+    follows_place_ = true;
     go_to_place();
-    QMetaObject::invokeMethod(this, &HelpPane::go_to_place, Qt::QueuedConnection);  // at its new width
+    QMetaObject::invokeMethod(this, &HelpPane::go_to_place, Qt::QueuedConnection);
     return true;
+}
+
+/// A dock gets its width some time after it is shown: the place is elsewhere in the text then.
+bool HelpPane::eventFilter(QObject* watched, QEvent* event) {
+    const auto type = event->type();
+    if (type == QEvent::Wheel || type == QEvent::MouseButtonPress || type == QEvent::KeyPress)
+        follows_place_ = false;  // the reader goes on from there
+    if (type == QEvent::Resize && watched == browser_->viewport() && follows_place_ && !place_.isEmpty())
+        QMetaObject::invokeMethod(this, &HelpPane::go_to_place, Qt::QueuedConnection);
+    return QWidget::eventFilter(watched, event);
 }
 
 void HelpPane::show_words(const QString& title, const QString& markdown) {
@@ -93,9 +108,13 @@ void HelpPane::show_words(const QString& title, const QString& markdown) {
 }
 
 void HelpPane::show_blocks(const QString& title, const std::vector<ReportBlock>& blocks) {
-    browser_->setHtml(to_qt(html_body(browsable(blocks))));
-    browser_->document()->setDocumentMargin(16);
-    dress_tables(*browser_->document(), palette().color(QPalette::Mid));
+    // Dressed before it is laid out: what stands below tables that change afterwards is not drawn.
+    auto* document = new QTextDocument(browser_);
+    document->setDefaultFont(browser_->font());
+    document->setDocumentMargin(16);
+    document->setHtml(to_qt(html_body(browsable(blocks))));
+    dress_tables(*document, palette().color(QPalette::Mid));
+    browser_->setDocument(document);
     emit title_changed(title);
 }
 
@@ -114,8 +133,10 @@ QString HelpPane::words_at_place() const {
 void HelpPane::go_to_place() {
     browser_->setExtraSelections({});
     const QTextBlock block = block_at_place();
-    if (!block.isValid() || to_std(place_) == page_) return browser_->scrollToAnchor(to_qt(page_));
-    browser_->scrollToAnchor(place_);
+    const bool is_top = !block.isValid() || to_std(place_) == page_;
+    browser_->scrollToAnchor(is_top ? to_qt(page_) : place_);
+    browser_->horizontalScrollBar()->setValue(0);
+    if (is_top) return;
     QTextEdit::ExtraSelection mark;
     mark.cursor = QTextCursor(block);
     QColor color = palette().color(QPalette::Highlight);

@@ -1,5 +1,7 @@
 // F1 in the real window: every editor, cell and entry is answered by its own help.
 #include <QDockWidget>
+#include <QPlainTextEdit>
+#include <QScrollBar>
 #include <QTextBrowser>
 
 #include "core/manual/help_page.h"
@@ -56,6 +58,28 @@ protected:
 
     int asked_ = 0;
 };
+
+/// In the picture, not only in the document: what stood below the tables of a page was not drawn.
+TEST_F(HelpSession, ThePlaceIsSeen) {
+    trigger(QStringLiteral("New Project"));
+    trigger(QStringLiteral("Measurement equation"));
+    QWidget* equations = window_->properties().findChild<QPlainTextEdit*>(QStringLiteral("equations"));
+    ASSERT_TRUE(wait_for([&] { return equations->hasFocus(); }, 2000)) << "what was added takes the keyboard";
+    for (const char* field : {"equations", "observations"}) {
+        ASSERT_TRUE(window_->properties().setup_form()->focus_field(std::string("/") + field)) << field;
+        press_f1();
+        QWidget& view = *pane().browser().viewport();
+        const auto ink = [&view] {
+            const QImage picture = view.grab().toImage();
+            int dark = 0;
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = 0; x < picture.width(); ++x) dark += qGray(picture.pixel(x, y)) < 100;
+            return dark;
+        };
+        EXPECT_TRUE(wait_for([&] { return ink() > 200; }, 2000)) << field << ": " << ink();
+        EXPECT_EQ(pane().browser().horizontalScrollBar()->value(), 0);
+    }
+}
 
 TEST_F(HelpSession, EveryEditorOfTheExamplesAnswersWithItsOwnField) {
     const QDir projects(QStringLiteral(COVARIA_SOURCE_DIR "/projects"));
