@@ -53,9 +53,6 @@ HelpPane::HelpPane(QWidget* parent) : QWidget(parent), browser_(new QTextBrowser
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(browser_);
     setFocusProxy(browser_);
-    for (QObject* part : {static_cast<QObject*>(browser_), static_cast<QObject*>(browser_->viewport()),
-                          static_cast<QObject*>(browser_->verticalScrollBar())})
-        part->installEventFilter(this);
     connect(browser_, &QTextBrowser::anchorClicked, this, &HelpPane::follow);
 }
 
@@ -85,20 +82,9 @@ bool HelpPane::show_place(const QString& anchor) {
     if (page_ != found->id) show_blocks(to_qt(found->title), found->blocks);
     page_ = found->id;
     place_ = anchor;
-    follows_place_ = true;
     go_to_place();
-    QMetaObject::invokeMethod(this, &HelpPane::go_to_place, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &HelpPane::go_to_place, Qt::QueuedConnection);  // at its new width
     return true;
-}
-
-/// A dock gets its width some time after it is shown: the place is elsewhere in the text then.
-bool HelpPane::eventFilter(QObject* watched, QEvent* event) {
-    const auto type = event->type();
-    if (type == QEvent::Wheel || type == QEvent::MouseButtonPress || type == QEvent::KeyPress)
-        follows_place_ = false;  // the reader goes on from there
-    if (type == QEvent::Resize && watched == browser_->viewport() && follows_place_ && !place_.isEmpty())
-        QMetaObject::invokeMethod(this, &HelpPane::go_to_place, Qt::QueuedConnection);
-    return QWidget::eventFilter(watched, event);
 }
 
 void HelpPane::show_words(const QString& title, const QString& markdown) {

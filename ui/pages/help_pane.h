@@ -32,9 +32,6 @@ public:
 signals:
     void title_changed(const QString& title);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     const HelpPage* page_of(const QString& anchor);
     void show_blocks(const QString& title, const std::vector<ReportBlock>& blocks);
@@ -46,7 +43,6 @@ private:
     std::vector<HelpPage> pages_;
     std::string page_;  ///< id of the page that is shown
     QString place_;
-    bool follows_place_ = false;  ///< while its width is found
 };
 
 }  // namespace covaria::ui
