@@ -8,7 +8,9 @@
 #include "core/base/file_io.h"
 #include "core/base/file_names.h"
 #include "core/model/has_layout.h"
+#include "core/project/stated_requirements.h"
 #include "viz/scene/analysis_scene.h"
+#include "viz/scene/context_meshes.h"
 #include "viz/scene/design_scene.h"
 #include "viz/scene/saved_camera.h"
 #include "viz/scene/study_scene.h"
@@ -104,6 +106,7 @@ Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest&
     SceneOptions options;
     options.group = request.group;
     options.context = request.context;
+    options.verdicts = request.verdicts;
     options.units = evaluated.analysis->style.units;
     options.magnification = request.magnification;
     options.probability =
@@ -183,8 +186,9 @@ ResultFile listed(const PlannedPicture& picture, const std::vector<EvaluatedAnal
 
 Result<void> write_pictures(const std::filesystem::path& folder,
                             const std::vector<EvaluatedAnalysis>& analyses,
-                            const std::vector<PlannedPicture>& pictures,
-                            const std::vector<LayoutMesh>& context, const std::stop_token& stop) {
+                            const std::vector<PlannedPicture>& pictures, const MadeProject& made,
+                            const std::stop_token& stop) {
+    const std::vector<LayoutMesh> context = context_meshes(made);
     std::unique_ptr<QApplication> application;
     SceneRenderer renderer;
     const PlannedPicture* drawn = nullptr;  // whose scene the renderer has
@@ -201,6 +205,8 @@ Result<void> write_pictures(const std::filesystem::path& folder,
             PictureRequest request;
             request.group = picture.group;
             request.context = context;
+            request.verdicts =
+                judge(*evaluated.result, *made.project().find_analysis(evaluated.analysis->id));
             auto scene = scene_of(evaluated, request);
             if (!scene) return fail(scene.error());
             renderer.set_size(request.width, request.height);

@@ -26,8 +26,9 @@ struct PictureRequest {
     int height = 800;
     bool dark = false;
     std::optional<double> magnification = {};
-    double probability = 0.0;              ///< 0: the analysis' coverage probability
-    std::vector<LayoutMesh> context = {};  ///< of the project: context_meshes
+    double probability = 0.0;                      ///< 0: the analysis' coverage probability
+    std::vector<LayoutMesh> context = {};          ///< of the project: context_meshes
+    std::vector<RequirementResult> verdicts = {};  ///< on the analysis' result
 };
 
 /// The scene of one group with ellipsoids and a cloud of replayed trials.
@@ -51,7 +52,7 @@ std::vector<PlannedPicture> planned_pictures(const std::vector<EvaluatedAnalysis
 ResultFile listed(const PlannedPicture& picture, const std::vector<EvaluatedAnalysis>& analyses);
 Result<void> write_pictures(const std::filesystem::path& folder,
                             const std::vector<EvaluatedAnalysis>& analyses,
-                            const std::vector<PlannedPicture>& pictures,
-                            const std::vector<LayoutMesh>& context, const std::stop_token& stop);
+                            const std::vector<PlannedPicture>& pictures, const MadeProject& made,
+                            const std::stop_token& stop);
 
 }  // namespace covaria

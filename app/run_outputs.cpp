@@ -8,7 +8,6 @@
 #include "core/report/result_files.h"
 #include "core/result/representation.h"
 #include "ui/theme/document_language.h"
-#include "viz/scene/context_meshes.h"
 
 namespace covaria {
 namespace {
@@ -63,9 +62,7 @@ Result<void> write_run_outputs(const RunOutputs& outputs, const MadeProject& ope
     if (auto written = write_result_files(outputs.folder, *evaluation.made, analyses, std::move(listing));
         !written)
         return written;
-    if (auto written =
-            write_pictures(outputs.folder, analyses, pictures, context_meshes(*evaluation.made), stop);
-        !written)
+    if (auto written = write_pictures(outputs.folder, analyses, pictures, *evaluation.made, stop); !written)
         return written;
     return write_documents(outputs, {*evaluation.made, analyses, evaluation.failed}, chosen, stop);
 }

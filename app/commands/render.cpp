@@ -7,6 +7,7 @@
 #include "app/exit_status.h"
 #include "app/pictures.h"
 #include "app/terminal.h"
+#include "core/project/stated_requirements.h"
 #include "viz/scene/camera.h"
 #include "viz/scene/context_meshes.h"
 
@@ -53,6 +54,7 @@ Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
     if (!evaluation) return fail(evaluation.error());
     if (auto complete = check_complete(*evaluation); !complete) return complete;
     arguments.picture.context = context_meshes(**opened);
+    if (entry) arguments.picture.verdicts = judge(*evaluation->analyses.front().result, *entry);
     if (!arguments.before.empty())
         if (auto compared = compare_with(arguments.before, arguments.request, *evaluation, stop); !compared)
             return compared;

@@ -11,6 +11,7 @@
 
 #include "core/kinds/registries.h"
 #include "core/made/analysis_templates.h"
+#include "core/made/examples.h"
 #include "core/made/library.h"
 #include "core/made/load_project.h"
 #include "core/manual/help_words.h"
@@ -100,6 +101,14 @@ void say_kinds(TextList& list) {
         list.say("Template of an analysis", known.title);
         list.say("What the template answers", known.question);
     }
+}
+
+void say_examples(TextList& list) {
+    for (const char* folder : {"", "gum"})
+        for (const Example& example : shipped_examples(folder)) {
+            list.say("Example that is shipped", example.title);
+            list.say("What the example is about", example.summary);
+        }
 }
 
 void say_parts_of_project(TextList& list) {
@@ -277,6 +286,7 @@ int main() {
     using namespace covaria;
     TextList list;
     say_kinds(list);
+    say_examples(list);
     say_parts_of_project(list);
     say_evaluations(list);
     say_tables_for_reading(list, design_tables(filled_design()));

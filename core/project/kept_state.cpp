@@ -28,9 +28,9 @@ void link_as(std::vector<Entry>& entries, const std::vector<Entry>& linked) {
 
 }  // namespace
 
-bool KeptState::operator==(const KeptState& other) const {
-    return analysis == other.analysis && at == other.at &&
-           (project == other.project || *project == *other.project);
+bool KeptState::operator==(const KeptState& with) const {
+    return analysis == with.analysis && at == with.at && other == with.other &&
+           other_name == with.other_name && (project == with.project || *project == *with.project);
 }
 
 KeptState state_to_keep(const Project& project, const std::string& analysis, const std::string& at) {
@@ -41,6 +41,14 @@ KeptState state_to_keep(const Project& project, const std::string& analysis, con
     kept->directory = project.directory;
     unlink_tables(*kept);
     return {analysis, at, std::move(kept)};
+}
+
+KeptState state_of_other(const Project& project, const std::string& other, const std::string& other_name,
+                         const std::string& analysis, const std::string& at) {
+    KeptState state = state_to_keep(project, analysis, at);
+    state.other = other;
+    state.other_name = other_name;
+    return state;
 }
 
 const KeptState* find_kept(const std::vector<KeptState>& kept, const std::string& analysis) {

@@ -17,10 +17,20 @@ struct KeptState {
     /// What influences numbers, and what belongs to it: assets, analyses, how results are stated. Its tables
     /// are in it, whatever becomes of the files that they were read from. Never null.
     std::shared_ptr<const Project> project;
-    bool operator==(const KeptState& other) const;
+    /// Where another analysis stands in the place of what this one was, maybe one of another project: its id
+    /// in `project`, and what people call it ("hall.covaria: Points by two trackers"). Empty: it is this
+    /// one's.
+    std::string other = {}, other_name = {};
+    /// Of the analysis in `project` whose results are compared with.
+    const std::string& compared() const { return other.empty() ? analysis : other; }
+    bool operator==(const KeptState& with) const;
 };
 
+/// What can be gone back to, and is compared with until then.
 KeptState state_to_keep(const Project& project, const std::string& analysis, const std::string& at);
+/// `other` is an analysis of `project`, which may be another one than that of `analysis`.
+KeptState state_of_other(const Project& project, const std::string& other, const std::string& other_name,
+                         const std::string& analysis, const std::string& at);
 /// Null: nothing is kept of the analysis.
 const KeptState* find_kept(const std::vector<KeptState>& kept, const std::string& analysis);
 /// In place of what was kept of its analysis before.

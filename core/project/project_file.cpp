@@ -86,6 +86,8 @@ private:
             const std::string path = reader.path_of("kept") + "/" + std::to_string(i);
             ObjectReader of_state((*list)[i], path, tell<"a kept state">(), context_.problems);
             const std::string analysis = of_state.text("analysis", true), at = of_state.text("at", true);
+            const std::string other = of_state.text("other", false);
+            const std::string other_name = of_state.text("otherName", false);
             Project state;
             state.directory = context_.directory;
             read_evaluated(of_state, state);
@@ -95,7 +97,7 @@ private:
                     of_state.path_of("analysis"),
                     tell<"two states of the analysis %1 are kept; one can be">(in_quotes(analysis)));
             else
-                project.kept.push_back(state_to_keep(state, analysis, at));
+                project.kept.push_back(state_of_other(state, other, other_name, analysis, at));
         }
     }
 

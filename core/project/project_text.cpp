@@ -70,6 +70,10 @@ void write_kept(JsonWriter& out, const KeptState& state) {
     out.begin_object();
     out.member("analysis", state.analysis);
     out.member("at", state.at);
+    if (!state.other.empty()) {
+        out.member("other", state.other);
+        out.member("otherName", state.other_name);
+    }
     write_results_of(out, *state.project);
     write_entries(out, *state.project);
     out.end();

@@ -148,7 +148,7 @@ private:
     std::vector<Token> all_;
 };
 
-/// The first word may be shortened to three letters; the others stand between spaces.
+/// The first word may be shortened to three letters; the others stand between spaces or at the end.
 std::string in_english(std::string_view text, const WordOf& word) {
     const std::string typed = lower(text.substr(std::min(text.find_first_not_of(' '), text.size())));
     const std::string first = typed.substr(0, typed.find_first_of(" \t0123456789.,+-=\xc2"));
@@ -165,7 +165,7 @@ std::string in_english(std::string_view text, const WordOf& word) {
             found = known;
         }
         const std::string between = " " + other + " ";
-        if (const std::size_t at = lower(english).find(between); at != std::string::npos)
+        if (const std::size_t at = lower(english + " ").find(between); at != std::string::npos)
             english.replace(at, between.size(), " " + known + " ");
     }
     if (found.empty()) return english;
@@ -199,6 +199,8 @@ private:
                 auto found = figure(*token->number);
                 if (!found) return fail(found.error());
                 figures_.push_back(*found);
+            } else if ((word_.empty() || word_ == "±") && is_notation_word(token->text)) {
+                word_ = token->text;
             } else if (auto read = named(token->text); !read) {
                 return read;
             }
@@ -209,7 +211,8 @@ private:
     Result<Figure> figure(double value) {
         Figure figure{value};
         const Token* behind = tokens_.peek();
-        if (!behind || behind->number || is_name(behind->text)) return figure;
+        if (!behind || behind->number || is_name(behind->text) || is_notation_word(behind->text))
+            return figure;
         const auto unit = Unit::parse(behind->text);
         if (!unit) return fail(unit.error());
         tokens_.next();
@@ -221,6 +224,16 @@ private:
         static constexpr std::array<std::string_view, 12> names{
             "k", "p", "n", "nu", "ν", "nu_eff", "to", "..", "and", "ratio", "inexactness", "+"};
         return word == "±" || std::find(names.begin(), names.end(), word) != names.end();
+    }
+
+    /// As it may stand behind the figures, where a letter is a unit: "0.01 % rectangular", but "3 s".
+    static bool is_notation_word(std::string_view text) {
+        if (text.size() < 3) return false;
+        const auto& all = notations();
+        return std::any_of(all.begin(), all.end(), [&](const Notation& notation) {
+            return std::any_of(notation.words.begin(), notation.words.end(),
+                               [&](std::string_view word) { return same_word(word, text); });
+        });
     }
 
     Result<void> named(const std::string& name) {

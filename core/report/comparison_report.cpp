@@ -221,7 +221,7 @@ void report_parts::add_before(Blocks& blocks, const EvaluatedAnalysis& evaluated
     const ComparedAnalysis analysis{id_part(evaluated.analysis->id), evaluated.analysis->name,
                                     evaluated.before->comparison};
     ComparedChapter chapter(analysis, blocks, in);
-    chapter.add(evaluated.before->words + "; ", in.say(tell<"this report">()) + "; ");
+    chapter.add(in.say(evaluated.before->words) + "; ", in.say(tell<"this report">()) + "; ");
     add_figures(blocks, evaluated, chapter.with_budgets(), in);
 }
 

@@ -18,7 +18,7 @@ namespace covaria {
 
 /// Earlier results of an analysis beside those of now.
 struct ResultsBefore {
-    std::string words;  ///< where they come from: "kept at 14:03", a file
+    Message words;  ///< where they come from: kept ones, another analysis, a file
     ResultComparison comparison;
 };
 

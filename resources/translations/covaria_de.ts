@@ -13342,6 +13342,162 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>deviation from the line</source>
         <translation>Abweichung von der Geraden</translation>
     </message>
+    <message>
+        <source>Design: twelve points of a ballbar measurement</source>
+        <translation>Entwurf: zwölf Punkte einer Kugelstab-Messung</translation>
+    </message>
+    <message>
+        <source>Tool centre point of a robot by telescopic ballbars</source>
+        <translation>Werkzeugmittelpunkt eines Roboters mit teleskopischen Kugelstäben</translation>
+    </message>
+    <message>
+        <source>From the certificate of a scale bar to the tool of a robot</source>
+        <translation>Vom Kalibrierschein eines Maßstabs zum Werkzeug eines Roboters</translation>
+    </message>
+    <message>
+        <source>Industrial robot ER10L-C10</source>
+        <translation>Industrieroboter ER10L-C10</translation>
+    </message>
+    <message>
+        <source>Six-axis force/moment sensor</source>
+        <translation>Sechsachsiger Kraft-/Momentensensor</translation>
+    </message>
+    <message>
+        <source>Scale bar in a network of three cameras and a laser tracker</source>
+        <translation>Maßstab in einem Netz aus drei Kameras und einem Lasertracker</translation>
+    </message>
+    <message>
+        <source>Stewart platform measured with a total station</source>
+        <translation>Stewart-Plattform, mit einer Totalstation gemessen</translation>
+    </message>
+    <message>
+        <source>Pose of a Stewart platform measured by a network</source>
+        <translation>Pose einer Stewart-Plattform, von einem Netz gemessen</translation>
+    </message>
+    <message>
+        <source>End-gauge calibration (GUM H.1)</source>
+        <translation>Kalibrierung eines Endmaßes (GUM H.1)</translation>
+    </message>
+    <message>
+        <source>Simultaneous resistance and reactance (GUM H.2)</source>
+        <translation>Wirk- und Blindwiderstand, zugleich gemessen (GUM H.2)</translation>
+    </message>
+    <message>
+        <source>Calibration of a thermometer (GUM H.3)</source>
+        <translation>Kalibrierung eines Thermometers (GUM H.3)</translation>
+    </message>
+    <message>
+        <source>Zener voltage standard on ten days (GUM H.5)</source>
+        <translation>Zener-Spannungsnormal an zehn Tagen (GUM H.5)</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.5, Table H.9: five observations on each of ten days, and the analysis of variance that says whether the days have an effect.</source>
+        <translation>JCGM 100:2008, Anhang H.5, Tabelle H.9: fünf Beobachtungen an jedem von zehn Tagen und die Varianzanalyse, die sagt, ob die Tage einen Einfluss haben.</translation>
+    </message>
+    <message>
+        <source>Additive model (GUM Supplement 1, 9.2)</source>
+        <translation>Additives Modell (GUM-Supplement 1, 9.2)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.2: a sum of four quantities with three choices of their distributions, and the validation of clause 8.</source>
+        <translation>JCGM 101:2008, Abschnitt 9.2: eine Summe von vier Größen mit dreierlei Verteilungen, und die Validierung nach Abschnitt 8.</translation>
+    </message>
+    <message>
+        <source>Mass calibration (GUM Supplement 1, 9.3)</source>
+        <translation>Massekalibrierung (GUM-Supplement 1, 9.3)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.3: a weight of 100 g is compared with a reference weight in air; to first order the densities seem not to matter.</source>
+        <translation>JCGM 101:2008, Abschnitt 9.3: ein Gewicht von 100 g wird in Luft mit einem Referenzgewicht verglichen; in erster Ordnung scheinen die Dichten keine Rolle zu spielen.</translation>
+    </message>
+    <message>
+        <source>Comparison loss of a power meter (GUM Supplement 1, 9.4)</source>
+        <translation>Vergleichsverlust eines Leistungsmessers (GUM-Supplement 1, 9.4)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.4, Tables 8 and 9: a sum of two squares near zero, where the law of propagation fails.</source>
+        <translation>JCGM 101:2008, Abschnitt 9.4, Tabellen 8 und 9: eine Summe zweier Quadrate nahe null, bei der das Fortpflanzungsgesetz versagt.</translation>
+    </message>
+    <message>
+        <source>Gauge-block calibration (GUM Supplement 1, 9.5)</source>
+        <translation>Kalibrierung eines Parallelendmaßes (GUM-Supplement 1, 9.5)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.5: the end gauge of GUM H.1 with the distributions of Table 10.</source>
+        <translation>JCGM 101:2008, Abschnitt 9.5: das Endmaß aus GUM H.1 mit den Verteilungen der Tabelle 10.</translation>
+    </message>
+    <message>
+        <source>Two sums with a common term (GUM Supplement 2, 9.2)</source>
+        <translation>Zwei Summen mit gemeinsamem Glied (GUM-Supplement 2, 9.2)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.2: a bivariate additive model with standard normal quantities.</source>
+        <translation>JCGM 102:2011, Abschnitt 9.2: ein bivariates additives Modell mit standardnormalverteilten Größen.</translation>
+    </message>
+    <message>
+        <source>Cartesian to polar co-ordinates (GUM Supplement 2, 9.3)</source>
+        <translation>Von kartesischen zu Polarkoordinaten (GUM-Supplement 2, 9.3)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.3, Tables 6 and 7: magnitude and phase of a small complex quantity.</source>
+        <translation>JCGM 102:2011, Abschnitt 9.3, Tabellen 6 und 7: Betrag und Phase einer kleinen komplexen Größe.</translation>
+    </message>
+    <message>
+        <source>Resistance and reactance by Monte Carlo (GUM Supplement 2, 9.4)</source>
+        <translation>Wirk- und Blindwiderstand mit Monte Carlo (GUM-Supplement 2, 9.4)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.4: the impedance of GUM H.2 with trivariate normal input quantities and the joint coverage region of R and X.</source>
+        <translation>JCGM 102:2011, Abschnitt 9.4: die Impedanz aus GUM H.2 mit trivariat normalverteilten Eingangsgrößen und dem gemeinsamen Überdeckungsbereich von R und X.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.1: a gauge block of 50 mm is compared with a standard; first- and second-order law of propagation.</source>
+        <translation>JCGM 100:2008, Anhang H.1: ein Endmaß von 50 mm wird mit einem Normal verglichen; Fortpflanzungsgesetz erster und zweiter Ordnung.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.2: five simultaneous observations of voltage, current and phase give three correlated results.</source>
+        <translation>JCGM 100:2008, Anhang H.2: fünf gleichzeitige Beobachtungen von Spannung, Strom und Phase ergeben drei korrelierte Ergebnisse.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.3: the correction b of a thermometer at eleven temperatures, and the straight line through them: b(t) = y₁ + y₂ (t − 20 °C).</source>
+        <translation>JCGM 100:2008, Anhang H.3: die Korrektion b eines Thermometers bei elf Temperaturen und die Gerade hindurch: b(t) = y₁ + y₂ (t − 20 °C).</translation>
+    </message>
+    <message>
+        <source>Which twelve of the 22 points of a ballbar measurement make the uncertainty of the tool centre point smallest.</source>
+        <translation>Welche zwölf der 22 Punkte einer Kugelstab-Messung die Unsicherheit des Werkzeugmittelpunkts am kleinsten machen.</translation>
+    </message>
+    <message>
+        <source>Three telescopic ballbars measure points on spheres and circles; from them follow the flange, its axes and the tool.</source>
+        <translation>Drei teleskopische Kugelstäbe messen Punkte auf Kugeln und Kreisen; daraus folgen Flansch, Achsen und Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Scale bar, two trackers, flange, identified arm and tool: analyses that feed each other, evaluated as one model.</source>
+        <translation>Maßstab, zwei Tracker, Flansch, identifizierter Arm und Werkzeug: Analysen, die einander speisen, als ein Modell ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Parameters of an arm of six axes, identified from measured places, and the position of its end effector.</source>
+        <translation>Parameter eines Arms mit sechs Achsen, aus gemessenen Orten identifiziert, und die Position seines Endeffektors.</translation>
+    </message>
+    <message>
+        <source>Rated output, zero, repeatability and interference of three forces and three moments.</source>
+        <translation>Nennkennwert, Nullpunkt, Wiederholbarkeit und Übersprechen von drei Kräften und drei Momenten.</translation>
+    </message>
+    <message>
+        <source>Distances on a scale bar that three cameras and a laser tracker measure together.</source>
+        <translation>Abstände auf einem Maßstab, den drei Kameras und ein Lasertracker gemeinsam messen.</translation>
+    </message>
+    <message>
+        <source>Pose of a platform from six measured points, whose uncertainties come from calibrated artefacts.</source>
+        <translation>Pose einer Plattform aus sechs gemessenen Punkten, deren Unsicherheiten von kalibrierten Prüfkörpern kommen.</translation>
+    </message>
+    <message>
+        <source>Sensor layout, points and pose in one chain: a laser tracker and a total station measure six nests of a platform.</source>
+        <translation>Sensoranordnung, Punkte und Pose in einer Kette: ein Lasertracker und eine Totalstation messen sechs Aufnahmen einer Plattform.</translation>
+    </message>
+    <message>
+        <source>requirement not met</source>
+        <translation>Anforderung nicht erfüllt</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13811,6 +13967,18 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Of the estimate, and of what is stated without a unit</source>
         <translation>Des Schätzwerts und dessen, was ohne Einheit angegeben ist</translation>
     </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Rückgängig gemacht: %1</translation>
+    </message>
+    <message>
+        <source>Before these steps</source>
+        <translation>Vor diesen Schritten</translation>
+    </message>
+    <message>
+        <source>Undo Lis&amp;t</source>
+        <translation>Liste der &amp;Schritte</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14011,6 +14179,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Pictures (*.png *.jpg *.jpeg)</source>
         <translation>Bilder (*.png *.jpg *.jpeg)</translation>
     </message>
+    <message>
+        <source>English (none chosen)</source>
+        <translation>Englisch (keine gewählt)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ChartView</name>
@@ -14145,12 +14317,48 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Die Analyse ausführen (F5), dann ihren Stand mit „%1“ festhalten.</translation>
     </message>
     <message>
-        <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
-        <translation>Die jetzigen Ergebnisse mit „%1“ festhalten und bearbeiten: vorher und nachher stehen hier nebeneinander.</translation>
-    </message>
-    <message>
         <source>results that are computed again once the analysis has run</source>
         <translation>Ergebnisse, die neu berechnet werden, sobald die Analyse gelaufen ist</translation>
+    </message>
+    <message>
+        <source>Compare With Another Project</source>
+        <translation>Mit einem anderen Projekt vergleichen</translation>
+    </message>
+    <message>
+        <source>Covaria project (*.covaria)</source>
+        <translation>Covaria-Projekt (*.covaria)</translation>
+    </message>
+    <message>
+        <source>Analysis of that project:</source>
+        <translation>Analyse jenes Projekts:</translation>
+    </message>
+    <message>
+        <source>Compare With</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Another analysis, of this project or of another one, stands in the place of kept results</source>
+        <translation>Eine andere Analyse, dieses oder eines anderen Projekts, steht an der Stelle gemerkter Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Another Project …</source>
+        <translation>Anderes Projekt …</translation>
+    </message>
+    <message>
+        <source>%1 has no analysis.</source>
+        <translation>%1 hat keine Analyse.</translation>
+    </message>
+    <message>
+        <source>The tab Compare shows %1 as before.</source>
+        <translation>Der Reiter Vergleich zeigt %1 als Vorher.</translation>
+    </message>
+    <message>
+        <source>Keep the present results with “%1” and edit, or choose another analysis by “%2”: before and after stand here beside each other.</source>
+        <translation>Merken Sie die jetzigen Ergebnisse mit „%1“ und ändern Sie etwas, oder wählen Sie mit „%2“ eine andere Analyse: Vorher und Nachher stehen hier nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Before: %1 (%2), taken at %3. </source>
+        <translation>Vorher: %1 (%2), übernommen %3. </translation>
     </message>
 </context>
 <context>
@@ -15657,6 +15865,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <source>Discard kept state</source>
         <translation>Gemerkten Stand verwerfen</translation>
     </message>
+    <message>
+        <source>Compare with %1</source>
+        <translation>Mit %1 vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::LibraryBrowser</name>
@@ -16222,6 +16434,14 @@ Gewählt: %2</translation>
     <message>
         <source>Where the project does not state them. Reports and files are the project&apos;s alone.</source>
         <translation>Wo das Projekt sie nicht angibt. Berichte und Dateien richten sich allein nach dem Projekt.</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Schriftart</translation>
+    </message>
+    <message>
+        <source>Covaria&apos;s own</source>
+        <translation>Die von Covaria</translation>
     </message>
 </context>
 <context>

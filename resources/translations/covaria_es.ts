@@ -13342,6 +13342,162 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>deviation from the line</source>
         <translation>desviación de la recta</translation>
     </message>
+    <message>
+        <source>Design: twelve points of a ballbar measurement</source>
+        <translation>Diseño: doce puntos de una medición con barras de bolas</translation>
+    </message>
+    <message>
+        <source>Tool centre point of a robot by telescopic ballbars</source>
+        <translation>Punto central de la herramienta de un robot con barras de bolas telescópicas</translation>
+    </message>
+    <message>
+        <source>From the certificate of a scale bar to the tool of a robot</source>
+        <translation>Del certificado de una regla patrón a la herramienta de un robot</translation>
+    </message>
+    <message>
+        <source>Industrial robot ER10L-C10</source>
+        <translation>Robot industrial ER10L-C10</translation>
+    </message>
+    <message>
+        <source>Six-axis force/moment sensor</source>
+        <translation>Sensor de fuerza/momento de seis ejes</translation>
+    </message>
+    <message>
+        <source>Scale bar in a network of three cameras and a laser tracker</source>
+        <translation>Regla patrón en una red de tres cámaras y un láser tracker</translation>
+    </message>
+    <message>
+        <source>Stewart platform measured with a total station</source>
+        <translation>Plataforma Stewart medida con una estación total</translation>
+    </message>
+    <message>
+        <source>Pose of a Stewart platform measured by a network</source>
+        <translation>Pose de una plataforma Stewart medida por una red</translation>
+    </message>
+    <message>
+        <source>End-gauge calibration (GUM H.1)</source>
+        <translation>Calibración de un bloque patrón (GUM H.1)</translation>
+    </message>
+    <message>
+        <source>Simultaneous resistance and reactance (GUM H.2)</source>
+        <translation>Resistencia y reactancia simultáneas (GUM H.2)</translation>
+    </message>
+    <message>
+        <source>Calibration of a thermometer (GUM H.3)</source>
+        <translation>Calibración de un termómetro (GUM H.3)</translation>
+    </message>
+    <message>
+        <source>Zener voltage standard on ten days (GUM H.5)</source>
+        <translation>Patrón de tensión Zener en diez días (GUM H.5)</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.5, Table H.9: five observations on each of ten days, and the analysis of variance that says whether the days have an effect.</source>
+        <translation>JCGM 100:2008, anexo H.5, tabla H.9: cinco observaciones en cada uno de diez días y el análisis de varianza que dice si los días tienen efecto.</translation>
+    </message>
+    <message>
+        <source>Additive model (GUM Supplement 1, 9.2)</source>
+        <translation>Modelo aditivo (Suplemento 1 de la GUM, 9.2)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.2: a sum of four quantities with three choices of their distributions, and the validation of clause 8.</source>
+        <translation>JCGM 101:2008, apartado 9.2: una suma de cuatro magnitudes con tres elecciones de sus distribuciones, y la validación del apartado 8.</translation>
+    </message>
+    <message>
+        <source>Mass calibration (GUM Supplement 1, 9.3)</source>
+        <translation>Calibración de masa (Suplemento 1 de la GUM, 9.3)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.3: a weight of 100 g is compared with a reference weight in air; to first order the densities seem not to matter.</source>
+        <translation>JCGM 101:2008, apartado 9.3: una pesa de 100 g se compara en el aire con una pesa de referencia; a primer orden, las densidades parecen no importar.</translation>
+    </message>
+    <message>
+        <source>Comparison loss of a power meter (GUM Supplement 1, 9.4)</source>
+        <translation>Pérdida de comparación de un medidor de potencia (Suplemento 1 de la GUM, 9.4)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.4, Tables 8 and 9: a sum of two squares near zero, where the law of propagation fails.</source>
+        <translation>JCGM 101:2008, apartado 9.4, tablas 8 y 9: una suma de dos cuadrados cerca de cero, donde falla la ley de propagación.</translation>
+    </message>
+    <message>
+        <source>Gauge-block calibration (GUM Supplement 1, 9.5)</source>
+        <translation>Calibración de un bloque patrón (Suplemento 1 de la GUM, 9.5)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.5: the end gauge of GUM H.1 with the distributions of Table 10.</source>
+        <translation>JCGM 101:2008, apartado 9.5: el bloque patrón de la GUM H.1 con las distribuciones de la tabla 10.</translation>
+    </message>
+    <message>
+        <source>Two sums with a common term (GUM Supplement 2, 9.2)</source>
+        <translation>Dos sumas con un término común (Suplemento 2 de la GUM, 9.2)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.2: a bivariate additive model with standard normal quantities.</source>
+        <translation>JCGM 102:2011, apartado 9.2: un modelo aditivo bivariado con magnitudes normales estándar.</translation>
+    </message>
+    <message>
+        <source>Cartesian to polar co-ordinates (GUM Supplement 2, 9.3)</source>
+        <translation>De coordenadas cartesianas a polares (Suplemento 2 de la GUM, 9.3)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.3, Tables 6 and 7: magnitude and phase of a small complex quantity.</source>
+        <translation>JCGM 102:2011, apartado 9.3, tablas 6 y 7: módulo y fase de una magnitud compleja pequeña.</translation>
+    </message>
+    <message>
+        <source>Resistance and reactance by Monte Carlo (GUM Supplement 2, 9.4)</source>
+        <translation>Resistencia y reactancia por Monte Carlo (Suplemento 2 de la GUM, 9.4)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.4: the impedance of GUM H.2 with trivariate normal input quantities and the joint coverage region of R and X.</source>
+        <translation>JCGM 102:2011, apartado 9.4: la impedancia de la GUM H.2 con magnitudes de entrada normales trivariadas y la región de cobertura conjunta de R y X.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.1: a gauge block of 50 mm is compared with a standard; first- and second-order law of propagation.</source>
+        <translation>JCGM 100:2008, anexo H.1: un bloque patrón de 50 mm se compara con un patrón; ley de propagación de primer y segundo orden.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.2: five simultaneous observations of voltage, current and phase give three correlated results.</source>
+        <translation>JCGM 100:2008, anexo H.2: cinco observaciones simultáneas de tensión, corriente y fase dan tres resultados correlacionados.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.3: the correction b of a thermometer at eleven temperatures, and the straight line through them: b(t) = y₁ + y₂ (t − 20 °C).</source>
+        <translation>JCGM 100:2008, anexo H.3: la corrección b de un termómetro a once temperaturas y la recta que pasa por ellas: b(t) = y₁ + y₂ (t − 20 °C).</translation>
+    </message>
+    <message>
+        <source>Which twelve of the 22 points of a ballbar measurement make the uncertainty of the tool centre point smallest.</source>
+        <translation>Qué doce de los 22 puntos de una medición con barras de bolas hacen mínima la incertidumbre del punto central de la herramienta.</translation>
+    </message>
+    <message>
+        <source>Three telescopic ballbars measure points on spheres and circles; from them follow the flange, its axes and the tool.</source>
+        <translation>Tres barras de bolas telescópicas miden puntos sobre esferas y círculos; de ellos resultan la brida, sus ejes y la herramienta.</translation>
+    </message>
+    <message>
+        <source>Scale bar, two trackers, flange, identified arm and tool: analyses that feed each other, evaluated as one model.</source>
+        <translation>Regla patrón, dos trackers, brida, brazo identificado y herramienta: análisis que se alimentan unos a otros, evaluados como un solo modelo.</translation>
+    </message>
+    <message>
+        <source>Parameters of an arm of six axes, identified from measured places, and the position of its end effector.</source>
+        <translation>Parámetros de un brazo de seis ejes, identificados a partir de lugares medidos, y la posición de su efector final.</translation>
+    </message>
+    <message>
+        <source>Rated output, zero, repeatability and interference of three forces and three moments.</source>
+        <translation>Salida nominal, cero, repetibilidad e interferencia de tres fuerzas y tres momentos.</translation>
+    </message>
+    <message>
+        <source>Distances on a scale bar that three cameras and a laser tracker measure together.</source>
+        <translation>Distancias en una regla patrón que tres cámaras y un láser tracker miden juntos.</translation>
+    </message>
+    <message>
+        <source>Pose of a platform from six measured points, whose uncertainties come from calibrated artefacts.</source>
+        <translation>Pose de una plataforma a partir de seis puntos medidos, cuyas incertidumbres vienen de artefactos calibrados.</translation>
+    </message>
+    <message>
+        <source>Sensor layout, points and pose in one chain: a laser tracker and a total station measure six nests of a platform.</source>
+        <translation>Disposición de sensores, puntos y pose en una cadena: un láser tracker y una estación total miden seis alojamientos de una plataforma.</translation>
+    </message>
+    <message>
+        <source>requirement not met</source>
+        <translation>requisito no cumplido</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13811,6 +13967,18 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Of the estimate, and of what is stated without a unit</source>
         <translation>De la estimación y de lo indicado sin unidad</translation>
     </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Deshecho: %1</translation>
+    </message>
+    <message>
+        <source>Before these steps</source>
+        <translation>Antes de estos pasos</translation>
+    </message>
+    <message>
+        <source>Undo Lis&amp;t</source>
+        <translation>&amp;Lista de pasos</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14011,6 +14179,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Pictures (*.png *.jpg *.jpeg)</source>
         <translation>Imágenes (*.png *.jpg *.jpeg)</translation>
     </message>
+    <message>
+        <source>English (none chosen)</source>
+        <translation>Inglés (ninguno elegido)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ChartView</name>
@@ -14145,12 +14317,48 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Ejecute el análisis (F5) y luego conserve sus resultados con «%1».</translation>
     </message>
     <message>
-        <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
-        <translation>Conserve los resultados actuales con «%1» y edite: antes y después aparecen aquí uno junto a otro.</translation>
-    </message>
-    <message>
         <source>results that are computed again once the analysis has run</source>
         <translation>resultados que se vuelven a calcular en cuanto se haya ejecutado el análisis</translation>
+    </message>
+    <message>
+        <source>Compare With Another Project</source>
+        <translation>Comparar con otro proyecto</translation>
+    </message>
+    <message>
+        <source>Covaria project (*.covaria)</source>
+        <translation>Proyecto de Covaria (*.covaria)</translation>
+    </message>
+    <message>
+        <source>Analysis of that project:</source>
+        <translation>Análisis de ese proyecto:</translation>
+    </message>
+    <message>
+        <source>Compare With</source>
+        <translation>Comparar con</translation>
+    </message>
+    <message>
+        <source>Another analysis, of this project or of another one, stands in the place of kept results</source>
+        <translation>Otro análisis, de este proyecto o de otro, ocupa el lugar de los resultados conservados</translation>
+    </message>
+    <message>
+        <source>Another Project …</source>
+        <translation>Otro proyecto …</translation>
+    </message>
+    <message>
+        <source>%1 has no analysis.</source>
+        <translation>%1 no tiene ningún análisis.</translation>
+    </message>
+    <message>
+        <source>The tab Compare shows %1 as before.</source>
+        <translation>La pestaña Comparar muestra %1 como antes.</translation>
+    </message>
+    <message>
+        <source>Keep the present results with “%1” and edit, or choose another analysis by “%2”: before and after stand here beside each other.</source>
+        <translation>Conserve los resultados actuales con «%1» y edite, o elija otro análisis con «%2»: antes y después quedan aquí lado a lado.</translation>
+    </message>
+    <message>
+        <source>Before: %1 (%2), taken at %3. </source>
+        <translation>Antes: %1 (%2), tomado a las %3. </translation>
     </message>
 </context>
 <context>
@@ -15657,6 +15865,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <source>Discard kept state</source>
         <translation>Descartar estado conservado</translation>
     </message>
+    <message>
+        <source>Compare with %1</source>
+        <translation>Comparar con %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::LibraryBrowser</name>
@@ -16222,6 +16434,14 @@ Elegido: %2</translation>
     <message>
         <source>Where the project does not state them. Reports and files are the project&apos;s alone.</source>
         <translation>Donde el proyecto no las indica. Los informes y archivos siguen solo al proyecto.</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Tipo de letra</translation>
+    </message>
+    <message>
+        <source>Covaria&apos;s own</source>
+        <translation>La de Covaria</translation>
     </message>
 </context>
 <context>

@@ -13341,6 +13341,162 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <source>deviation from the line</source>
         <translation>직선으로부터의 편차</translation>
     </message>
+    <message>
+        <source>Design: twelve points of a ballbar measurement</source>
+        <translation>설계: 볼바 측정의 열두 점</translation>
+    </message>
+    <message>
+        <source>Tool centre point of a robot by telescopic ballbars</source>
+        <translation>텔레스코픽 볼바에 의한 로봇의 공구 중심점</translation>
+    </message>
+    <message>
+        <source>From the certificate of a scale bar to the tool of a robot</source>
+        <translation>기준자의 성적서에서 로봇의 공구까지</translation>
+    </message>
+    <message>
+        <source>Industrial robot ER10L-C10</source>
+        <translation>산업용 로봇 ER10L-C10</translation>
+    </message>
+    <message>
+        <source>Six-axis force/moment sensor</source>
+        <translation>6축 힘/모멘트 센서</translation>
+    </message>
+    <message>
+        <source>Scale bar in a network of three cameras and a laser tracker</source>
+        <translation>카메라 세 대와 레이저 트래커 한 대로 된 센서망에 있는 기준자</translation>
+    </message>
+    <message>
+        <source>Stewart platform measured with a total station</source>
+        <translation>토털 스테이션으로 측정한 스튜어트 플랫폼</translation>
+    </message>
+    <message>
+        <source>Pose of a Stewart platform measured by a network</source>
+        <translation>센서망으로 측정한 스튜어트 플랫폼의 포즈</translation>
+    </message>
+    <message>
+        <source>End-gauge calibration (GUM H.1)</source>
+        <translation>엔드 게이지 교정 (GUM H.1)</translation>
+    </message>
+    <message>
+        <source>Simultaneous resistance and reactance (GUM H.2)</source>
+        <translation>저항과 리액턴스의 동시 측정 (GUM H.2)</translation>
+    </message>
+    <message>
+        <source>Calibration of a thermometer (GUM H.3)</source>
+        <translation>온도계 교정 (GUM H.3)</translation>
+    </message>
+    <message>
+        <source>Zener voltage standard on ten days (GUM H.5)</source>
+        <translation>열흘간의 제너 전압 표준기 (GUM H.5)</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.5, Table H.9: five observations on each of ten days, and the analysis of variance that says whether the days have an effect.</source>
+        <translation>JCGM 100:2008, 부속서 H.5, 표 H.9: 열흘 동안 매일 다섯 번의 관측과, 날짜가 영향을 주는지 말해 주는 분산분석.</translation>
+    </message>
+    <message>
+        <source>Additive model (GUM Supplement 1, 9.2)</source>
+        <translation>가산 모형 (GUM 보충서 1, 9.2)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.2: a sum of four quantities with three choices of their distributions, and the validation of clause 8.</source>
+        <translation>JCGM 101:2008, 9.2절: 세 가지 분포를 가진 네 양의 합과 8절의 타당성 확인.</translation>
+    </message>
+    <message>
+        <source>Mass calibration (GUM Supplement 1, 9.3)</source>
+        <translation>질량 교정 (GUM 보충서 1, 9.3)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.3: a weight of 100 g is compared with a reference weight in air; to first order the densities seem not to matter.</source>
+        <translation>JCGM 101:2008, 9.3절: 100 g 분동을 공기 중에서 기준 분동과 비교한다. 1차 근사에서는 밀도가 중요하지 않아 보인다.</translation>
+    </message>
+    <message>
+        <source>Comparison loss of a power meter (GUM Supplement 1, 9.4)</source>
+        <translation>전력계의 비교 손실 (GUM 보충서 1, 9.4)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.4, Tables 8 and 9: a sum of two squares near zero, where the law of propagation fails.</source>
+        <translation>JCGM 101:2008, 9.4절, 표 8과 9: 0에 가까운 두 제곱의 합으로, 전파 법칙이 통하지 않는다.</translation>
+    </message>
+    <message>
+        <source>Gauge-block calibration (GUM Supplement 1, 9.5)</source>
+        <translation>게이지 블록 교정 (GUM 보충서 1, 9.5)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.5: the end gauge of GUM H.1 with the distributions of Table 10.</source>
+        <translation>JCGM 101:2008, 9.5절: 표 10의 분포를 쓴 GUM H.1의 엔드 게이지.</translation>
+    </message>
+    <message>
+        <source>Two sums with a common term (GUM Supplement 2, 9.2)</source>
+        <translation>공통 항이 있는 두 합 (GUM 보충서 2, 9.2)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.2: a bivariate additive model with standard normal quantities.</source>
+        <translation>JCGM 102:2011, 9.2절: 표준 정규 양의 이변량 가산 모형.</translation>
+    </message>
+    <message>
+        <source>Cartesian to polar co-ordinates (GUM Supplement 2, 9.3)</source>
+        <translation>직교 좌표에서 극좌표로 (GUM 보충서 2, 9.3)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.3, Tables 6 and 7: magnitude and phase of a small complex quantity.</source>
+        <translation>JCGM 102:2011, 9.3절, 표 6과 7: 작은 복소량의 크기와 위상.</translation>
+    </message>
+    <message>
+        <source>Resistance and reactance by Monte Carlo (GUM Supplement 2, 9.4)</source>
+        <translation>몬테카를로에 의한 저항과 리액턴스 (GUM 보충서 2, 9.4)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.4: the impedance of GUM H.2 with trivariate normal input quantities and the joint coverage region of R and X.</source>
+        <translation>JCGM 102:2011, 9.4절: 삼변량 정규 입력량을 쓴 GUM H.2의 임피던스와 R, X의 공동 포함 영역.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.1: a gauge block of 50 mm is compared with a standard; first- and second-order law of propagation.</source>
+        <translation>JCGM 100:2008, 부속서 H.1: 50 mm 게이지 블록을 표준기와 비교한다. 1차와 2차 전파 법칙.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.2: five simultaneous observations of voltage, current and phase give three correlated results.</source>
+        <translation>JCGM 100:2008, 부속서 H.2: 전압, 전류, 위상의 동시 관측 다섯 번이 상관된 세 결과를 준다.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.3: the correction b of a thermometer at eleven temperatures, and the straight line through them: b(t) = y₁ + y₂ (t − 20 °C).</source>
+        <translation>JCGM 100:2008, 부속서 H.3: 열한 온도에서 온도계의 보정값 b와 그것을 지나는 직선: b(t) = y₁ + y₂ (t − 20 °C).</translation>
+    </message>
+    <message>
+        <source>Which twelve of the 22 points of a ballbar measurement make the uncertainty of the tool centre point smallest.</source>
+        <translation>볼바 측정의 22개 점 중 어느 열두 점이 공구 중심점의 불확도를 가장 작게 하는가.</translation>
+    </message>
+    <message>
+        <source>Three telescopic ballbars measure points on spheres and circles; from them follow the flange, its axes and the tool.</source>
+        <translation>세 개의 텔레스코픽 볼바가 구와 원 위의 점을 측정하고, 그로부터 플랜지와 축, 공구를 구한다.</translation>
+    </message>
+    <message>
+        <source>Scale bar, two trackers, flange, identified arm and tool: analyses that feed each other, evaluated as one model.</source>
+        <translation>기준자, 트래커 두 대, 플랜지, 식별된 암, 공구: 서로 이어지는 분석을 하나의 모형으로 평가한다.</translation>
+    </message>
+    <message>
+        <source>Parameters of an arm of six axes, identified from measured places, and the position of its end effector.</source>
+        <translation>측정한 위치로 식별한 6축 암의 매개변수와 말단 장치의 위치.</translation>
+    </message>
+    <message>
+        <source>Rated output, zero, repeatability and interference of three forces and three moments.</source>
+        <translation>세 힘과 세 모멘트의 정격 출력, 영점, 반복성, 상호 간섭.</translation>
+    </message>
+    <message>
+        <source>Distances on a scale bar that three cameras and a laser tracker measure together.</source>
+        <translation>카메라 세 대와 레이저 트래커 한 대가 함께 측정하는 기준자 위의 거리.</translation>
+    </message>
+    <message>
+        <source>Pose of a platform from six measured points, whose uncertainties come from calibrated artefacts.</source>
+        <translation>교정된 기준물에서 나온 불확도를 가진 측정점 여섯 개로 구한 플랫폼의 포즈.</translation>
+    </message>
+    <message>
+        <source>Sensor layout, points and pose in one chain: a laser tracker and a total station measure six nests of a platform.</source>
+        <translation>센서 배치, 점, 포즈를 하나의 사슬로: 레이저 트래커와 토털 스테이션이 플랫폼의 네스트 여섯 개를 측정한다.</translation>
+    </message>
+    <message>
+        <source>requirement not met</source>
+        <translation>요구 사항 미충족</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13810,6 +13966,18 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <source>Of the estimate, and of what is stated without a unit</source>
         <translation>추정값과 단위 없이 제시된 것의 단위</translation>
     </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>실행 취소됨: %1</translation>
+    </message>
+    <message>
+        <source>Before these steps</source>
+        <translation>이 단계들 이전</translation>
+    </message>
+    <message>
+        <source>Undo Lis&amp;t</source>
+        <translation>단계 목록(&amp;T)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14010,6 +14178,10 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <source>Pictures (*.png *.jpg *.jpeg)</source>
         <translation>그림 (*.png *.jpg *.jpeg)</translation>
     </message>
+    <message>
+        <source>English (none chosen)</source>
+        <translation>영어 (선택 안 함)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ChartView</name>
@@ -14144,12 +14316,48 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <translation>분석을 실행(F5)한 다음 ‘%1’(으)로 결과를 보관하세요.</translation>
     </message>
     <message>
-        <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
-        <translation>‘%1’(으)로 현재 결과를 보관하고 편집하세요. 전과 후가 여기에 나란히 표시됩니다.</translation>
-    </message>
-    <message>
         <source>results that are computed again once the analysis has run</source>
         <translation>분석이 실행되면 다시 계산되는 결과</translation>
+    </message>
+    <message>
+        <source>Compare With Another Project</source>
+        <translation>다른 프로젝트와 비교</translation>
+    </message>
+    <message>
+        <source>Covaria project (*.covaria)</source>
+        <translation>Covaria 프로젝트 (*.covaria)</translation>
+    </message>
+    <message>
+        <source>Analysis of that project:</source>
+        <translation>그 프로젝트의 분석:</translation>
+    </message>
+    <message>
+        <source>Compare With</source>
+        <translation>비교 대상</translation>
+    </message>
+    <message>
+        <source>Another analysis, of this project or of another one, stands in the place of kept results</source>
+        <translation>이 프로젝트나 다른 프로젝트의 다른 분석이 보관된 결과의 자리를 대신합니다</translation>
+    </message>
+    <message>
+        <source>Another Project …</source>
+        <translation>다른 프로젝트 …</translation>
+    </message>
+    <message>
+        <source>%1 has no analysis.</source>
+        <translation>%1에는 분석이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The tab Compare shows %1 as before.</source>
+        <translation>비교 탭에 %1이(가) 이전 결과로 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>Keep the present results with “%1” and edit, or choose another analysis by “%2”: before and after stand here beside each other.</source>
+        <translation>“%1”(으)로 현재 결과를 보관한 뒤 편집하거나 “%2”(으)로 다른 분석을 고르십시오. 이전과 이후가 여기에 나란히 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>Before: %1 (%2), taken at %3. </source>
+        <translation>이전: %1 (%2), %3에 가져옴. </translation>
     </message>
 </context>
 <context>
@@ -15653,6 +15861,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>Discard kept state</source>
         <translation>보관된 상태 버리기</translation>
     </message>
+    <message>
+        <source>Compare with %1</source>
+        <translation>%1과(와) 비교</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::LibraryBrowser</name>
@@ -16218,6 +16430,14 @@ Chosen: %2</source>
     <message>
         <source>Where the project does not state them. Reports and files are the project&apos;s alone.</source>
         <translation>프로젝트가 정하지 않은 곳에 쓰입니다. 보고서와 파일은 프로젝트만을 따릅니다.</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>글꼴</translation>
+    </message>
+    <message>
+        <source>Covaria&apos;s own</source>
+        <translation>Covaria 기본 글꼴</translation>
     </message>
 </context>
 <context>

@@ -13342,6 +13342,162 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>deviation from the line</source>
         <translation>desvio da reta</translation>
     </message>
+    <message>
+        <source>Design: twelve points of a ballbar measurement</source>
+        <translation>Projeto: doze pontos de uma medição com ballbar</translation>
+    </message>
+    <message>
+        <source>Tool centre point of a robot by telescopic ballbars</source>
+        <translation>Ponto central da ferramenta de um robô com ballbars telescópicos</translation>
+    </message>
+    <message>
+        <source>From the certificate of a scale bar to the tool of a robot</source>
+        <translation>Do certificado de uma barra de escala à ferramenta de um robô</translation>
+    </message>
+    <message>
+        <source>Industrial robot ER10L-C10</source>
+        <translation>Robô industrial ER10L-C10</translation>
+    </message>
+    <message>
+        <source>Six-axis force/moment sensor</source>
+        <translation>Sensor de força/momento de seis eixos</translation>
+    </message>
+    <message>
+        <source>Scale bar in a network of three cameras and a laser tracker</source>
+        <translation>Barra de escala numa rede de três câmaras e um laser tracker</translation>
+    </message>
+    <message>
+        <source>Stewart platform measured with a total station</source>
+        <translation>Plataforma Stewart medida com uma estação total</translation>
+    </message>
+    <message>
+        <source>Pose of a Stewart platform measured by a network</source>
+        <translation>Pose de uma plataforma Stewart medida por uma rede</translation>
+    </message>
+    <message>
+        <source>End-gauge calibration (GUM H.1)</source>
+        <translation>Calibração de um bloco-padrão (GUM H.1)</translation>
+    </message>
+    <message>
+        <source>Simultaneous resistance and reactance (GUM H.2)</source>
+        <translation>Resistência e reatância simultâneas (GUM H.2)</translation>
+    </message>
+    <message>
+        <source>Calibration of a thermometer (GUM H.3)</source>
+        <translation>Calibração de um termômetro (GUM H.3)</translation>
+    </message>
+    <message>
+        <source>Zener voltage standard on ten days (GUM H.5)</source>
+        <translation>Padrão de tensão Zener em dez dias (GUM H.5)</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.5, Table H.9: five observations on each of ten days, and the analysis of variance that says whether the days have an effect.</source>
+        <translation>JCGM 100:2008, anexo H.5, tabela H.9: cinco observações em cada um de dez dias e a análise de variância que diz se os dias têm efeito.</translation>
+    </message>
+    <message>
+        <source>Additive model (GUM Supplement 1, 9.2)</source>
+        <translation>Modelo aditivo (Suplemento 1 do GUM, 9.2)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.2: a sum of four quantities with three choices of their distributions, and the validation of clause 8.</source>
+        <translation>JCGM 101:2008, seção 9.2: uma soma de quatro grandezas com três escolhas das suas distribuições, e a validação da seção 8.</translation>
+    </message>
+    <message>
+        <source>Mass calibration (GUM Supplement 1, 9.3)</source>
+        <translation>Calibração de massa (Suplemento 1 do GUM, 9.3)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.3: a weight of 100 g is compared with a reference weight in air; to first order the densities seem not to matter.</source>
+        <translation>JCGM 101:2008, seção 9.3: um peso de 100 g é comparado no ar com um peso de referência; em primeira ordem, as densidades parecem não importar.</translation>
+    </message>
+    <message>
+        <source>Comparison loss of a power meter (GUM Supplement 1, 9.4)</source>
+        <translation>Perda de comparação de um medidor de potência (Suplemento 1 do GUM, 9.4)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.4, Tables 8 and 9: a sum of two squares near zero, where the law of propagation fails.</source>
+        <translation>JCGM 101:2008, seção 9.4, tabelas 8 e 9: uma soma de dois quadrados perto de zero, onde a lei de propagação falha.</translation>
+    </message>
+    <message>
+        <source>Gauge-block calibration (GUM Supplement 1, 9.5)</source>
+        <translation>Calibração de um bloco-padrão (Suplemento 1 do GUM, 9.5)</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.5: the end gauge of GUM H.1 with the distributions of Table 10.</source>
+        <translation>JCGM 101:2008, seção 9.5: o bloco-padrão do GUM H.1 com as distribuições da tabela 10.</translation>
+    </message>
+    <message>
+        <source>Two sums with a common term (GUM Supplement 2, 9.2)</source>
+        <translation>Duas somas com um termo comum (Suplemento 2 do GUM, 9.2)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.2: a bivariate additive model with standard normal quantities.</source>
+        <translation>JCGM 102:2011, seção 9.2: um modelo aditivo bivariado com grandezas normais padrão.</translation>
+    </message>
+    <message>
+        <source>Cartesian to polar co-ordinates (GUM Supplement 2, 9.3)</source>
+        <translation>De coordenadas cartesianas a polares (Suplemento 2 do GUM, 9.3)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.3, Tables 6 and 7: magnitude and phase of a small complex quantity.</source>
+        <translation>JCGM 102:2011, seção 9.3, tabelas 6 e 7: módulo e fase de uma grandeza complexa pequena.</translation>
+    </message>
+    <message>
+        <source>Resistance and reactance by Monte Carlo (GUM Supplement 2, 9.4)</source>
+        <translation>Resistência e reatância por Monte Carlo (Suplemento 2 do GUM, 9.4)</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.4: the impedance of GUM H.2 with trivariate normal input quantities and the joint coverage region of R and X.</source>
+        <translation>JCGM 102:2011, seção 9.4: a impedância do GUM H.2 com grandezas de entrada normais trivariadas e a região de abrangência conjunta de R e X.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.1: a gauge block of 50 mm is compared with a standard; first- and second-order law of propagation.</source>
+        <translation>JCGM 100:2008, anexo H.1: um bloco-padrão de 50 mm é comparado com um padrão; lei de propagação de primeira e segunda ordem.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.2: five simultaneous observations of voltage, current and phase give three correlated results.</source>
+        <translation>JCGM 100:2008, anexo H.2: cinco observações simultâneas de tensão, corrente e fase dão três resultados correlacionados.</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.3: the correction b of a thermometer at eleven temperatures, and the straight line through them: b(t) = y₁ + y₂ (t − 20 °C).</source>
+        <translation>JCGM 100:2008, anexo H.3: a correção b de um termômetro a onze temperaturas e a reta que passa por elas: b(t) = y₁ + y₂ (t − 20 °C).</translation>
+    </message>
+    <message>
+        <source>Which twelve of the 22 points of a ballbar measurement make the uncertainty of the tool centre point smallest.</source>
+        <translation>Quais doze dos 22 pontos de uma medição com ballbars tornam mínima a incerteza do ponto central da ferramenta.</translation>
+    </message>
+    <message>
+        <source>Three telescopic ballbars measure points on spheres and circles; from them follow the flange, its axes and the tool.</source>
+        <translation>Três ballbars telescópicos medem pontos em esferas e círculos; deles resultam a flange, os seus eixos e a ferramenta.</translation>
+    </message>
+    <message>
+        <source>Scale bar, two trackers, flange, identified arm and tool: analyses that feed each other, evaluated as one model.</source>
+        <translation>Barra de escala, dois trackers, flange, braço identificado e ferramenta: análises que se alimentam umas às outras, avaliadas como um só modelo.</translation>
+    </message>
+    <message>
+        <source>Parameters of an arm of six axes, identified from measured places, and the position of its end effector.</source>
+        <translation>Parâmetros de um braço de seis eixos, identificados a partir de lugares medidos, e a posição do seu efetuador final.</translation>
+    </message>
+    <message>
+        <source>Rated output, zero, repeatability and interference of three forces and three moments.</source>
+        <translation>Saída nominal, zero, repetibilidade e interferência de três forças e três momentos.</translation>
+    </message>
+    <message>
+        <source>Distances on a scale bar that three cameras and a laser tracker measure together.</source>
+        <translation>Distâncias numa barra de escala que três câmaras e um laser tracker medem em conjunto.</translation>
+    </message>
+    <message>
+        <source>Pose of a platform from six measured points, whose uncertainties come from calibrated artefacts.</source>
+        <translation>Pose de uma plataforma a partir de seis pontos medidos, cujas incertezas vêm de artefatos calibrados.</translation>
+    </message>
+    <message>
+        <source>Sensor layout, points and pose in one chain: a laser tracker and a total station measure six nests of a platform.</source>
+        <translation>Disposição dos sensores, pontos e pose numa cadeia: um laser tracker e uma estação total medem seis alojamentos de uma plataforma.</translation>
+    </message>
+    <message>
+        <source>requirement not met</source>
+        <translation>requisito não cumprido</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13811,6 +13967,18 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Of the estimate, and of what is stated without a unit</source>
         <translation>Da estimativa e do que é declarado sem unidade</translation>
     </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Desfeito: %1</translation>
+    </message>
+    <message>
+        <source>Before these steps</source>
+        <translation>Antes destes passos</translation>
+    </message>
+    <message>
+        <source>Undo Lis&amp;t</source>
+        <translation>&amp;Lista de passos</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14011,6 +14179,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Pictures (*.png *.jpg *.jpeg)</source>
         <translation>Imagens (*.png *.jpg *.jpeg)</translation>
     </message>
+    <message>
+        <source>English (none chosen)</source>
+        <translation>Inglês (nenhum escolhido)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ChartView</name>
@@ -14145,12 +14317,48 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Execute a análise (F5) e depois mantenha seus resultados com “%1”.</translation>
     </message>
     <message>
-        <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
-        <translation>Mantenha os resultados atuais com “%1” e edite: antes e depois ficam aqui lado a lado.</translation>
-    </message>
-    <message>
         <source>results that are computed again once the analysis has run</source>
         <translation>resultados que são calculados outra vez assim que a análise tiver sido executada</translation>
+    </message>
+    <message>
+        <source>Compare With Another Project</source>
+        <translation>Comparar com outro projeto</translation>
+    </message>
+    <message>
+        <source>Covaria project (*.covaria)</source>
+        <translation>Projeto do Covaria (*.covaria)</translation>
+    </message>
+    <message>
+        <source>Analysis of that project:</source>
+        <translation>Análise desse projeto:</translation>
+    </message>
+    <message>
+        <source>Compare With</source>
+        <translation>Comparar com</translation>
+    </message>
+    <message>
+        <source>Another analysis, of this project or of another one, stands in the place of kept results</source>
+        <translation>Outra análise, deste projeto ou de outro, ocupa o lugar dos resultados mantidos</translation>
+    </message>
+    <message>
+        <source>Another Project …</source>
+        <translation>Outro projeto …</translation>
+    </message>
+    <message>
+        <source>%1 has no analysis.</source>
+        <translation>%1 não tem nenhuma análise.</translation>
+    </message>
+    <message>
+        <source>The tab Compare shows %1 as before.</source>
+        <translation>A aba Comparar mostra %1 como antes.</translation>
+    </message>
+    <message>
+        <source>Keep the present results with “%1” and edit, or choose another analysis by “%2”: before and after stand here beside each other.</source>
+        <translation>Mantenha os resultados atuais com “%1” e edite, ou escolha outra análise com “%2”: antes e depois ficam aqui lado a lado.</translation>
+    </message>
+    <message>
+        <source>Before: %1 (%2), taken at %3. </source>
+        <translation>Antes: %1 (%2), tomado às %3. </translation>
     </message>
 </context>
 <context>
@@ -15657,6 +15865,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <source>Discard kept state</source>
         <translation>Descartar o estado mantido</translation>
     </message>
+    <message>
+        <source>Compare with %1</source>
+        <translation>Comparar com %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::LibraryBrowser</name>
@@ -16222,6 +16434,14 @@ Escolhido: %2</translation>
     <message>
         <source>Where the project does not state them. Reports and files are the project&apos;s alone.</source>
         <translation>Onde o projeto não as declara. Relatórios e arquivos seguem apenas o projeto.</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Fonte</translation>
+    </message>
+    <message>
+        <source>Covaria&apos;s own</source>
+        <translation>A do Covaria</translation>
     </message>
 </context>
 <context>

@@ -13341,6 +13341,162 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <source>deviation from the line</source>
         <translation>与直线的偏差</translation>
     </message>
+    <message>
+        <source>Design: twelve points of a ballbar measurement</source>
+        <translation>设计：球杆仪测量的十二个点</translation>
+    </message>
+    <message>
+        <source>Tool centre point of a robot by telescopic ballbars</source>
+        <translation>用伸缩式球杆仪测量机器人的工具中心点</translation>
+    </message>
+    <message>
+        <source>From the certificate of a scale bar to the tool of a robot</source>
+        <translation>从基准尺的证书到机器人的工具</translation>
+    </message>
+    <message>
+        <source>Industrial robot ER10L-C10</source>
+        <translation>工业机器人 ER10L-C10</translation>
+    </message>
+    <message>
+        <source>Six-axis force/moment sensor</source>
+        <translation>六轴力/力矩传感器</translation>
+    </message>
+    <message>
+        <source>Scale bar in a network of three cameras and a laser tracker</source>
+        <translation>由三台相机和一台激光跟踪仪组成的网络中的基准尺</translation>
+    </message>
+    <message>
+        <source>Stewart platform measured with a total station</source>
+        <translation>用全站仪测量的 Stewart 平台</translation>
+    </message>
+    <message>
+        <source>Pose of a Stewart platform measured by a network</source>
+        <translation>由网络测量的 Stewart 平台位姿</translation>
+    </message>
+    <message>
+        <source>End-gauge calibration (GUM H.1)</source>
+        <translation>量块校准（GUM H.1）</translation>
+    </message>
+    <message>
+        <source>Simultaneous resistance and reactance (GUM H.2)</source>
+        <translation>同时测量电阻与电抗（GUM H.2）</translation>
+    </message>
+    <message>
+        <source>Calibration of a thermometer (GUM H.3)</source>
+        <translation>温度计校准（GUM H.3）</translation>
+    </message>
+    <message>
+        <source>Zener voltage standard on ten days (GUM H.5)</source>
+        <translation>齐纳电压标准的十天测量（GUM H.5）</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.5, Table H.9: five observations on each of ten days, and the analysis of variance that says whether the days have an effect.</source>
+        <translation>JCGM 100:2008，附录 H.5，表 H.9：十天中每天五次观测，以及判断天数是否有影响的方差分析。</translation>
+    </message>
+    <message>
+        <source>Additive model (GUM Supplement 1, 9.2)</source>
+        <translation>加法模型（GUM 补充件 1，9.2）</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.2: a sum of four quantities with three choices of their distributions, and the validation of clause 8.</source>
+        <translation>JCGM 101:2008，第 9.2 条：四个量之和，其分布有三种取法，以及第 8 章的验证。</translation>
+    </message>
+    <message>
+        <source>Mass calibration (GUM Supplement 1, 9.3)</source>
+        <translation>质量校准（GUM 补充件 1，9.3）</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.3: a weight of 100 g is compared with a reference weight in air; to first order the densities seem not to matter.</source>
+        <translation>JCGM 101:2008，第 9.3 条：在空气中将 100 g 砝码与参考砝码比较；按一阶近似，密度似乎没有影响。</translation>
+    </message>
+    <message>
+        <source>Comparison loss of a power meter (GUM Supplement 1, 9.4)</source>
+        <translation>功率计的比较损耗（GUM 补充件 1，9.4）</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.4, Tables 8 and 9: a sum of two squares near zero, where the law of propagation fails.</source>
+        <translation>JCGM 101:2008，第 9.4 条，表 8 和表 9：接近零的两个平方之和，此处传播律失效。</translation>
+    </message>
+    <message>
+        <source>Gauge-block calibration (GUM Supplement 1, 9.5)</source>
+        <translation>量块校准（GUM 补充件 1，9.5）</translation>
+    </message>
+    <message>
+        <source>JCGM 101:2008, clause 9.5: the end gauge of GUM H.1 with the distributions of Table 10.</source>
+        <translation>JCGM 101:2008，第 9.5 条：GUM H.1 的量块，采用表 10 的分布。</translation>
+    </message>
+    <message>
+        <source>Two sums with a common term (GUM Supplement 2, 9.2)</source>
+        <translation>有公共项的两个和（GUM 补充件 2，9.2）</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.2: a bivariate additive model with standard normal quantities.</source>
+        <translation>JCGM 102:2011，第 9.2 条：标准正态量的二元加法模型。</translation>
+    </message>
+    <message>
+        <source>Cartesian to polar co-ordinates (GUM Supplement 2, 9.3)</source>
+        <translation>从直角坐标到极坐标（GUM 补充件 2，9.3）</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.3, Tables 6 and 7: magnitude and phase of a small complex quantity.</source>
+        <translation>JCGM 102:2011，第 9.3 条，表 6 和表 7：一个小复数量的模与相位。</translation>
+    </message>
+    <message>
+        <source>Resistance and reactance by Monte Carlo (GUM Supplement 2, 9.4)</source>
+        <translation>用蒙特卡洛法求电阻与电抗（GUM 补充件 2，9.4）</translation>
+    </message>
+    <message>
+        <source>JCGM 102:2011, clause 9.4: the impedance of GUM H.2 with trivariate normal input quantities and the joint coverage region of R and X.</source>
+        <translation>JCGM 102:2011，第 9.4 条：GUM H.2 的阻抗，输入量为三元正态，以及 R 与 X 的联合包含区域。</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.1: a gauge block of 50 mm is compared with a standard; first- and second-order law of propagation.</source>
+        <translation>JCGM 100:2008，附录 H.1：将 50 mm 量块与标准器比较；一阶和二阶传播律。</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.2: five simultaneous observations of voltage, current and phase give three correlated results.</source>
+        <translation>JCGM 100:2008，附录 H.2：电压、电流和相位的五次同时观测给出三个相关的结果。</translation>
+    </message>
+    <message>
+        <source>JCGM 100:2008, Annex H.3: the correction b of a thermometer at eleven temperatures, and the straight line through them: b(t) = y₁ + y₂ (t − 20 °C).</source>
+        <translation>JCGM 100:2008，附录 H.3：温度计在十一个温度下的修正值 b，以及通过它们的直线：b(t) = y₁ + y₂ (t − 20 °C)。</translation>
+    </message>
+    <message>
+        <source>Which twelve of the 22 points of a ballbar measurement make the uncertainty of the tool centre point smallest.</source>
+        <translation>球杆仪测量的 22 个点中，哪十二个使工具中心点的不确定度最小。</translation>
+    </message>
+    <message>
+        <source>Three telescopic ballbars measure points on spheres and circles; from them follow the flange, its axes and the tool.</source>
+        <translation>三根伸缩式球杆仪测量球面和圆上的点；由此得到法兰、其轴线和工具。</translation>
+    </message>
+    <message>
+        <source>Scale bar, two trackers, flange, identified arm and tool: analyses that feed each other, evaluated as one model.</source>
+        <translation>基准尺、两台跟踪仪、法兰、辨识后的机械臂和工具：互相衔接的分析，作为一个模型评定。</translation>
+    </message>
+    <message>
+        <source>Parameters of an arm of six axes, identified from measured places, and the position of its end effector.</source>
+        <translation>由实测位置辨识的六轴机械臂参数，及其末端执行器的位置。</translation>
+    </message>
+    <message>
+        <source>Rated output, zero, repeatability and interference of three forces and three moments.</source>
+        <translation>三个力和三个力矩的额定输出、零点、重复性和相互干扰。</translation>
+    </message>
+    <message>
+        <source>Distances on a scale bar that three cameras and a laser tracker measure together.</source>
+        <translation>三台相机和一台激光跟踪仪共同测量的基准尺上的距离。</translation>
+    </message>
+    <message>
+        <source>Pose of a platform from six measured points, whose uncertainties come from calibrated artefacts.</source>
+        <translation>由六个测点得到的平台位姿，测点的不确定度来自已校准的标准件。</translation>
+    </message>
+    <message>
+        <source>Sensor layout, points and pose in one chain: a laser tracker and a total station measure six nests of a platform.</source>
+        <translation>传感器布局、点和位姿连成一串：一台激光跟踪仪和一台全站仪测量平台上的六个靶座。</translation>
+    </message>
+    <message>
+        <source>requirement not met</source>
+        <translation>不满足要求</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13810,6 +13966,18 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <source>Of the estimate, and of what is stated without a unit</source>
         <translation>估计值以及未带单位的声明所用的单位</translation>
     </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>已撤销：%1</translation>
+    </message>
+    <message>
+        <source>Before these steps</source>
+        <translation>这些步骤之前</translation>
+    </message>
+    <message>
+        <source>Undo Lis&amp;t</source>
+        <translation>步骤列表(&amp;T)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14010,6 +14178,10 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <source>Pictures (*.png *.jpg *.jpeg)</source>
         <translation>图片 (*.png *.jpg *.jpeg)</translation>
     </message>
+    <message>
+        <source>English (none chosen)</source>
+        <translation>英语（未选择）</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ChartView</name>
@@ -14144,12 +14316,48 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <translation>运行分析 (F5)，然后用“%1”保留其结果。</translation>
     </message>
     <message>
-        <source>Keep the present results with “%1” and edit: before and after stand here beside each other.</source>
-        <translation>用“%1”保留当前结果并编辑：之前与之后在此并列显示。</translation>
-    </message>
-    <message>
         <source>results that are computed again once the analysis has run</source>
         <translation>待分析运行后重新计算的结果</translation>
+    </message>
+    <message>
+        <source>Compare With Another Project</source>
+        <translation>与其他项目比较</translation>
+    </message>
+    <message>
+        <source>Covaria project (*.covaria)</source>
+        <translation>Covaria 项目 (*.covaria)</translation>
+    </message>
+    <message>
+        <source>Analysis of that project:</source>
+        <translation>该项目的分析：</translation>
+    </message>
+    <message>
+        <source>Compare With</source>
+        <translation>比较对象</translation>
+    </message>
+    <message>
+        <source>Another analysis, of this project or of another one, stands in the place of kept results</source>
+        <translation>另一个分析（本项目或其他项目的）代替保留的结果</translation>
+    </message>
+    <message>
+        <source>Another Project …</source>
+        <translation>其他项目…</translation>
+    </message>
+    <message>
+        <source>%1 has no analysis.</source>
+        <translation>%1 中没有分析。</translation>
+    </message>
+    <message>
+        <source>The tab Compare shows %1 as before.</source>
+        <translation>“比较”页将 %1 显示为之前。</translation>
+    </message>
+    <message>
+        <source>Keep the present results with “%1” and edit, or choose another analysis by “%2”: before and after stand here beside each other.</source>
+        <translation>用“%1”保留当前结果再编辑，或用“%2”选择另一个分析：之前与之后在此并列显示。</translation>
+    </message>
+    <message>
+        <source>Before: %1 (%2), taken at %3. </source>
+        <translation>之前：%1（%2），取自 %3。 </translation>
     </message>
 </context>
 <context>
@@ -15653,6 +15861,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>Discard kept state</source>
         <translation>放弃保留的状态</translation>
     </message>
+    <message>
+        <source>Compare with %1</source>
+        <translation>与 %1 比较</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::LibraryBrowser</name>
@@ -16218,6 +16430,14 @@ Chosen: %2</source>
     <message>
         <source>Where the project does not state them. Reports and files are the project&apos;s alone.</source>
         <translation>项目未指定时使用。报告和文件只以项目为准。</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>字体</translation>
+    </message>
+    <message>
+        <source>Covaria&apos;s own</source>
+        <translation>Covaria 自带</translation>
     </message>
 </context>
 <context>

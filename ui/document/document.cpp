@@ -108,6 +108,11 @@ void Document::undo() {
     if (!unread_.take_back(after_step(undo_stack_.index()))) undo_stack_.undo();
 }
 
+void Document::go_to_step(int index) {
+    while (undo_stack_.index() > index && can_undo()) undo();
+    while (undo_stack_.index() < index && undo_stack_.canRedo()) undo_stack_.redo();
+}
+
 bool Document::can_undo() const {
     return undo_stack_.canUndo() || unread_.has_since(after_step(undo_stack_.index()));
 }

@@ -49,6 +49,8 @@ public:
     /// that came with it.
     void undo();
     bool can_undo() const;
+    /// Undoes or does again until `index` steps are done (`undo_stack().index()`).
+    void go_to_step(int index);
     bool is_modified() const { return unsaved_ || !undo_stack_.isClean(); }
 
     /// The file on disk is no longer this project: it counts as unsaved whatever its history says.

@@ -1,6 +1,8 @@
 #include "ui/document/missing_fields.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <sstream>
 
 #include "core/setup/setup_schema.h"
 #include "ui/document/setup_address.h"
@@ -44,6 +46,22 @@ bool is_empty_cell(const FieldSpec& field, const SetupTable& table, const std::s
            std::holds_alternative<std::monostate>(table.rows[row][column]);
 }
 
+/// "/analyses/0/setup/equations/2/8-8" of a line of seven characters, "y = a *", or of a parenthesis that is
+/// not closed: the end is still being typed.
+bool has_no_end_yet(const std::string& text, const std::string& path) {
+    const std::size_t columns = path.rfind('/'), line = path.rfind('/', columns - 1);
+    if (path.find('-', columns) == std::string::npos) return false;
+    std::istringstream lines(text);
+    std::string found;
+    for (int i = std::atoi(path.c_str() + line + 1); i >= 0; --i)
+        if (!std::getline(lines, found)) found.clear();
+    int left = std::atoi(path.c_str() + columns + 1);  // characters of UTF-8 up to the place, from 1
+    const auto at = std::ranges::find_if(
+        found, [&left](unsigned char byte) { return (byte & 0xc0U) != 0x80U && --left == 0; });
+    if (at == found.end()) return left > 0;
+    return *at == '(' && std::ranges::count(text, '(') > std::ranges::count(text, ')');
+}
+
 Lack lack(const Project& project, const Problems& all, const std::string& entry, int depth);
 
 bool refers_to_unfinished(const Project& project, const Problems& all, const std::string& id, int depth) {
@@ -65,9 +83,9 @@ bool missing(const Project& project, const Problems& all, const Problem& problem
     if (is_empty(value) || setup->values.empty()) return true;
     if (const auto* table = std::get_if<SetupTable>(&value))
         return is_empty_cell(*field, *table, problem.path);
-    if (const auto* id = std::get_if<std::string>(&value); id && field->kind == FieldKind::reference)
-        return refers_to_unfinished(project, all, *id, depth);
-    return false;
+    const auto* text = std::get_if<std::string>(&value);
+    if (text && field->several_lines) return has_no_end_yet(*text, problem.path);
+    return text && field->kind == FieldKind::reference && refers_to_unfinished(project, all, *text, depth);
 }
 
 Lack lack(const Project& project, const Problems& all, const std::string& entry, int depth) {
@@ -91,7 +109,8 @@ std::optional<MissingField> next(const Project& project, const Problems& all, co
         const FieldSpec* field = find_schema(project, address)->find(field_in(problem.path, entry));
         const SetupValue& value = value_of(*field, *setup_of(project, address));
         const bool is_table = std::holds_alternative<SetupTable>(value);  // of which a cell is empty
-        if (is_table || is_empty(value) || setup_of(project, address)->values.empty())
+        const bool is_begun = is_table || field->several_lines;
+        if (is_begun || is_empty(value) || setup_of(project, address)->values.empty())
             return MissingField{field->title, problem.path};
         const std::string& id = std::get<std::string>(value);
         for (const SetupAddress& used : {SetupAddress{SetupOwner::asset, id}, {SetupOwner::analysis, id}})

@@ -10,8 +10,8 @@
 namespace covaria::ui {
 
 /// Whether the problem (path from the root of the project) is that a field of a set-up is empty which must be
-/// given, or that nothing is given at all yet, or that a reference leads to an asset or analysis that lacks
-/// nothing but such fields.
+/// given, or a line of a text has no end yet, or that nothing is given at all yet, or that a reference leads
+/// to an asset or analysis that lacks nothing but such fields.
 bool is_missing(const Project& project, const Problems& all, const Problem& problem);
 
 /// The errors of the entry at `entry` ("/analyses/0"): none, only missing fields, or others too.

@@ -1,5 +1,6 @@
 #include "ui/export/scene_pictures.h"
 
+#include "core/project/stated_requirements.h"
 #include "ui/theme/document_language.h"
 #include "viz/scene/analysis_scene.h"
 #include "viz/scene/context_meshes.h"
@@ -31,7 +32,8 @@ struct ScenePictures::Renderer {
 };
 
 ScenePictures::ScenePictures(const ReportSource& source)
-    : analyses_(source.analyses),
+    : made_(source.made),
+      analyses_(source.analyses),
       context_(context_meshes(source.made)),
       renderer_(std::make_unique<Renderer>()),
       language_(document_language(source.made.project())) {}
@@ -47,6 +49,8 @@ QImage ScenePictures::render(const SceneBlock& block, QSize size) {
         options.units = evaluated.analysis->style.units;
         options.language = scene_language(language_);
         options.probability = evaluated.result->coverage_probability;
+        if (const AnalysisEntry* entry = made_.project().find_analysis(block.analysis))
+            options.verdicts = judge(*evaluated.result, *entry);
         auto scene = scene_of(evaluated, block.design, options);
         if (!scene) {
             problem_ = scene.error().message;

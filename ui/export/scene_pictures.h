@@ -26,6 +26,7 @@ public:
 
 private:
     struct Renderer;
+    const MadeProject& made_;
     const std::vector<EvaluatedAnalysis>& analyses_;
     std::vector<LayoutMesh> context_;
     std::unique_ptr<Renderer> renderer_;

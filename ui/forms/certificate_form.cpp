@@ -47,6 +47,15 @@ FieldSpec spec_of(const CertificateField& field) {
     return spec;
 }
 
+/// Documents of a project without a language are English.
+class LanguageEditor : public ListEditor {
+public:
+    using ListEditor::ListEditor;
+
+protected:
+    QString empty_words() const override { return CertificateForm::tr("English (none chosen)"); }
+};
+
 }  // namespace
 
 CertificateForm::CertificateForm(Document& document, QWidget* parent)
@@ -118,7 +127,7 @@ FieldEditor* CertificateForm::make_editor(const CertificateField& field) {
         case CertificateText::lines:
             return new ProseEditor(spec, fields_);
         case CertificateText::language:
-            return new ListEditor(spec, fields_);
+            return new LanguageEditor(spec, fields_);
         case CertificateText::picture:
             return new FileEditor(spec, document_, tr("Pictures (*.png *.jpg *.jpeg)"), fields_);
         case CertificateText::date:

@@ -24,6 +24,8 @@ namespace covaria::ui {
 namespace {
 constexpr int most_rows_measured = 200;  // of what is pasted or imported
 constexpr int widest_column = 320;       // that a column gets by itself
+constexpr int far_too_wide = 60;
+constexpr int give_back_after = 300;  // ms without a change
 }  // namespace
 
 SpreadsheetView::SpreadsheetView(SpreadsheetModel& model, QWidget* parent)
@@ -59,6 +61,7 @@ SpreadsheetView::SpreadsheetView(SpreadsheetModel& model, QWidget* parent)
             [this](const QModelIndex& first, const QModelIndex& last) {
                 update_actions();
                 fit_columns(first.row(), last.row());
+                give_back_.start();
             });
     connect(&model_, &QAbstractItemModel::headerDataChanged, this, [this] { fit_columns(0, -1); });
     connect(&model_, &QAbstractItemModel::rowsInserted, this,
@@ -68,6 +71,9 @@ SpreadsheetView::SpreadsheetView(SpreadsheetModel& model, QWidget* parent)
             });
     connect(&model_, &QAbstractItemModel::rowsRemoved, this, &SpreadsheetView::updateGeometry);
     connect(&model_, &QAbstractItemModel::modelReset, this, &SpreadsheetView::updateGeometry);
+    give_back_.setSingleShot(true);
+    give_back_.setInterval(give_back_after);
+    connect(&give_back_, &QTimer::timeout, this, &SpreadsheetView::give_back);
     update_actions();
 }
 
@@ -126,16 +132,24 @@ void SpreadsheetView::fit_columns(int first, int last) {
 }
 
 /// Of what was typed or cleared: what is computed would move the columns with every result.
-void SpreadsheetView::shrink_columns(const std::set<int>& columns) {
+void SpreadsheetView::shrink_columns(const std::set<int>& columns, int too_wide) {
     if (model_.rowCount() > most_rows_measured) return;
     fitting_ = true;
     for (const int column : columns) {
         if (column < 0 || given_widths_.contains(column)) continue;
         const int wanted = std::max(horizontalHeader()->sectionSizeHint(column), sizeHintForColumn(column));
-        if (wanted < columnWidth(column)) setColumnWidth(column, wanted);
+        if (wanted + too_wide < columnWidth(column)) setColumnWidth(column, wanted);
     }
     fitting_ = false;
     give_way();
+}
+
+/// What a refused text took that was undone since; numbers of other lengths move no column.
+void SpreadsheetView::give_back() {
+    if (state() == EditingState) return;
+    std::set<int> all;
+    for (int column = 0; column < model_.columnCount(); ++column) all.insert(column);
+    shrink_columns(all, far_too_wide);
 }
 
 /// Whether a column has words, and no width of the user's; with what it needs, and what tells them apart.

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QTableView>
+#include <QTimer>
 #include <optional>
 #include <set>
 
@@ -54,7 +55,9 @@ private:
     void remove_rows();
     void update_actions();
     void fit_columns(int first, int last);
-    void shrink_columns(const std::set<int>& columns);
+    /// Those that are wider than they need by more than `too_wide` (px).
+    void shrink_columns(const std::set<int>& columns, int too_wide = 0);
+    void give_back();
     /// Widths of a column of words.
     struct Words {
         int at, whole, least;
@@ -69,6 +72,7 @@ private:
     std::set<int> given_widths_;  ///< columns that the user has resized
     int most_rows_ = usual_rows;
     bool fitting_ = false;
+    QTimer give_back_;
     bool tabs_on_ = false;  ///< the current cell is about to change by Tab
     int began_ = -1;        ///< column where Tab began to go along the current row; -1: it did not
     QAction* copy_;

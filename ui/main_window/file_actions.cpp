@@ -5,8 +5,9 @@
 #include <QMenu>
 #include <QSettings>
 
+#include "core/made/examples.h"
 #include "ui/forms/finish_typing.h"
-#include "ui/pages/start_page.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/languages.h"
 #include "ui/theme/strings.h"
@@ -72,7 +73,8 @@ QMenu* FileActions::make_examples_menu(QWidget* parent) {
     connect(menu, &QMenu::aboutToShow, this, [this, menu] {
         menu->clear();
         for (const Example& example : shipped_examples())
-            menu->addAction(example.title, this, [this, file = example.file] { open_example(file); });
+            menu->addAction(core_text(example.title), this,
+                            [this, file = from_path(example.file)] { open_example(file); });
     });
     return menu;
 }

@@ -30,6 +30,7 @@
 #include "ui/main_window/run_actions.h"
 #include "ui/main_window/search_actions.h"
 #include "ui/main_window/shortcut_tip.h"
+#include "ui/main_window/step_menu.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/main_window/undo_action.h"
 #include "ui/main_window/window_state.h"
@@ -76,7 +77,7 @@ MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     scene_->set_dark(theme_->is_dark());
     results_->set_dark(theme_->is_dark());
     files_.set_autosave(preferences_.now().autosave_seconds);
-    font_points_ = preferences_.now().font_points;
+    font_ = preferences_.now().font;
     update_title();
 }
 
@@ -159,7 +160,8 @@ void MainWindow::give_names_room() {
 }
 
 void MainWindow::make_actions() {
-    undo_ = make_undo_action(document_, this);
+    undo_ = make_undo_action(document_, this,
+                             [this](const QString& text) { statusBar()->showMessage(text, 8000); });
     redo_ = document_.undo_stack().createRedoAction(this, tr("&Redo"));
     undo_->setIcon(icon(QStringLiteral("undo")));
     redo_->setIcon(icon(QStringLiteral("redo")));
@@ -224,6 +226,7 @@ void MainWindow::make_file_menu() {
 void MainWindow::make_edit_menu() {
     QMenu* menu = menuBar()->addMenu(tr("&Edit"));
     menu->addActions({undo_, redo_});
+    menu->addMenu(make_step_menu(document_, this));
     menu->addSeparator();
     menu->addMenu(add_);
     menu->addActions({project_->duplicate_action, project_->rename_action, project_->delete_action});
@@ -489,7 +492,7 @@ void MainWindow::take_preferences() {
     const Preferences& wanted = preferences_.now();
     files_.set_autosave(wanted.autosave_seconds);
     const bool other_numbers = wanted.numbers != numbers_;
-    const bool other_font = std::exchange(font_points_, wanted.font_points) != wanted.font_points;
+    const bool other_font = !(std::exchange(font_, wanted.font) == wanted.font);
     if (other_numbers || other_font) finish_typing();  // what was typed is of the form before
     if (other_font) {
         // Widths of names as well, when all have taken it.
@@ -547,7 +550,7 @@ void MainWindow::show_project() {
 /// What the equations name has its rows there.
 void MainWindow::lead_from_equations_to_budget() {
     const auto* equations = properties_->findChild<LinesEditor*>();
-    if (equations && budget_->view()) setTabOrder(equations->text_edit(), budget_->view());
+    if (equations) budget_->follow_in_tab_order(*equations->text_edit());
 }
 
 /// Nothing is evaluated from an old value while a text stands in its place.

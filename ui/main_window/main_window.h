@@ -129,7 +129,7 @@ private:
     QAction* redo_ = nullptr;
     NumberForm numbers_ = NumberForm::system;
     int given_to_names_ = 0;  ///< width of the tree that no one but this gave
-    int font_points_ = 0;
+    FontChoice font_;
     bool has_project_ = false;  ///< false: only the start page has been shown
     QToolBar* toolbar_ = nullptr;
     QList<QDockWidget*> docks_;        ///< project, properties, analysis, problems, log

@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QFontDatabase>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
@@ -13,6 +14,7 @@
 #include <algorithm>
 
 #include "core/text/numbers.h"
+#include "ui/forms/form_labels.h"
 #include "ui/forms/quantity_edit.h"
 #include "ui/forms/unit_choices.h"
 #include "ui/theme/languages.h"
@@ -132,6 +134,12 @@ void PreferencesDialog::add_window(QFormLayout& form) {
     add_items(*theme_, {{QStringLiteral("system"), tr("As the system")},
                         {QStringLiteral("light"), tr("Light")},
                         {QStringLiteral("dark"), tr("Dark")}});
+    family_ = add_box(form, tr("Font"), "font_family", tr("Of the whole window"));
+    family_->addItem(tr("Covaria's own"), QString());
+    for (const QString& family : QFontDatabase::families())
+        if (!QFontDatabase::isPrivateFamily(family) && QFontDatabase::isSmoothlyScalable(family))
+            family_->addItem(family, family);
+    may_be_narrow(*family_);
     font_ = add_number(form, tr("Font size"), "font_points", tr("Of the whole window"),
                        {smallest_font - 1, largest_font});
     font_->setSpecialValueText(tr("as the system"));
@@ -153,7 +161,8 @@ void PreferencesDialog::take() {
     wanted.trials = std::uint64_t(trials_->quantity()->value);
     wanted.language = language_->currentData().toString();
     wanted.theme = theme_->currentData().toString();
-    wanted.font_points = font_->value() < smallest_font ? 0 : font_->value();
+    wanted.font.family = family_->currentData().toString();
+    wanted.font.points = font_->value() < smallest_font ? 0 : font_->value();
     wanted.autosave_seconds = autosave_->value();
     preferences_.set(wanted);
 }
@@ -166,10 +175,11 @@ void PreferencesDialog::show_preferences() {
     factor_->setCurrentIndex(now.coverage_factor ? 1 : 0);
     language_->setCurrentIndex(language_->findData(now.language));
     theme_->setCurrentIndex(theme_->findData(now.theme));
+    family_->setCurrentIndex(std::max(0, family_->findData(now.font.family)));
     trials_->setLocale(QLocale());
     trials_->set_quantity(Quantity{double(now.trials), Unit{}});
     const std::pair<QSpinBox*, int> numbers[] = {
-        {font_, now.font_points > 0 ? now.font_points : smallest_font - 1},
+        {font_, now.font.points > 0 ? now.font.points : smallest_font - 1},
         {autosave_, now.autosave_seconds}};
     for (const auto& [box, value] : numbers) {
         const QSignalBlocker quiet(box);

@@ -33,7 +33,7 @@ private:
     PreferenceStore& preferences_;
     UnitChoices* units_ = nullptr;
     QComboBox *language_ = nullptr, *digits_ = nullptr, *numbers_ = nullptr, *factor_ = nullptr,
-              *theme_ = nullptr;
+              *theme_ = nullptr, *family_ = nullptr;
     QuantityEdit* trials_ = nullptr;
     QSpinBox *autosave_ = nullptr, *font_ = nullptr;
 };

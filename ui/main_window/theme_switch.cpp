@@ -34,8 +34,7 @@ ThemeSwitch::ThemeSwitch(PreferenceStore& preferences, QObject* parent)
     : QObject(parent), preferences_(preferences) {
     apply();
     connect(&preferences_, &PreferenceStore::changed, this, [this] {
-        if (wants_dark(preferences_.now()) != dark_ || preferences_.now().font_points != font_points_)
-            apply();
+        if (wants_dark(preferences_.now()) != dark_ || !(preferences_.now().font == font_)) apply();
     });
 }
 
@@ -52,8 +51,8 @@ void ThemeSwitch::choose(const QString& key) {
 void ThemeSwitch::apply() {
     const Preferences& wanted = preferences_.now();
     dark_ = wants_dark(wanted);
-    font_points_ = wanted.font_points;
-    apply_theme(*qApp, dark_ ? Theme::dark() : Theme::light(), font_points_);
+    font_ = wanted.font;
+    apply_theme(*qApp, dark_ ? Theme::dark() : Theme::light(), font_);
     emit changed(dark_);
 }
 

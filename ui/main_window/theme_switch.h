@@ -27,7 +27,7 @@ private:
 
     PreferenceStore& preferences_;
     bool dark_ = false;
-    int font_points_ = 0;
+    FontChoice font_;
 };
 
 /// Whether the desktop asks for dark windows, as far as its own palette tells.

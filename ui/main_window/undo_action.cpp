@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <utility>
 
 #include "ui/theme/strings.h"
 
@@ -37,9 +38,15 @@ public:
 
 }  // namespace
 
-QAction* make_undo_action(Document& document, QObject* parent) {
+QAction* make_undo_action(Document& document, QObject* parent, std::function<void(const QString&)> say) {
     auto* action = new QAction(parent);
-    QObject::connect(action, &QAction::triggered, &document, &Document::undo);
+    QObject::connect(action, &QAction::triggered, &document, [&document, say = std::move(say)] {
+        const QUndoStack& stack = document.undo_stack();
+        const int before = stack.index();
+        const QString step = stack.undoText();
+        document.undo();
+        if (stack.index() < before) say(tr("Undone: %1").arg(step));
+    });
     const auto refresh = [&document, action] {
         const QUndoStack& stack = document.undo_stack();
         action->setEnabled(document.can_undo());

@@ -1,13 +1,16 @@
 // Undo, as QUndoStack makes it, and for texts that cannot be read.
 #pragma once
 
+#include <QString>
+#include <functional>
+
 #include "ui/document/document.h"
 
 class QAction;
 
 namespace covaria::ui {
 
-/// `parent` owns it. Icon and shortcut are the caller's.
-QAction* make_undo_action(Document& document, QObject* parent);
+/// `parent` owns it. Icon and shortcut are the caller's. `say` is told which step was undone.
+QAction* make_undo_action(Document& document, QObject* parent, std::function<void(const QString&)> say);
 
 }  // namespace covaria::ui

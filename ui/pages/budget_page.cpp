@@ -126,6 +126,13 @@ void BudgetPage::show_analysis() {
     take_result();
 }
 
+/// What is moved in the order leaves behind what it led to.
+void BudgetPage::follow_in_tab_order(QWidget& before) {
+    if (!view_) return;
+    setTabOrder(&before, view_);
+    setTabOrder(view_, correlation_);
+}
+
 void BudgetPage::ask_for_quantity(int row) {
     const std::string symbol = model_->symbol_of(row);
     if (symbol.empty()) return;

@@ -32,6 +32,8 @@ public:
     QLabel& result_lines() const { return *lines_; }
     /// The correlation coefficient of the components of the two rows that are selected.
     QLineEdit& correlation() const { return *correlation_; }
+    /// Tab comes from `before` to the table, and from it to the correlation coefficient.
+    void follow_in_tab_order(QWidget& before);
     /// Another project.
     void start_over();
 

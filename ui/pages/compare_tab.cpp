@@ -1,11 +1,15 @@
 #include "ui/pages/compare_tab.h"
 
 #include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/made/load_project.h"
 #include "core/report/comparison_columns.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
@@ -40,10 +44,26 @@ QString time_of(const KeptResult& kept) {
                                              : locale.toString(at, QLocale::ShortFormat);
 }
 
+QString name_of(const AnalysisEntry& entry) {
+    return to_qt(entry.name.empty() ? entry.id : entry.name);
+}
+
 }  // namespace
 
 CompareTab::CompareTab(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
     : QWidget(parent), document_(document), runner_(runner), selection_(selection), kept_(runner.kept()) {
+    ask_for_file = [this] {
+        return QFileDialog::getOpenFileName(this, tr("Compare With Another Project"),
+                                            from_path(document_.project().directory),
+                                            tr("Covaria project (*.covaria)"));
+    };
+    ask_for_analysis = [this](const QStringList& analyses) {
+        bool chosen = false;
+        const QString name =
+            QInputDialog::getItem(this, tr("Compare With Another Project"), tr("Analysis of that project:"),
+                                  analyses, 0, false, &chosen);
+        return chosen ? name : QString();
+    };
     kept_.follow(document);
     make_actions();
     auto* column = new QVBoxLayout(this);
@@ -72,22 +92,28 @@ void CompareTab::make_actions() {
                       tr("Forgets the kept results; the project stays as it is now"));
     go_back_->setIconText(tr("Go Back to Kept"));  // on the buttons
     discard_->setIconText(tr("Discard Kept"));
+    others_ = new QMenu(tr("Compare With"), this);
+    others_->menuAction()->setObjectName(QStringLiteral("compare_with"));
+    others_->menuAction()->setToolTip(
+        tr("Another analysis, of this project or of another one, stands in the place of kept results"));
+    connect(others_, &QMenu::aboutToShow, this, &CompareTab::list_others);
     connect(keep_, &QAction::triggered, this, &CompareTab::keep);
     connect(go_back_, &QAction::triggered, this, &CompareTab::go_back);
     connect(discard_, &QAction::triggered, this, [this] { kept_.discard(selection_.analysis()); });
 }
 
 void CompareTab::add_to(QMenu& menu) {
-    menu.addActions({keep_, go_back_, discard_});
+    menu.addActions({keep_, others_->menuAction(), go_back_, discard_});
 }
 
 QWidget* CompareTab::make_head() {
     auto* head = new QWidget;
     auto* row = new QHBoxLayout(head);
     row->setContentsMargins(4, 2, 4, 2);
-    for (QAction* action : {keep_, go_back_, discard_}) {
+    for (QAction* action : {keep_, others_->menuAction(), go_back_, discard_}) {
         auto* button = new QToolButton;
         button->setDefaultAction(action);
+        if (action->menu()) button->setPopupMode(QToolButton::InstantPopup);
         button->setObjectName(action->objectName() + QStringLiteral("_button"));
         button->setFocusPolicy(Qt::StrongFocus);
         row->addWidget(button);
@@ -152,6 +178,48 @@ void CompareTab::keep() {
                           : tr("The results are kept: the tab Compare shows them beside those to come."));
 }
 
+void CompareTab::list_others() {
+    others_->clear();
+    for (const AnalysisEntry& entry : document_.project().analyses) {
+        if (entry.id == to_std(selection_.analysis())) continue;
+        const QString name = name_of(entry);
+        others_->addAction(QString(name).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                           [this, id = entry.id, name] {
+                               finish_typing();
+                               compare_with(*document_.snapshot(), id, name);
+                           });
+    }
+    if (!others_->isEmpty()) others_->addSeparator();
+    others_->addAction(tr("Another Project …"), this, &CompareTab::compare_with_file);
+}
+
+void CompareTab::compare_with_file() {
+    finish_typing();
+    const QString file = ask_for_file();
+    if (file.isEmpty()) return;
+    const LoadedProject loaded = load_project(to_path(file));
+    const std::vector<AnalysisEntry>& all = loaded.project.analyses;
+    if (!loaded.is_whole) {
+        emit message(to_qt(first_error(loaded.problems, {})));
+        return;
+    }
+    QStringList names;
+    for (const AnalysisEntry& entry : all) names << name_of(entry);
+    if (names.isEmpty()) {
+        emit message(tr("%1 has no analysis.").arg(QFileInfo(file).fileName()));
+        return;
+    }
+    const QString chosen = names.size() == 1 ? names.front() : ask_for_analysis(names);
+    if (const qsizetype at = names.indexOf(chosen); at >= 0)
+        compare_with(loaded.project, all[static_cast<std::size_t>(at)].id,
+                     QFileInfo(file).fileName() + QStringLiteral(": ") + chosen);
+}
+
+void CompareTab::compare_with(const Project& project, const std::string& other, const QString& name) {
+    kept_.compare_with(selection_.analysis(), project, other, name);
+    emit message(tr("The tab Compare shows %1 as before.").arg(name));
+}
+
 /// One edit: what is evaluated, as it was.
 void CompareTab::go_back() {
     finish_typing();
@@ -162,7 +230,7 @@ void CompareTab::go_back() {
 
 bool CompareTab::can_go_back() const {
     const KeptResult* kept = kept_.find(selection_.analysis());
-    if (!kept) return false;
+    if (!kept || !kept->state.other.empty()) return false;
     Project before = document_.project();
     covaria::go_back(before, kept->state);
     return !(before == document_.project());
@@ -175,6 +243,7 @@ void CompareTab::update_actions() {
     keep_->setToolTip(kept
                           ? tr("Keeps the present results in place of those kept before, which are forgotten")
                           : tr("Keeps the present results of this analysis, to compare later ones with"));
+    others_->menuAction()->setEnabled(!selection_.analysis().isEmpty());
     go_back_->setEnabled(can_go_back());
     discard_->setEnabled(kept != nullptr);
 }
@@ -187,10 +256,13 @@ QString CompareTab::state_words() const {
     if (!kept && !kept_.can_keep(analysis))
         return tr("Run the analysis (F5), then keep its results with “%1”.").arg(keep_->text());
     if (!kept)
-        return tr("Keep the present results with “%1” and edit: before and after stand here beside each "
-                  "other.")
-            .arg(keep_->text());
-    QString words = tr("Before: %1, kept at %2. ").arg(words_of(*kept), time_of(*kept));
+        return tr("Keep the present results with “%1” and edit, or choose another analysis by “%2”: before "
+                  "and after stand here beside each other.")
+            .arg(keep_->text(), tr("Compare With"));
+    QString words = kept->state.other.empty()
+                        ? tr("Before: %1, kept at %2. ").arg(words_of(*kept), time_of(*kept))
+                        : tr("Before: %1 (%2), taken at %3. ")
+                              .arg(to_qt(kept->state.other_name), words_of(*kept), time_of(*kept));
     if (!status.result) return words + tr("After: no results.");
     words += tr("After: %1").arg(result_words(status));
     const QString said = reservation(status);

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QWidget>
+#include <functional>
 
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
@@ -24,7 +25,7 @@ class CompareTab : public QWidget {
 public:
     CompareTab(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
 
-    /// Keep, go back, discard.
+    /// Keep, compare with, go back, discard.
     void add_to(QMenu& menu);
     QString state_words() const;
     SortableTable& results() { return *results_; }
@@ -34,6 +35,12 @@ public:
     void set_units(const DisplayUnits& units);
     void set_digits(int digits);
     const KeptStates& kept() const { return kept_; }
+    /// Another analysis stands in the place of what was kept: one of this project, or one of a file, which is
+    /// asked for where that has several.
+    QMenu& others() { return *others_; }
+    /// Dialogs, replaceable in tests; an empty text: none was chosen.
+    std::function<QString()> ask_for_file;
+    std::function<QString(const QStringList& analyses)> ask_for_analysis;
 
 signals:
     void message(const QString& text);
@@ -51,6 +58,9 @@ private:
     void show_output();
     void show_chart();
     void keep();
+    void list_others();
+    void compare_with_file();
+    void compare_with(const Project& project, const std::string& other, const QString& name);
     void go_back();
     bool can_go_back() const;
     /// Index among the outputs compared of the one that is selected.
@@ -65,6 +75,7 @@ private:
     ComparisonPointer comparison_;
     bool current_ = true;
     DisplayUnits units_;
+    QMenu* others_ = nullptr;
     QAction *keep_ = nullptr, *go_back_ = nullptr, *discard_ = nullptr;
     QLabel* state_ = nullptr;
     EmptyNote* what_to_do_ = nullptr;  ///< in the place of the body while nothing is compared

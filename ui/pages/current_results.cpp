@@ -4,6 +4,14 @@
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
+namespace {
+
+Message words_of_kept(const AnalysisRunner& runner, const std::string& analysis) {
+    const KeptResult* kept = runner.kept().find(to_qt(analysis));
+    return kept && !kept->state.other.empty() ? Message(kept->state.other_name) : tell<"kept results">();
+}
+
+}  // namespace
 
 std::vector<EvaluatedAnalysis> current_results(const Project& project, const AnalysisRunner& runner) {
     std::vector<EvaluatedAnalysis> current;
@@ -13,7 +21,7 @@ std::vector<EvaluatedAnalysis> current_results(const Project& project, const Ana
         current.push_back({status.result_of, status.result, status.warnings});
         if (const ResultPointer before = runner.kept().before(to_qt(analysis.id), status.result))
             current.back().before = std::make_shared<const ResultsBefore>(
-                ResultsBefore{"kept results", compare_results(before, status.result)});
+                ResultsBefore{words_of_kept(runner, analysis.id), compare_results(before, status.result)});
         for (const Study& study : analysis.studies) {
             const StudyStatus of_study = runner.studies().status(to_qt(analysis.id), to_qt(study.id));
             if (of_study.is_current()) current.back().studies.push_back(of_study.result);

@@ -8,16 +8,17 @@
 #include <QPainterPath>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QShowEvent>
 #include <QSignalBlocker>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
 #include "core/base/resource_path.h"
 #include "core/kinds/registries.h"
+#include "core/made/examples.h"
 #include "core/made/library.h"
 #include "ui/pages/example_card.h"
 #include "ui/pages/library_menu.h"
-#include "ui/pages/start_page.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
@@ -146,7 +147,7 @@ void LibraryBrowser::fill() {
     entries_.clear();
     add_templates();
     add_examples({}, examples_title());
-    add_examples(QStringLiteral("gum"), tr("GUM and its supplements"));
+    add_examples("gum", tr("GUM and its supplements"));
     add_assets();
     for (Entry& entry : entries_) {
         // Beside the English words those that are shown: both are looked for.
@@ -173,6 +174,12 @@ void LibraryBrowser::show_collection(const QString& title) {
     collections_->setCurrentRow(found.isEmpty() ? 0 : collections_->row(found.front()));
 }
 
+/// Opened again it looks for nothing yet.
+void LibraryBrowser::showEvent(QShowEvent* event) {
+    if (!event->spontaneous()) search_->clear();
+    QDialog::showEvent(event);
+}
+
 void LibraryBrowser::add_templates() {
     const QString folder = from_path(data_directory() / "projects") + QLatin1Char('/');
     for (const AnalysisTemplate& known : analysis_templates()) {
@@ -191,12 +198,13 @@ void LibraryBrowser::add_templates() {
     }
 }
 
-void LibraryBrowser::add_examples(const QString& subfolder, const QString& collection) {
+void LibraryBrowser::add_examples(const std::string& subfolder, const QString& collection) {
     for (const Example& example : shipped_examples(subfolder)) {
-        Entry entry{example.title,   collection,
-                    example.summary, tr("Opens as a new project."),
-                    example.picture, QStringLiteral("project")};
-        entry.example = example.file;
+        Entry entry{core_text(example.title),   collection,
+                    core_text(example.summary), tr("Opens as a new project."),
+                    from_path(example.picture), QStringLiteral("project")};
+        entry.example = from_path(example.file);
+        entry.texts = {example.title, example.summary, example.file.stem().string()};
         entries_.push_back(std::move(entry));
     }
 }

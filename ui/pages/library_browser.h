@@ -40,6 +40,9 @@ signals:
     void template_wanted(const covaria::AnalysisTemplate& wanted);
     void asset_wanted(const covaria::AssetEntry& asset);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     struct Entry {
         QString title, collection, summary, notes, picture, icon;
@@ -49,7 +52,7 @@ private:
         std::vector<std::string> texts = {};  ///< that a search looks at: shown ones and English ones, folded
     };
     void add_templates();
-    void add_examples(const QString& subfolder, const QString& collection);
+    void add_examples(const std::string& subfolder, const QString& collection);
     void add_assets();
     void refresh_cards();
     void refresh_details();

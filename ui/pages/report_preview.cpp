@@ -20,6 +20,23 @@ namespace {
 
 constexpr int preview_dots_per_inch = 96;
 
+/// What a document of the project would have of each analysis.
+QStringList parts_of(const Project& project, const AnalysisRunner& runner) {
+    QStringList parts;
+    for (const AnalysisEntry& analysis : project.analyses) {
+        const QString id = to_qt(analysis.id);
+        const AnalysisStatus& status = runner.status(id);
+        parts << (status.is_current() ? to_qt(status.result_of->fingerprint()) : QString())
+              << (status.state == RunState::failed ? status.message : QString());
+        if (status.is_current() && runner.kept().before(id, status.result)) parts << QStringLiteral("before");
+        for (const Study& study : analysis.studies)
+            if (runner.studies().status(id, to_qt(study.id)).is_current()) parts << to_qt(study.id);
+        for (const Design& design : analysis.designs)
+            if (runner.designs().status(id, to_qt(design.id)).is_current()) parts << to_qt(design.id);
+    }
+    return parts;
+}
+
 }  // namespace
 
 ReportPreview::ReportPreview(Document& document, AnalysisRunner& runner, QWidget* parent)
@@ -41,11 +58,11 @@ ReportPreview::ReportPreview(Document& document, AnalysisRunner& runner, QWidget
     column->addWidget(pages, 1);
     connect(list_, &PageList::page_wanted, view_, &PageView::go_to_page);
     connect(view_, &PageView::current_page_changed, list_, &PageList::show_page);
-    connect(&document_, &Document::project_changed, this, &ReportPreview::mark_old);
-    connect(&runner_, &AnalysisRunner::result_changed, this, &ReportPreview::mark_old);
-    connect(&runner_.kept(), &KeptStates::changed, this, &ReportPreview::mark_old);
-    connect(&runner_.studies(), &InquiryRunner::changed, this, &ReportPreview::mark_old);
-    connect(&runner_.designs(), &InquiryRunner::changed, this, &ReportPreview::mark_old);
+    connect(&document_, &Document::project_changed, this, &ReportPreview::compare_with_present);
+    connect(&runner_, &AnalysisRunner::result_changed, this, &ReportPreview::compare_with_present);
+    connect(&runner_.kept(), &KeptStates::changed, this, &ReportPreview::compare_with_present);
+    connect(&runner_.studies(), &InquiryRunner::changed, this, &ReportPreview::compare_with_present);
+    connect(&runner_.designs(), &InquiryRunner::changed, this, &ReportPreview::compare_with_present);
     connect(&document_.maker(), &ProjectMaker::made_changed, this, [this] {
         if (waiting_) refresh();
     });
@@ -65,6 +82,7 @@ QLayout* ReportPreview::make_head() {
     kind_->setToolTip(tr("What is shown: the report, or the calibration certificate"));
     kind_->addItems({tr("Report"), tr("Certificate")});
     state_ = new ElidedLabel;
+    state_->setObjectName(QStringLiteral("report_state"));
     auto* update = new QPushButton(tr("Update"));
     update->setObjectName(QStringLiteral("update_report"));
     head->addWidget(kind_);
@@ -97,9 +115,16 @@ QString ReportPreview::kind_words() const {
     return kind() == DocumentKind::report ? tr("The report") : tr("The certificate");
 }
 
-void ReportPreview::mark_old() {
-    old_ = true;
-    if (!pages_.empty()) say(tr("Out of date: the project or its results have changed since."));
+/// Saving under another name makes the project anew, and an edit may be undone: both leave it as it was.
+void ReportPreview::compare_with_present() {
+    if (pages_.empty() && !maker_.is_busy()) return;
+    old_ =
+        !made_of_ || !(document_.project() == *made_of_) || parts_of(document_.project(), runner_) != parts_;
+    if (pages_.empty()) return;
+    if (old_)
+        say(tr("Out of date: the project or its results have changed since."));
+    else if (!maker_.is_busy())
+        say(page_words());
 }
 
 void ReportPreview::hideEvent(QHideEvent*) {
@@ -114,6 +139,7 @@ void ReportPreview::showEvent(QShowEvent*) {
 void ReportPreview::start_over() {
     maker_.cancel();
     waiting_ = false;
+    made_of_.reset();
     old_ = true;
     show_pages({}, {});
     say(tr("%1 has not been made yet.").arg(kind_words()));
@@ -128,6 +154,8 @@ void ReportPreview::refresh() {
                               : tr("No analysis is up to date: run one first (F5)."));
         return;
     }
+    made_of_ = document_.snapshot();
+    parts_ = parts_of(*made_of_, runner_);
     old_ = false;
     say(tr("%1 is being made …").arg(kind_words()));
     maker_.make(
@@ -142,6 +170,7 @@ void ReportPreview::refresh() {
                 [this, pages = std::move(pages), images = std::move(images)] { show_pages(pages, images); };
         },
         [this](const Error& error) {
+            made_of_.reset();
             old_ = true;
             say(tr("%1 could not be made: %2").arg(kind_words(), to_qt(error.message)));
         });

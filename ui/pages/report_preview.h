@@ -46,7 +46,7 @@ protected:
 private:
     QLayout* make_head();
     void say(const QString& words);
-    void mark_old();
+    void compare_with_present();
     QString kind_words() const;
     QString page_words() const;
     void show_pages(const std::vector<PrintedPage>& pages, const std::vector<QImage>& images);
@@ -54,7 +54,9 @@ private:
     Document& document_;
     AnalysisRunner& runner_;
     bool old_ = true;
-    bool waiting_ = false;  ///< for the project of now to be made
+    ProjectSnapshot made_of_;  ///< null: not made
+    QStringList parts_;        ///< that it had
+    bool waiting_ = false;     ///< for the project of now to be made
     std::vector<QImage> pages_;
     QComboBox* kind_;
     QLabel* state_;

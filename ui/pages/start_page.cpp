@@ -5,7 +5,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QScrollArea>
 #include <QStyleOptionToolButton>
 #include <QStylePainter>
@@ -13,9 +12,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/base/resource_path.h"
-#include "core/made/load_project.h"
+#include "core/made/examples.h"
 #include "ui/pages/example_card.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
@@ -33,14 +32,6 @@ QLabel* heading(const QString& text) {
     font.setWeight(QFont::DemiBold);
     label->setFont(font);
     return label;
-}
-
-/// Of the first line; the full stop after an initial ("M. C. Porath") ends nothing.
-QString first_sentence(const QString& text) {
-    const QString line = text.section(QLatin1Char('\n'), 0, 0);
-    static const QRegularExpression end(QStringLiteral("(?<!\\b\\p{Lu})\\. "));
-    const auto found = end.match(line);
-    return found.hasMatch() ? line.left(found.capturedStart() + 1) : line;
 }
 
 QLabel* quiet(const QString& text) {
@@ -92,20 +83,6 @@ QPushButton* action_button(const QString& picture, const QString& text) {
 }
 
 }  // namespace
-
-std::vector<Example> shipped_examples(const QString& subfolder) {
-    std::vector<Example> examples;
-    const QDir folder(from_path(data_directory() / "projects") + QLatin1Char('/') + subfolder);
-    for (const QFileInfo& info :
-         folder.entryInfoList({QStringLiteral("*.covaria")}, QDir::Files, QDir::Name)) {
-        const LoadedProject loaded = load_project(to_path(info.absoluteFilePath()));
-        if (loaded.problems.has_errors()) continue;
-        examples.push_back({info.absoluteFilePath(), to_qt(loaded.project.title),
-                            first_sentence(to_qt(loaded.project.notes)),
-                            folder.filePath(info.completeBaseName() + QStringLiteral(".png"))});
-    }
-    return examples;
-}
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Start page"));
@@ -174,9 +151,10 @@ QWidget* StartPage::make_examples() {
     examples_ = new QGridLayout;
     examples_->setSpacing(gap);
     for (const Example& example : shipped_examples()) {
-        auto* card = new ExampleCard(example.title, example.summary, example.picture);
+        auto* card =
+            new ExampleCard(core_text(example.title), core_text(example.summary), from_path(example.picture));
         connect(card, &ExampleCard::clicked, this,
-                [this, file = example.file] { emit example_wanted(file); });
+                [this, file = from_path(example.file)] { emit example_wanted(file); });
         cards_ << card;
     }
     column->addLayout(examples_);
@@ -188,7 +166,7 @@ QWidget* StartPage::make_examples() {
 
 /// The standards' own examples, as plain lines.
 void StartPage::add_worked_examples(QVBoxLayout& column) {
-    const std::vector<Example> examples = shipped_examples(QStringLiteral("gum"));
+    const std::vector<Example> examples = shipped_examples("gum");
     if (examples.empty()) return;
     column.addWidget(heading(tr("Worked examples of the GUM and its supplements")));
     auto* lines = new QGridLayout;
@@ -198,12 +176,12 @@ void StartPage::add_worked_examples(QVBoxLayout& column) {
     for (int i = 0; i < int(examples.size()); ++i) {
         const Example& example = examples[std::size_t(i)];
         auto* button = new QToolButton;
-        button->setText(example.title);
-        button->setToolTip(example.summary);
+        button->setText(core_text(example.title));
+        button->setToolTip(core_text(example.summary));
         button->setAutoRaise(true);
         button->setCursor(Qt::PointingHandCursor);
         connect(button, &QToolButton::clicked, this,
-                [this, file = example.file] { emit example_wanted(file); });
+                [this, file = from_path(example.file)] { emit example_wanted(file); });
         lines->addWidget(button, i % rows, i / rows, Qt::AlignLeft);
     }
     lines->setColumnStretch(2, 1);

@@ -41,11 +41,4 @@ private:
     int in_a_row_ = 0;
 };
 
-/// A shipped example: its file, title and the picture beside it.
-struct Example {
-    QString file, title, summary, picture;
-};
-/// Of the folder of examples, or of one in it.
-std::vector<Example> shipped_examples(const QString& subfolder = {});
-
 }  // namespace covaria::ui

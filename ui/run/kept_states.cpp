@@ -18,6 +18,10 @@ Result<UncertaintyResult> compute(const ProjectSnapshot& project, const std::str
     return fail(ErrorCode::bad_input, first_error(made->problems_of_analysis(analysis), {}));
 }
 
+std::string time_of_now() {
+    return to_std(QDateTime::currentDateTimeUtc().toString(Qt::ISODate));
+}
+
 /// The same numbers, whenever they were computed.
 bool same_origin(const UncertaintyResult& a, const UncertaintyResult& b) {
     const std::string& fingerprint = a.provenance.project_fingerprint;
@@ -79,10 +83,16 @@ bool KeptStates::can_keep(const QString& analysis) const {
     return runner_.made() && runner_.status(analysis).is_current();
 }
 
+void KeptStates::compare_with(const QString& analysis, const Project& project, const std::string& other,
+                              const QString& name) {
+    if (!document_) return;
+    const KeptState state = state_of_other(project, other, to_std(name), to_std(analysis), time_of_now());
+    document_->apply(tr("Compare with %1").arg(name), [&](Project& edited) { put_kept(edited.kept, state); });
+}
+
 void KeptStates::keep(const QString& analysis) {
     if (!document_ || !can_keep(analysis)) return;
-    const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
-    const KeptState state = state_to_keep(runner_.made()->project(), to_std(analysis), to_std(now));
+    const KeptState state = state_to_keep(runner_.made()->project(), to_std(analysis), time_of_now());
     fresh_ = KeptResult{state, runner_.status(analysis).result};
     if (!document_->apply(tr("Keep state"), [&](Project& project) { put_kept(project.kept, state); }))
         fresh_.reset();
@@ -122,10 +132,12 @@ RunQueue::Run KeptStates::begin_run(const RunKey& key) {
     if (runner_.is_computing()) return {};  // what is edited comes first
     const KeptResult* kept = find(to_qt(key.analysis));
     const ProjectSnapshot project = kept && !kept->result ? kept->state.project : nullptr;
-    return [this, key, project, near = runner_.made()](const RunControl& control) -> JobQueue::Delivery {
+    const std::string compared = kept ? kept->state.compared() : std::string();
+    return [this, key, project, compared,
+            near = runner_.made()](const RunControl& control) -> JobQueue::Delivery {
         if (!project) return {};
-        const auto computed = std::make_shared<Result<UncertaintyResult>>(
-            compute(project, key.analysis, near, backend_, control));
+        const auto computed =
+            std::make_shared<Result<UncertaintyResult>>(compute(project, compared, near, backend_, control));
         return [this, key, project, computed] { deliver(to_qt(key.analysis), project, computed); };
     };
 }

@@ -38,6 +38,10 @@ public:
     bool can_keep(const QString& analysis) const;
     /// An edit. Takes the place of what was kept of the analysis before.
     void keep(const QString& analysis);
+    /// Likewise: another analysis, of this project or of another one, stands in the place of what this one
+    /// was.
+    void compare_with(const QString& analysis, const Project& project, const std::string& other,
+                      const QString& name);
     /// Likewise.
     void discard(const QString& analysis);
     /// Null: nothing is kept.

@@ -14,6 +14,7 @@
 
 #include "core/base/own_names.h"
 #include "core/model/has_layout.h"
+#include "core/project/stated_requirements.h"
 #include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
 #include "ui/scene_view/trial_words.h"
@@ -354,10 +355,14 @@ std::function<Result<Scene>()> ScenePanel::scene_to_build(const AnalysisStatus& 
         };
     const ResultPointer result = shown_result(status);
     const ResultPointer before = runner_.kept().before(analysis_, result);
-    return [=, wanted = options(), said = to_std(reservation(status))]() -> Result<Scene> {
+    return [=, made = runner_.made(), id = to_std(analysis_), wanted = options(),
+            said = to_std(reservation(status))]() -> Result<Scene> {
         std::optional<ResultComparison> compared;
         if (before && result) compared = compare_results(before, result);
-        auto scene = analysis_scene(*prepared, result.get(), wanted, compared ? &*compared : nullptr);
+        SceneOptions options = wanted;
+        const AnalysisEntry* entry = made->project().find_analysis(id);
+        if (result && entry) options.verdicts = judge(*result, *entry);
+        auto scene = analysis_scene(*prepared, result.get(), options, compared ? &*compared : nullptr);
         if (!scene || !result) return scene;
         return remarked(*std::move(scene), said);
     };

@@ -220,27 +220,30 @@ void SceneView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), palette().base());
     if (scene_ && !image_.isNull() && failure_.isEmpty()) {
-        painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawImage(rect(), image_);
-        if (const QString item = item_with_handles(); !item.isEmpty())
-            paint_handles(painter,
-                          handle_marks(*scene_, camera_, picture_size(), to_std(item),
-                                       length_of_arrow * devicePixelRatioF()),
-                          moved_ ? moved_->axis : grasped_axis_, palette_, devicePixelRatioF());
-        if (picked_trial_ && layers_[Layer::clouds]) paint_trial(painter, *picked_trial_);
-        paint_cube(painter, cube(), pointed_, palette());
-        if (const QString hidden = visibility_words(*whole_, visibility_); !hidden.isEmpty())
-            paint_note(painter, *this, hidden);
-        if (hasFocus()) {
-            painter.setBrush(Qt::NoBrush);
-            painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
-            painter.drawRect(rect().adjusted(1, 1, -1, -1));
-        }
-        return;
+        paint_picture(painter);
+    } else {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        const QString text = failure_.isEmpty() ? (scene_ ? tr("Drawing …") : empty_text_) : failure_;
+        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, text);
     }
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    const QString text = failure_.isEmpty() ? (scene_ ? tr("Drawing …") : empty_text_) : failure_;
-    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, text);
+    if (!hasFocus()) return;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+void SceneView::paint_picture(QPainter& painter) const {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(rect(), image_);
+    if (const QString item = item_with_handles(); !item.isEmpty())
+        paint_handles(painter,
+                      handle_marks(*scene_, camera_, picture_size(), to_std(item),
+                                   length_of_arrow * devicePixelRatioF()),
+                      moved_ ? moved_->axis : grasped_axis_, palette_, devicePixelRatioF());
+    if (picked_trial_ && layers_[Layer::clouds]) paint_trial(painter, *picked_trial_);
+    paint_cube(painter, cube(), pointed_, palette());
+    if (const QString hidden = visibility_words(*whole_, visibility_); !hidden.isEmpty())
+        paint_note(painter, *this, hidden);
 }
 
 void SceneView::paint_trial(QPainter& painter, std::uint64_t trial) const {

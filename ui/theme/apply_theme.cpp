@@ -38,12 +38,11 @@ QPalette palette_of(const Neutrals& n, bool dark) {
 
 }  // namespace
 
-void apply_theme(QApplication& application, const Theme& theme, int font_points) {
+void apply_theme(QApplication& application, const Theme& theme, const FontChoice& chosen) {
     const QPalette palette = palette_of(theme.neutrals(), theme.is_dark());
     if (!dynamic_cast<Style*>(application.style())) application.setStyle(new Style);
     application.setPalette(palette);
-    QFont font = application_font();
-    if (font_points > 0) font.setPointSize(font_points);
+    const QFont font = application_font(chosen);
     if (font != QApplication::font()) application.setFont(font);
     QToolTip::setPalette(palette);
 }

@@ -3,7 +3,10 @@
 
 #include <QFontDatabase>
 #include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QHash>
 #include <QLocale>
+#include <QMutex>
 #include <QStringList>
 #include <cmath>
 
@@ -19,7 +22,7 @@ QStringList installed_of_ours() {
     return ours;
 }
 
-bool has_tabular_figures(const QString& family) {
+bool measure_figures(const QString& family) {
     QFont font(family);
     font.setPixelSize(100);
     font.setHintingPreference(QFont::PreferNoHinting);
@@ -28,6 +31,14 @@ bool has_tabular_figures(const QString& family) {
     for (char16_t digit = u'1'; digit <= u'9'; ++digit)
         if (std::abs(metrics.horizontalAdvance(QChar(digit)) - width) > 0.5) return false;
     return true;
+}
+
+bool has_tabular_figures(const QString& family) {
+    static QHash<QString, bool> known;  // of the window's thread and of those that print
+    static QMutex mutex;
+    const QMutexLocker lock(&mutex);
+    const auto found = known.constFind(family);
+    return found != known.constEnd() ? *found : *known.insert(family, measure_figures(family));
 }
 
 /// Of letters that our families lack: Han letters have another form in each language.
@@ -58,14 +69,18 @@ QString figures_family() {
     return family;
 }
 
-QFont application_font() {
+QFont application_font(const FontChoice& chosen) {
     QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
-    font.setFamilies({text_family(), han_family()});
+    const bool is_ours = chosen.family.isEmpty() || !QFontDatabase::hasFamily(chosen.family);
+    font.setFamilies({is_ours ? text_family() : chosen.family, han_family()});
+    if (chosen.points > 0) font.setPointSize(chosen.points);
     return font;
 }
 
 QFont with_tabular_figures(QFont font) {
-    font.setFamilies({figures_family(), han_family()});
+    const QString family = QGuiApplication::font().families().value(0);
+    const bool is_chosen = font.families().value(0) == family && family != text_family();
+    font.setFamilies({is_chosen && has_tabular_figures(family) ? family : figures_family(), han_family()});
     return font;
 }
 

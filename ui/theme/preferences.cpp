@@ -15,8 +15,9 @@ namespace covaria::ui {
 namespace {
 
 const QString language_key = QStringLiteral("language"), theme_key = QStringLiteral("theme"),
-              font_key = QStringLiteral("font_points"), numbers_key = QStringLiteral("numbers"),
-              units_key = QStringLiteral("results/units"), digits_key = QStringLiteral("results/digits"),
+              family_key = QStringLiteral("font_family"), font_key = QStringLiteral("font_points"),
+              numbers_key = QStringLiteral("numbers"), units_key = QStringLiteral("results/units"),
+              digits_key = QStringLiteral("results/digits"),
               autosave_key = QStringLiteral("autosave_seconds"),
               factor_key = QStringLiteral("new_analyses/coverage_factor"),
               trials_key = QStringLiteral("new_analyses/trials");
@@ -43,7 +44,8 @@ Preferences Preferences::stored() {
     Preferences read;
     read.language = offered_language(settings.value(language_key).toString());
     read.theme = themes[place_in(themes, settings.value(theme_key).toString())];
-    read.font_points = stored_number(settings.value(font_key), smallest_font, largest_font, 0);
+    read.font.family = settings.value(family_key).toString();
+    read.font.points = stored_number(settings.value(font_key), smallest_font, largest_font, 0);
     read.numbers = NumberForm(place_in(forms, settings.value(numbers_key).toString()));
     for (const QString& text : settings.value(units_key).toStringList())
         if (const Result<Unit> unit = Unit::parse(to_std(text))) read.units.choose(*unit);
@@ -57,8 +59,8 @@ Preferences Preferences::stored() {
 
 bool Preferences::operator==(const Preferences& other) const {
     const auto rest = [](const Preferences& p) {
-        return std::tie(p.language, p.theme, p.font_points, p.numbers, p.units.chosen(), p.digits,
-                        p.autosave_seconds, p.coverage_factor, p.trials);
+        return std::tie(p.language, p.theme, p.font.family, p.font.points, p.numbers, p.units.chosen(),
+                        p.digits, p.autosave_seconds, p.coverage_factor, p.trials);
     };
     return rest(*this) == rest(other);
 }
@@ -69,7 +71,8 @@ void Preferences::store() const {
     for (const Unit& unit : units.chosen()) chosen << to_qt(unit.text());
     settings.setValue(language_key, language);
     settings.setValue(theme_key, theme);
-    settings.setValue(font_key, font_points);
+    settings.setValue(family_key, font.family);
+    settings.setValue(font_key, font.points);
     settings.setValue(numbers_key, forms[std::size_t(numbers)]);
     settings.setValue(units_key, chosen);
     settings.setValue(digits_key, digits);

@@ -9,6 +9,7 @@
 
 #include "core/propagation/options.h"
 #include "core/text/display_units.h"
+#include "ui/theme/fonts.h"
 
 namespace covaria::ui {
 
@@ -17,7 +18,7 @@ enum class NumberForm { system, point, comma };
 struct Preferences {
     QString language = {};                     ///< code; empty: the system's. Of the next start
     QString theme = QStringLiteral("system");  ///< or "light", "dark"
-    int font_points = 0;                       ///< 0: as the desktop has it
+    FontChoice font = {};
     NumberForm numbers = NumberForm::system;
     // Of results in the window, where the project does not state them.
     DisplayUnits units = {};

@@ -6,6 +6,7 @@
 
 #include "core/text/numbers.h"
 #include "core/text/plot_specification.h"
+#include "ui/theme/fonts.h"
 
 class QApplication;
 
@@ -63,7 +64,6 @@ double contrast(const QColor& a, const QColor& b);
 QColor mix(const QColor& from, const QColor& to, double t);
 
 /// Fusion style, palette and font for the whole application; may be called again to switch.
-/// `font_points` 0: the desktop's size.
-void apply_theme(QApplication& application, const Theme& theme, int font_points = 0);
+void apply_theme(QApplication& application, const Theme& theme, const FontChoice& font = {});
 
 }  // namespace covaria::ui

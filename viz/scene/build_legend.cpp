@@ -86,6 +86,10 @@ public:
                                  in_.say_text(distributions_of, {of})});
     }
 
+    void add_verdicts() {
+        if (!scene_.not_met.empty()) add(LegendMark::diamond, Role::not_met, tell<"requirement not met">());
+    }
+
     void add_sight_lines() {
         if (std::ranges::any_of(scene_.links,
                                 [](const SceneLink& link) { return link.kind == LinkKind::sight_line; }))
@@ -124,6 +128,7 @@ void add_legend(SceneBuild& build) {
     legend.add_uncertainties(Role::before, scene.ellipsoids_before, tell<"before">(),
                              tell<"before: coverage ellipsoids, p = %1">(p));
     legend.add_histograms();
+    legend.add_verdicts();
     legend.add_sight_lines();
     legend.add_vectors();
 }

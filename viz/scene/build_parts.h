@@ -36,6 +36,8 @@ struct SceneBuild {
 void add_items(SceneBuild& build);
 /// Ellipsoids and clouds of the points, their magnification, and the caption.
 void add_uncertainties(SceneBuild& build);
+/// Marks at the points and vectors that do not meet their requirements.
+void add_verdicts(SceneBuild& build);
 /// Histograms of one cloud on the walls of its bounding box.
 void add_wall_histograms(SceneBuild& build);
 void add_labels(SceneBuild& build);

@@ -52,6 +52,7 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     detail::SceneBuild build{source, options, uncertainties, before, scene};
     detail::add_items(build);
     detail::add_uncertainties(build);
+    detail::add_verdicts(build);
     if (source.map) {
         scene.map = *source.map;
         scene.map->ticks = detail::colour_ticks(*scene.map, scene.numbers);

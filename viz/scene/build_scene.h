@@ -28,6 +28,7 @@ struct SceneOptions {
     std::string histograms_of = {};    ///< name of the point; empty = the first with output quantities
     DocumentLanguage language = {};    ///< of its texts; names stay
     DisplayUnits units = {};  ///< inches where the unit of lengths is one of theirs, else metres by size
+    std::vector<RequirementResult> verdicts = {};  ///< on the result: what is not met is marked
     std::vector<LayoutMesh> context = {};  ///< drawn around a layout that is not empty (context_meshes)
 };
 

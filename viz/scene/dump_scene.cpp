@@ -28,9 +28,9 @@ std::string number(const Eigen::Vector3d& v) {
 }
 
 const char* text_of(Role role) {
-    static constexpr const char* names[] = {"axis_x",     "axis_y", "axis_z", "point", "input",
-                                            "output",     "before", "body",   "link",  "sight_line",
-                                            "instrument", "vector", "moment", "text",  "quiet_text"};
+    static constexpr const char* names[] = {
+        "axis_x", "axis_y",     "axis_z",     "point",  "input",  "output",  "before", "body",
+        "link",   "sight_line", "instrument", "vector", "moment", "not_met", "text",   "quiet_text"};
     return names[static_cast<std::size_t>(role)];
 }
 
@@ -117,6 +117,8 @@ void put_uncertainties(std::ostream& out, const Scene& scene) {
             out << "ellipsoid " << e.item.id << " " << text_of(e.role) << " rank " << e.rank << " k "
                 << std::round(e.coverage_factor * 1e4) / 1e4 << " axes " << mm(e.axes.col(0)) << " "
                 << mm(e.axes.col(1)) << " " << mm(e.axes.col(2)) << "\n";
+    for (const SceneVerdict& verdict : scene.not_met)
+        out << "requirement not met: " << verdict.item << " at " << mm(verdict.at) << "\n";
     for (const SceneCloud& cloud : scene.clouds)
         out << "cloud " << cloud.item.id << " " << text_of(cloud.role) << " " << cloud.size()
             << " trials, spread " << mm(spread(cloud)) << "\n";

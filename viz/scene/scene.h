@@ -31,6 +31,7 @@ enum class Role {
     instrument,
     vector,  ///< a force
     moment,
+    not_met,  ///< a requirement
     text,
     quiet_text
 };
@@ -220,7 +221,15 @@ struct SceneMap {
     bool operator==(const SceneMap& other) const;
 };
 
-enum class LegendMark { none, ellipsoid, cloud, histogram, line, arrow };
+/// At a point, or the tip of a vector, whose quantities do not meet what is required of them.
+struct SceneVerdict {
+    std::string item = {};  ///< its id
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    double radius = 0.0;  ///< of what stands there, m
+    bool operator==(const SceneVerdict&) const = default;
+};
+
+enum class LegendMark { none, ellipsoid, cloud, histogram, line, arrow, diamond };
 
 struct LegendLine {
     LegendMark mark = LegendMark::none;
@@ -254,6 +263,7 @@ struct Scene {
     std::vector<SceneEllipsoid> ellipsoids_before = {};
     std::vector<SceneCloud> clouds;
     std::vector<SceneWallHistogram> wall_histograms;
+    std::vector<SceneVerdict> not_met = {};
     std::vector<SceneLabel> labels;
     std::optional<SceneAxes> axes = {};
     std::vector<LegendLine> legend;

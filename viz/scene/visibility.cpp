@@ -42,6 +42,8 @@ bool explains(const LegendLine& line, const Scene& scene) {
                                [](const SceneLink& link) { return link.kind == LinkKind::sight_line; });
         case LegendMark::arrow:
             return !scene.vectors.empty();
+        case LegendMark::diamond:
+            return !scene.not_met.empty();
         case LegendMark::none:  // of the uncertainty of what is too small, or of the whole
             return line.role == Role::quiet_text || std::ranges::any_of(scene.ellipsoids, is_role) ||
                    std::ranges::any_of(scene.ellipsoids_before, is_role) ||
@@ -108,6 +110,7 @@ Scene visible_part(Scene scene, const Visibility& visibility) {
     std::erase_if(scene.labels, [&](const SceneLabel& label) {
         return !label.item.empty() && !shown.contains(label.item);
     });
+    std::erase_if(scene.not_met, [&](const SceneVerdict& mark) { return !shown.contains(mark.item); });
     std::erase_if(scene.legend, [&](const LegendLine& line) { return !explains(line, scene); });
     if (filter.isolates()) detail::add_axes(scene);
     return scene;

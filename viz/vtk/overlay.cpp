@@ -2,6 +2,7 @@
 #include "viz/vtk/overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/text/numbers.h"
@@ -35,6 +36,7 @@ void Overlay::paint() {
     if (view_.layers[Layer::axes]) paint_axes();
     if (view_.layers[Layer::map]) paint_colour_bar(bar_top);
     paint_head(head);
+    paint_verdicts();
     paint_measure();
     paint_selection();
     if (view_.layers[Layer::frames] && view_.layers[Layer::labels]) paint_triad_letters();
@@ -111,8 +113,40 @@ void Overlay::paint_legend_mark(const LegendLine& line, double x, double middle)
             canvas_.line({x + px(11), middle - px(3)}, {x + px(15.5), middle}, px(1.6), ink);
             canvas_.line({x + px(11), middle + px(3)}, {x + px(15.5), middle}, px(1.6), ink);
             break;
+        case LegendMark::diamond:
+            paint_diamond({x + px(8), middle}, px(6), px(1.6), ink);
+            break;
         case LegendMark::none:
             break;
+    }
+}
+
+void Overlay::paint_diamond(Pixel centre, double half, double width, Colour ink) {
+    const std::array<Pixel, 4> corners{{{centre.x, centre.y - half},
+                                        {centre.x + half, centre.y},
+                                        {centre.x, centre.y + half},
+                                        {centre.x - half, centre.y}}};
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        canvas_.line(corners[i], corners[(i + 1) % corners.size()], width, ink);
+}
+
+bool Overlay::shows(const SceneVerdict& mark) const {
+    const bool is_point = std::ranges::any_of(
+        scene_.points, [&](const ScenePoint& point) { return point.item.id == mark.item; });
+    return view_.layers[is_point ? Layer::points : Layer::vectors];
+}
+
+double Overlay::half_of_diamond(const SceneVerdict& mark) const {
+    return std::max(px(9), 1.6 * mark.radius / metres_per_pixel(view_.camera, canvas_.size(), mark.at));
+}
+
+void Overlay::paint_verdicts() {
+    for (const SceneVerdict& mark : scene_.not_met) {
+        const Pixel at = pixel_of(mark.at);
+        if (!shows(mark) || !std::isfinite(at.x + at.y)) continue;
+        const double half = half_of_diamond(mark);
+        paint_diamond(at, half, px(4.0), ground_top(view_.palette));
+        paint_diamond(at, half, px(2.0), colour(Role::not_met));
     }
 }
 

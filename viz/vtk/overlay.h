@@ -56,6 +56,11 @@ private:
     void paint_colour_bar(double title_top);
     void paint_triad_letters();
     void paint_selection();
+    void paint_diamond(Pixel centre, double half, double width, Colour ink);
+    /// Around the points, or as large as a letter.
+    void paint_verdicts();
+    bool shows(const SceneVerdict& mark) const;
+    double half_of_diamond(const SceneVerdict& mark) const;
     // scene_labels.cpp
     struct PlannedLabel {
         Word word;

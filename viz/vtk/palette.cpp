@@ -35,6 +35,8 @@ Colour light(Role role) {
             return {0xA6, 0x3C, 0x78};
         case Role::moment:
             return {0x7A, 0x68, 0x00};
+        case Role::not_met:
+            return {0xD9, 0x60, 0x1A};
         case Role::text:
             return {0x20, 0x24, 0x28};
         case Role::quiet_text:
@@ -71,6 +73,8 @@ Colour dark(Role role) {
             return {0xE0, 0x8B, 0xB9};
         case Role::moment:
             return {0xD9, 0xC6, 0x5A};
+        case Role::not_met:
+            return {0xF0, 0x82, 0x3A};
         case Role::text:
             return {0xE9, 0xEC, 0xEF};
         case Role::quiet_text:

@@ -120,6 +120,15 @@ void Overlay::paint_labels() {
         const Pixel at = labels.back().request.anchor;
         anchors.push_back({at.x - half, at.y - half, 2 * half, 2 * half});
     }
+    for (const SceneVerdict& mark : scene_.not_met) {
+        if (!shows(mark)) continue;
+        const double half = half_of_diamond(mark) + px(2);
+        const Pixel at = pixel_of(mark.at);
+        anchors.push_back({at.x - half, at.y - half, 2 * half, 2 * half});
+        for (PlannedLabel& label : labels)
+            if (std::hypot(label.request.anchor.x - at.x, label.request.anchor.y - at.y) < half)
+                label.request.clearance = std::max(label.request.clearance, half);
+    }
     std::vector<ScreenLine> drawn = what_labels_avoid();
     // A joined label without room comes apart: some of its parts may have some.
     std::vector<PlannedLabel> apart;

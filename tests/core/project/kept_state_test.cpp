@@ -49,6 +49,20 @@ TEST(KeptState, ComesBackFromTheFileAndChangesNoNumber) {
     EXPECT_TRUE(same_numbers(without, project));
 }
 
+TEST(KeptState, AnotherAnalysisMayStandInItsPlace) {
+    Project project = a_project();
+    const std::string id = some_analysis(project);
+    Project elsewhere = a_project();
+    elsewhere.analyses.front().id = "elsewhere";
+    put_kept(project.kept, state_of_other(elsewhere, "elsewhere", "hall.covaria: elsewhere", id, when));
+    const LoadedProject loaded = parse(project_text(project));
+    EXPECT_TRUE(loaded.problems.items().empty());
+    ASSERT_EQ(loaded.project.kept, project.kept);
+    EXPECT_EQ(loaded.project.kept.front().compared(), "elsewhere");
+    EXPECT_EQ(loaded.project.kept.front().other_name, "hall.covaria: elsewhere");
+    EXPECT_EQ(state_to_keep(project, id, when).compared(), id);
+}
+
 TEST(KeptState, OneOfAnAnalysisTakesThePlaceOfTheOther) {
     Project project = a_project();
     const std::string id = some_analysis(project);

@@ -56,6 +56,13 @@ TEST(StatementText, IsReadAsPeopleNoteIt) {
     EXPECT_EQ(typed("obs"), (TypedStatement{"observations"}));
     EXPECT_EQ(typed("Constant"), (TypedStatement{"constant"}));
     EXPECT_EQ(read_statement("rect 0,5", nm, true).value(), (TypedStatement{"rectangular", 0.5}));
+    // The word may stand behind its figures.
+    EXPECT_EQ(typed("0.5 rectangular"), (TypedStatement{"rectangular", 0.5}));
+    EXPECT_EQ(typed("0.01 % rect", Unit::of("V")), (TypedStatement{"rectangular", 0.01, {}, {}, "%"}));
+    EXPECT_EQ(typed("±0.5 um tri"), (TypedStatement{"triangular", 0.5, {}, {}, "um"}));
+    EXPECT_EQ(typed("75 nm k = 3 cert"), (TypedStatement{"certificate-k", 75.0, 3.0}));
+    EXPECT_NE(objection("rect 0.5 triangular"), "") << "two words";
+    EXPECT_EQ(typed("3 s", Unit::of("s")), (TypedStatement{"standard", 3.0})) << "a letter is a unit";
 }
 
 /// As in German; "exp" is the beginning of an English and of a German word.
@@ -80,6 +87,7 @@ TEST(StatementText, WordsOfAnotherLanguageAreReadBesideTheEnglishOnes) {
     EXPECT_EQ(german("Recht ± 0,5"), (TypedStatement{"rectangular", 0.5}));
     EXPECT_EQ(german("rechteck±0,5 µm"), (TypedStatement{"rectangular", 0.5, {}, {}, "um"}));
     EXPECT_EQ(german("rect 0,5"), (TypedStatement{"rectangular", 0.5}));
+    EXPECT_EQ(german("0,5 nm rechteckig"), (TypedStatement{"rectangular", 0.5}));
     EXPECT_EQ(german(" Grenzen -1 bis 2"), (TypedStatement{"limits", -1.0, 2.0}));
     EXPECT_EQ(german("limits -1 to 2"), (TypedStatement{"limits", -1.0, 2.0}));
     EXPECT_EQ(german("-1 bis 2"), (TypedStatement{"limits", -1.0, 2.0}));

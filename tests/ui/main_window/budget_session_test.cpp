@@ -8,6 +8,7 @@
 #include <QPlainTextEdit>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <cmath>
 
@@ -313,6 +314,42 @@ TEST_F(BudgetSession, NoNumberIsCutWhileWordsCouldBe) {
     settle();
     EXPECT_EQ(sheet()->columnWidth(Section::name), 110);
     EXPECT_GT(sheet()->columnWidth(Section::stated), 200) << "it would scroll all the same";
+}
+
+// While it is typed an equation is not wrong.
+TEST_F(BudgetSession, AnEquationWithoutItsEndIsIncomplete) {
+    trigger(QStringLiteral("New Project"));
+    trigger(QStringLiteral("Measurement equation"));
+    auto* edit = field<QPlainTextEdit>("equations");
+    const auto is_called = [&](const QString& text, RunState state) {
+        edit->setPlainText(text);
+        return wait_for([&] { return !window_->document().maker().is_making() && status().state == state; },
+                        5000);
+    };
+    EXPECT_TRUE(is_called(QStringLiteral("y ="), RunState::incomplete));
+    EXPECT_EQ(window_->results().next_step().text(), QStringLiteral("Next: Equations"));
+    EXPECT_TRUE(is_called(QStringLiteral("y = a) + b"), RunState::failed));
+    EXPECT_TRUE(is_called(QString::fromUtf8("φ = 2*a\ny = φ + sqrt(b"), RunState::incomplete));
+    EXPECT_TRUE(is_called(QStringLiteral("y = a b"), RunState::failed));
+    EXPECT_TRUE(is_called(QStringLiteral("y = a *\n"), RunState::incomplete));
+}
+
+// What was refused and undone leaves no wide column; the window says what was undone.
+TEST_F(BudgetSession, ARefusedTextThatIsUndoneGivesItsRoomBack) {
+    new_equation(QStringLiteral("y = a*b"));
+    type_cell(row_of(QStringLiteral("a")), Section::estimate, QStringLiteral("10 V"));
+    settle();
+    const int before = sheet()->columnWidth(Section::estimate);
+    const QString wrong = QStringLiteral("what nobody would ever call an estimate of it");
+    type_cell(row_of(QStringLiteral("b")), Section::estimate, wrong);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);  // the cell that Tab went on to
+    ASSERT_GT(sheet()->columnWidth(Section::estimate), before + 60);
+    type_key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(wait_for([&] { return sheet()->columnWidth(Section::estimate) == before; }, 3000))
+        << sheet()->columnWidth(Section::estimate) << " px, " << before << " before";
+    type_key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(window_->statusBar()->currentMessage().startsWith(QStringLiteral("Undone: ")))
+        << window_->statusBar()->currentMessage().toStdString();
 }
 
 // From a row of the budget to what is known about its quantity: by a double click on what is computed, and by

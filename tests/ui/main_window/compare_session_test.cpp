@@ -1,5 +1,6 @@
 // A user keeps the results, edits, reads what changed beside what was, and goes back or keeps the edit.
 #include <QDir>
+#include <QMenu>
 #include <QToolButton>
 
 #include "core/report/report.h"
@@ -234,6 +235,52 @@ TEST_F(CompareSession, KeepingAndDiscardingAreTakenBack) {
     ASSERT_TRUE(wait_for([&] { return tab().results().model()->rowCount() > 0; })) << "computed again";
     const Unit& unit = status().result->outputs[0].quantity.unit;
     EXPECT_EQ(number(tab().results(), 0, QStringLiteral("U before")), unit.interval_from_si(U_before));
+}
+
+TEST_F(CompareSession, AnyTwoAnalysesStandBesideEachOther) {
+    open_platform();
+    select(SetupOwner::analysis, "from-artefacts");
+    run();
+    const double of_other = expanded_uncertainty(0);
+    select(SetupOwner::analysis, "printed");
+    EXPECT_TRUE(tab().state_words().contains(QStringLiteral("Compare With")));
+    const auto choose_other = [this](const QString& words) {
+        emit tab().others().aboutToShow();
+        for (QAction* action : tab().others().actions())
+            if (action->text() == words) return action->trigger();
+        FAIL() << words.toStdString();
+    };
+    choose_other(QStringLiteral("Point uncertainties from the artefacts"));
+    ASSERT_TRUE(wait_for([this] { return tab().results().model()->rowCount() > 0; }));
+    const Unit& unit = status().result->outputs[0].quantity.unit;
+    EXPECT_EQ(number(tab().results(), 0, QStringLiteral("U before")), unit.interval_from_si(of_other));
+    EXPECT_EQ(number(tab().results(), 0, QStringLiteral("U after")),
+              unit.interval_from_si(expanded_uncertainty(0)));
+    EXPECT_TRUE(tab().state_words().contains(QStringLiteral("Point uncertainties from the artefacts")));
+    EXPECT_FALSE(enabled("go_back")) << "this analysis was never that one";
+    settle();
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/compare-other.png"));
+    EXPECT_NE(report_now(*window_).find("Point uncertainties from the artefacts; "), std::string::npos);
+
+    tab().ask_for_file = [this] { return project_copy(QStringLiteral("tracker-pose")); };
+    QStringList offered;
+    tab().ask_for_analysis = [&offered](const QStringList& names) {
+        offered = names;
+        return names.back();
+    };
+    const double before = number(tab().results(), 0, QStringLiteral("U before"));
+    choose_other(QStringLiteral("Another Project …"));
+    EXPECT_EQ(offered.size(), 2);
+    ASSERT_TRUE(wait_for([&] {
+        return tab().results().model()->rowCount() > 0 &&
+               number(tab().results(), 0, QStringLiteral("U before")) != before;
+    }));
+    EXPECT_TRUE(tab().state_words().contains(QStringLiteral("tracker-pose.covaria: ")));
+    window_->document().undo();
+    ASSERT_TRUE(wait_for([&] {
+        return tab().results().model()->rowCount() > 0 &&
+               number(tab().results(), 0, QStringLiteral("U before")) == before;
+    }));
 }
 
 TEST_F(CompareSession, WhatIsKeptOfADeletedAnalysisGoesWithIt) {

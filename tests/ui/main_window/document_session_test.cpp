@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QProcess>
 #include <array>
@@ -115,6 +116,34 @@ TEST_F(DocumentSession, TitleAndNotesAreEditedInThePageOfTheProject) {
     EXPECT_TRUE(action(QStringLiteral("Rename"))->isEnabled());
     wait_until_idle();
     EXPECT_TRUE(status().is_current()) << "a title makes no result out of date";
+}
+
+TEST_F(DocumentSession, TheListOfStepsLeadsBackAndForth) {
+    open(project_copy());
+    Document& document = window_->document();
+    for (const char* title : {"one", "two", "three"}) {
+        document.apply(QStringLiteral("Title & ") + QLatin1String(title),
+                       [title](Project& project) { project.title = title; });
+    }
+    QMenu* list = action(QStringLiteral("Undo List"))->menu();
+    ASSERT_TRUE(list);
+    const auto choose_step = [list](int at) {
+        emit list->aboutToShow();
+        list->actions().at(at)->trigger();
+    };
+    emit list->aboutToShow();
+    ASSERT_EQ(list->actions().size(), 4);
+    EXPECT_EQ(list->actions().at(0)->text(), QStringLiteral("Title && three"));
+    EXPECT_TRUE(list->actions().at(0)->isChecked());
+    choose_step(2);
+    EXPECT_EQ(document.project().title, "one");
+    choose_step(3);
+    EXPECT_FALSE(document.is_modified()) << "as it was opened";
+    choose_step(1);
+    EXPECT_EQ(document.project().title, "two");
+    emit list->aboutToShow();
+    EXPECT_TRUE(list->actions().at(1)->isChecked());
+    EXPECT_FALSE(list->actions().at(0)->isChecked()) << "it can be done again";
 }
 
 TEST_F(DocumentSession, TheWindowsCertificateIsThatOfTheCommandLine) {

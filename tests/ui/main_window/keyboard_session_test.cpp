@@ -1,5 +1,6 @@
 // The window with the keyboard alone: from pane to pane, into tables and out of them, to what was added.
 #include <QClipboard>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QTabBar>
@@ -132,6 +133,19 @@ TEST_F(KeyboardSession, CtrlTabLeavesABudgetThatIsScrolled) {
     press_keys(Qt::Key_Tab, Qt::ControlModifier);
     EXPECT_FALSE(budget->hasFocus());
     EXPECT_NE(QApplication::focusWidget(), nullptr);
+}
+
+TEST_F(KeyboardSession, CtrlTabComesFromTwoRowsToTheirCorrelation) {
+    open_h1();
+    auto* budget = window_->scene().findChild<BudgetSheetView*>();
+    ASSERT_NE(budget, nullptr);
+    QLineEdit& correlation = window_->budget().correlation();
+    budget->setFocus();
+    budget->setCurrentIndex(budget->model()->index(0, 0));
+    press_keys(Qt::Key_Down, Qt::ShiftModifier);
+    ASSERT_TRUE(wait_for([&] { return correlation.isEnabled(); }));
+    press_keys(Qt::Key_Tab, Qt::ControlModifier);
+    EXPECT_TRUE(correlation.hasFocus()) << QApplication::focusWidget()->objectName().toStdString();
 }
 
 TEST_F(KeyboardSession, ATabThatIsClickedHasTheKeyboard) {

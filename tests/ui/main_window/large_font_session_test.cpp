@@ -15,10 +15,10 @@ namespace {
 class LargeFontSession : public Session {
 protected:
     /// The font is the application's: other tests have the usual one.
-    void TearDown() override { choose_font(Preferences().font_points); }
+    void TearDown() override { choose_font(Preferences().font.points); }
     void choose_font(int points) {
         Preferences wanted = window_->preferences().now();
-        wanted.font_points = points;
+        wanted.font.points = points;
         window_->preferences().set(wanted);
     }
     /// Of the forms of what is selected, those that scroll sideways.

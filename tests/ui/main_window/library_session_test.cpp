@@ -38,6 +38,18 @@ TEST_F(LibrarySession, ATrackerIsFoundByItsNameAndTakenIntoTheProject) {
     EXPECT_FALSE(library.take_button().isEnabled());
 }
 
+TEST_F(LibrarySession, OpenedAgainItLooksForNothingYet) {
+    trigger(QStringLiteral("Library and Examples"));
+    LibraryBrowser& library = window_->library();
+    const int all = library.cards().count();
+    QTest::keyClicks(&library.search(), QStringLiteral("tracker-pose"));
+    ASSERT_EQ(library.cards().count(), 1) << "an example is found by the name of its file";
+    library.close();
+    trigger(QStringLiteral("Library and Examples"));
+    EXPECT_EQ(library.search().text(), QString());
+    EXPECT_EQ(library.cards().count(), all);
+}
+
 // The shipped pictures are light.
 TEST_F(LibrarySession, ADarkWindowDimsThePicturesOfItsCards) {
     QPixmap light(640, 400);

@@ -1,4 +1,5 @@
 // A user sets preferences: each shows at once, is remembered, and changes no result and no file.
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QLabel>
@@ -162,6 +163,13 @@ TEST_F(PreferencesSession, FontAndColoursFollowAndDefaultsComeBack) {
               row = window_->results().result_table().verticalHeader()->defaultSectionSize();
     auto* font = dialog()->findChild<QSpinBox*>(QStringLiteral("font_points"));
     ASSERT_NE(font, nullptr);
+    auto* family = dialog()->findChild<QComboBox*>(QStringLiteral("font_family"));
+    ASSERT_NE(family, nullptr);
+    const QString ours = qApp->font().family();
+    choose_in(*family, QStringLiteral("Liberation Sans"));
+    EXPECT_EQ(qApp->font().family(), QStringLiteral("Liberation Sans"));
+    choose_in(*family, QStringLiteral("Covaria's own"));
+    EXPECT_EQ(qApp->font().family(), ours);
     font->setValue(18);
     choose_preference("theme", QStringLiteral("Dark"));
     QCoreApplication::processEvents();

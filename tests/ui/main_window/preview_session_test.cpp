@@ -1,4 +1,5 @@
 // The report is read on the screen: sizes, the list of pages, "3 of 17", by wheel and keys.
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QScrollBar>
@@ -44,6 +45,7 @@ protected:
         settle();
         window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/%1.png").arg(name));
     }
+    QString state() const { return preview_->findChild<QLabel*>(QStringLiteral("report_state"))->text(); }
     ReportPreview* preview_ = nullptr;
 };
 
@@ -157,6 +159,20 @@ TEST_F(PreviewSession, TabGoesThroughEverything) {
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     }
     EXPECT_TRUE(left.isEmpty()) << left.join(QStringLiteral(", ")).toStdString();
+}
+
+// An edit makes it old; undone, and saved under another name, it is what it was made of.
+TEST_F(PreviewSession, OnlyWhatIsOldIsCalledOutOfDate) {
+    open_report();
+    ASSERT_TRUE(wait_for([&] { return state().contains(QStringLiteral("as printed")); }, 60'000));
+    ASSERT_TRUE(window_->document().save_as(folder_.filePath(QStringLiteral("other/again.covaria"))));
+    wait_until_idle();
+    EXPECT_TRUE(state().contains(QStringLiteral("as printed"))) << state().toStdString();
+    window_->document().apply(QStringLiteral("a title"), [](Project& project) { project.title = "other"; });
+    EXPECT_TRUE(state().contains(QStringLiteral("Out of date"))) << state().toStdString();
+    window_->document().undo();
+    EXPECT_TRUE(wait_for([&] { return state().contains(QStringLiteral("as printed")); }, 60'000))
+        << state().toStdString();
 }
 
 TEST_F(PreviewSession, AnUpdateStaysWhereOneWas) {

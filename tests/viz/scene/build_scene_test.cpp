@@ -53,6 +53,29 @@ TEST(BuildScene, TakesTheGroupAndWhatBelongsToAll) {
     EXPECT_EQ(build_scene(setup.source(), {}).group, "pose 3") << "the first group of the result";
 }
 
+// As in the tree: what does not meet its requirement is marked, and what does has no mark.
+TEST(BuildScene, WhatIsNotMetIsMarked) {
+    const auto setup = test::stewart_setup(0);
+    const auto marked = [&](std::size_t output, bool met) {
+        SceneOptions options;
+        options.verdicts.emplace_back();
+        options.verdicts.back().output = output;
+        options.verdicts.back().meets_target = met;
+        return build_scene(setup.source(), options);
+    };
+    const Scene scene = marked(0, false);
+    ASSERT_EQ(scene.not_met.size(), 1u);
+    EXPECT_EQ(scene.not_met.front().item, "point:platform origin");
+    EXPECT_EQ(scene.not_met.front().at, find_item(scene, "point:platform origin")->position);
+    EXPECT_TRUE(legend_says(scene, "requirement not met"));
+    EXPECT_TRUE(marked(99, false).not_met.empty()) << "there is none";
+    EXPECT_TRUE(marked(0, true).not_met.empty());
+    EXPECT_FALSE(legend_says(marked(0, true), "requirement not met"));
+    const Scene hidden = visible_part(scene, {{"point:platform origin"}, {}});
+    EXPECT_TRUE(hidden.not_met.empty());
+    EXPECT_FALSE(legend_says(hidden, "requirement not met"));
+}
+
 TEST(BuildScene, EllipsoidHoldsTheProbability) {
     const auto setup = test::stewart_setup(0);
     SceneOptions options;
