@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/project/entry_graph.h"
 #include "core/project/linked_files.h"
 #include "core/project/project.h"
 
@@ -24,6 +25,16 @@ void link_as(std::vector<Entry>& entries, const std::vector<Entry>& linked) {
             table->csv_columns = now->csv_columns;
         }
     }
+}
+
+/// In the place of the one with its id, else behind the others.
+template <class Entry>
+void put(std::vector<Entry>& entries, const Entry& entry) {
+    const auto same = std::ranges::find(entries, entry.id, &Entry::id);
+    if (same == entries.end())
+        entries.push_back(entry);
+    else
+        *same = entry;
 }
 
 }  // namespace
@@ -70,14 +81,23 @@ void discard_kept(std::vector<KeptState>& kept, const std::string& analysis) {
 
 void go_back(Project& project, const KeptState& state) {
     const std::shared_ptr<const Project> before = state.project;  // `state` may be one of the project's
+    const auto analysis = std::ranges::find(before->analyses, state.analysis, &AnalysisEntry::id);
+    if (analysis == before->analyses.end()) return;
     auto assets = before->assets;
     auto analyses = before->analyses;
     link_as(assets, project.assets);
     link_as(analyses, project.analyses);
-    project.assets = std::move(assets);
-    project.analyses = std::move(analyses);
+    const EntryGraph graph(*before);
+    const auto number = static_cast<std::size_t>(analysis - before->analyses.begin());
+    std::vector<std::size_t> entries = graph.used_by(graph.number_of_analysis(number));
+    entries.push_back(graph.number_of_analysis(number));
+    for (const std::size_t entry : entries) {
+        if (graph.is_asset(entry))
+            put(project.assets, assets[entry]);
+        else
+            put(project.analyses, analyses[entry - assets.size()]);
+    }
     project.results.coverage_factor = before->results.coverage_factor;
-    std::erase_if(project.kept, [&](const KeptState& kept) { return !project.find_analysis(kept.analysis); });
 }
 
 }  // namespace covaria

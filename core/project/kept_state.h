@@ -37,8 +37,8 @@ const KeptState* find_kept(const std::vector<KeptState>& kept, const std::string
 void put_kept(std::vector<KeptState>& kept, KeptState state);
 void discard_kept(std::vector<KeptState>& kept, const std::string& analysis);
 
-/// What is evaluated becomes what it was; certificate, author, notes and what is kept of the analyses that
-/// are there stay. A table of a file that still has these rows is one of that file again.
+/// The analysis, what it uses and the coverage factor become what they were; everything else stays. A table
+/// of a file that still has these rows is one of that file again.
 void go_back(Project& project, const KeptState& state);
 
 }  // namespace covaria

@@ -72,10 +72,10 @@ struct Token {
     std::optional<double> number = {};
 };
 
-/// "75nm, k=2" -> 75, nm, k, 2.
+/// "75nm, k=2" -> 75, nm, k, 2. With `groups`, digits may stand in groups of three: "0.000 25 mA".
 class Tokens {
 public:
-    Tokens(std::string_view text, bool decimal_comma) : comma_(decimal_comma) {
+    Tokens(std::string_view text, bool decimal_comma, bool groups) : comma_(decimal_comma), groups_(groups) {
         for (at_ = 0; at_ < text.size();) step(text);
     }
     const Token* next() { return given_ < all_.size() ? &all_[given_++] : nullptr; }
@@ -118,8 +118,20 @@ private:
     void number(std::string_view rest) {
         std::size_t length = 0;
         bool point = false;
-        while (length < rest.size() && (is_digit(rest[length]) || (is_point(rest[length]) && !point))) {
-            point = point || is_point(rest[length]);
+        std::size_t run = 0;  // digits since the begin, the point or the group before
+        while (length < rest.size()) {
+            const std::size_t group =
+                run == 3 || (!point && run > 0 && run < 3) ? group_at(rest, length, point) : 0;
+            if (is_digit(rest[length])) {
+                ++run;
+            } else if (is_point(rest[length]) && !point) {
+                point = true;
+                run = 0;
+            } else if (group > 0) {
+                run = 0;
+            } else {
+                break;
+            }
             ++length;
         }
         if (length < rest.size() && (rest[length] == 'e' || rest[length] == 'E')) {
@@ -131,6 +143,7 @@ private:
             }
         }
         std::string digits(rest.substr(0, length));
+        std::erase(digits, ' ');
         std::replace(digits.begin(), digits.end(), ',', '.');
         double value = 0.0;
         const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -143,7 +156,17 @@ private:
                         good ? std::optional(minus ? -value : value) : std::nullopt});
     }
 
-    bool comma_;
+    /// Digits of a group that begins behind a space: three, or what is left of them behind the point.
+    std::size_t group_at(std::string_view text, std::size_t space, bool behind_point) const {
+        std::size_t end = space + 1;
+        while (end < text.size() && is_digit(text[end])) ++end;
+        const std::size_t digits = end - space - 1;
+        const bool is_group =
+            groups_ && text[space] == ' ' && (digits == 3 || (behind_point && digits > 0 && digits < 3));
+        return is_group ? digits : 0;
+    }
+
+    bool comma_, groups_;
     std::size_t at_ = 0, given_ = 0;
     std::vector<Token> all_;
 };
@@ -181,8 +204,8 @@ struct Figure {
 
 class StatementReader {
 public:
-    StatementReader(std::string_view text, const Unit& unit, bool decimal_comma)
-        : tokens_(text, decimal_comma), unit_(unit) {}
+    StatementReader(std::string_view text, const Unit& unit, bool decimal_comma, bool groups)
+        : tokens_(text, decimal_comma, groups), unit_(unit) {}
 
     Result<TypedStatement> run() {
         if (!tokens_.peek()) return TypedStatement{};
@@ -398,7 +421,12 @@ private:
 
 Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, bool decimal_comma,
                                       const WordOf& word) {
-    return StatementReader(word ? in_english(text, word) : std::string(text), unit, decimal_comma).run();
+    const std::string english = word ? in_english(text, word) : std::string(text);
+    auto read = StatementReader(english, unit, decimal_comma, false).run();
+    if (read) return read;
+    // What makes no sense as several figures may be one in groups.
+    auto grouped = StatementReader(english, unit, decimal_comma, true).run();
+    return grouped ? grouped : read;
 }
 
 std::vector<std::string> statement_words() {

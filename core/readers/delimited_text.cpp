@@ -81,12 +81,18 @@ Result<void> scan_blank_separated(std::string_view text, const TakeCsvRow& take)
 
 }  // namespace
 
-std::string DelimitedText::words() const {
-    const std::string between = separator == '\t'  ? "tabs"
-                                : separator == ';' ? "semicolons"
-                                : separator == ',' ? "commas"
-                                                   : "blanks";
-    return "columns between " + between + (separator == ' ' && decimal_comma ? ", decimal commas" : "");
+Message DelimitedText::words() const {
+    switch (separator) {
+        case '\t':
+            return tell<"columns between tabs">();
+        case ';':
+            return tell<"columns between semicolons">();
+        case ',':
+            return tell<"columns between commas">();
+        default:
+            return decimal_comma ? tell<"columns between blanks, decimal commas">()
+                                 : tell<"columns between blanks">();
+    }
 }
 
 std::vector<std::string> blank_separated(std::string_view line) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/project/csv_reader.h"
 
 namespace covaria {
@@ -12,7 +13,7 @@ namespace covaria {
 struct DelimitedText {
     char separator = ',';  ///< ' ': any number of blanks
     bool decimal_comma = false;
-    std::string words() const;  ///< "columns between semicolons"
+    Message words() const;  ///< "columns between semicolons"
 };
 
 /// From the first line with content: tab before semicolon before comma before blanks. Commas between digits

@@ -27,7 +27,7 @@ void name_apart(std::vector<ListedPoint>& points, Proposals& proposals) {
     std::set<std::pair<std::string, std::string>> taken;
     std::map<std::pair<std::string, std::string>, int> last;
     std::size_t again = 0;
-    std::string example;
+    Message example;
     for (ListedPoint& point : points) {
         point.name = plain_name(point.name);
         if (point.name.empty()) point.name = "line " + std::to_string(point.line);
@@ -36,7 +36,7 @@ void name_apart(std::vector<ListedPoint>& points, Proposals& proposals) {
         while (!taken.insert({point.group, name}).second)
             name = point.name + " (" + std::to_string(++n) + ")";
         if (name == point.name) continue;
-        if (again++ == 0) example = in_quotes(name) + " in line " + std::to_string(point.line);
+        if (again++ == 0) example = tell<"%1 in line %2">(in_quotes(name), point.line);
         point.name = name;
     }
     if (again > 0)

@@ -119,10 +119,10 @@ void say_columns(const PointColumns& columns, const DelimitedText& format, Propo
                                        (column.word == "-" ? "" : " " + in_quotes(plain_name(column.word)))));
         words += (i > 0 ? ", " : "") +
                  (column.kind == PointColumnKind::unread ? std::string("-") : plain_name(column.word));
-        if (column.kind == PointColumnKind::standard) words += " (standard uncertainty)";
-        if (column.kind == PointColumnKind::expanded) words += " (expanded uncertainty, k = 2)";
+        if (column.kind == PointColumnKind::standard) words += " (u)";
+        if (column.kind == PointColumnKind::expanded) words += " (U, k = 2)";
     }
-    proposals.found.push_back(format.words() + ": " + words);
+    proposals.found.push_back(tell<"%1: %2">(format.words(), words));
 }
 
 /// Where the lines begin that are read: behind what stands above the headers.

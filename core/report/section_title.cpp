@@ -1,9 +1,10 @@
 // Title block: what was evaluated, and the expanded uncertainties at a glance.
+#include <algorithm>
+
+#include "core/project/stated_requirements.h"
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
-
-#include <algorithm>
 
 namespace covaria::report_parts {
 namespace {
@@ -33,6 +34,17 @@ Message not_evaluated(const FailedAnalysis& failed) {
     return failed.study.empty()
                ? tell<"Not evaluated: %1: %2.">(name, failed.cause)
                : tell<"Study \"%1\" not evaluated: %2: %3.">(failed.study, name, failed.cause);
+}
+
+/// Empty: nothing is required of its results.
+Message requirements_met(const EvaluatedAnalysis& evaluated, const Project& project) {
+    const AnalysisEntry* entry = project.find_analysis(evaluated.analysis->id);
+    const std::vector<RequirementResult> verdicts =
+        entry ? judge(*evaluated.result, *entry) : std::vector<RequirementResult>();
+    if (verdicts.empty()) return {};
+    const auto met = static_cast<std::size_t>(std::count_if(verdicts.begin(), verdicts.end(), is_met));
+    return met == verdicts.size() ? tell<"all %1 met">(met)
+                                  : tell<"%1 of %2 not met">(verdicts.size() - met, verdicts.size());
 }
 
 void add_glance(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
@@ -66,6 +78,11 @@ void add_title(Blocks& blocks, const ReportSource& source) {
     if (!project.certificate.issued.empty()) add(tell<"Date of issue">(), project.certificate.issued);
     for (const EvaluatedAnalysis& evaluated : source.analyses)
         add(evaluated.analysis->name, in.say(analysis_text(evaluated, in)));
+    for (const EvaluatedAnalysis& evaluated : source.analyses)
+        if (const Message met = requirements_met(evaluated, project); !met.empty())
+            add(source.analyses.size() == 1 ? tell<"Requirements">()
+                                            : tell<"Requirements: %1">(evaluated.analysis->name),
+                in.say(met));
     if (!source.analyses.empty())
         add(tell<"Evaluated with">(),
             "Covaria " + source.analyses.front().result->provenance.covaria_version);

@@ -13498,6 +13498,46 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>requirement not met</source>
         <translation>Anforderung nicht erfüllt</translation>
     </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%1 in Zeile %2</translation>
+    </message>
+    <message>
+        <source>columns between tabs</source>
+        <translation>Spalten zwischen Tabulatoren</translation>
+    </message>
+    <message>
+        <source>columns between semicolons</source>
+        <translation>Spalten zwischen Semikolons</translation>
+    </message>
+    <message>
+        <source>columns between commas</source>
+        <translation>Spalten zwischen Kommas</translation>
+    </message>
+    <message>
+        <source>columns between blanks, decimal commas</source>
+        <translation>Spalten zwischen Leerzeichen, Dezimalkommas</translation>
+    </message>
+    <message>
+        <source>columns between blanks</source>
+        <translation>Spalten zwischen Leerzeichen</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation>alle %1 erfüllt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not met</source>
+        <translation>%1 von %2 nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>Requirements</source>
+        <translation>Anforderungen</translation>
+    </message>
+    <message>
+        <source>Requirements: %1</source>
+        <translation>Anforderungen: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13979,6 +14019,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Undo Lis&amp;t</source>
         <translation>Liste der &amp;Schritte</translation>
     </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Wiederholt: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14036,6 +14084,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>; </source>
         <translation>; </translation>
+    </message>
+    <message>
+        <source>%1 of %2 analyses have no result: they lack something or have problems</source>
+        <translation>%1 von %2 Analysen haben kein Ergebnis: Ihnen fehlt etwas, oder sie haben Probleme</translation>
     </message>
 </context>
 <context>
@@ -14237,10 +14289,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Zum gemerkten Stand zurück</translation>
     </message>
     <message>
-        <source>Makes the project what it was when the results were kept; can be undone</source>
-        <translation>Macht das Projekt zu dem, was es war, als der Stand gemerkt wurde; kann rückgängig gemacht werden</translation>
-    </message>
-    <message>
         <source>Discard Kept State</source>
         <translation>Gemerkten Stand verwerfen</translation>
     </message>
@@ -14359,6 +14407,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Before: %1 (%2), taken at %3. </source>
         <translation>Vorher: %1 (%2), übernommen %3. </translation>
+    </message>
+    <message>
+        <source>Makes the analysis, and what it uses, what they were when the results were kept; can be undone</source>
+        <translation>Macht die Analyse und was sie verwendet zu dem, was sie waren, als die Ergebnisse gemerkt wurden; lässt sich rückgängig machen</translation>
     </message>
 </context>
 <context>
@@ -16047,10 +16099,6 @@ Gewählt: %2</translation>
         <translation>Protokoll</translation>
     </message>
     <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
         <source>Add an analysis or what it uses</source>
         <translation>Eine Analyse hinzufügen oder was sie verwendet</translation>
     </message>
@@ -16501,6 +16549,10 @@ Gewählt: %2</translation>
         <source>Problems</source>
         <translation>Probleme</translation>
     </message>
+    <message>
+        <source>No problems.</source>
+        <translation>Keine Probleme.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPage</name>
@@ -16852,6 +16904,18 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Leave %1 out of the report</source>
         <translation>%1 aus dem Bericht weglassen</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>English: none is chosen on the page Certificate.</source>
+        <translation>Englisch: Auf der Seite Kalibrierschein ist keine gewählt.</translation>
+    </message>
+    <message>
+        <source>%1, as chosen on the page Certificate.</source>
+        <translation>%1, wie auf der Seite Kalibrierschein gewählt.</translation>
     </message>
 </context>
 <context>
@@ -17557,10 +17621,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
 <context>
     <name>covaria::ui::SetupTableModel</name>
     <message>
-        <source>Change %1</source>
-        <translation>%1 ändern</translation>
-    </message>
-    <message>
         <source>Insert rows in %1</source>
         <translation>Zeilen in %1 einfügen</translation>
     </message>
@@ -17607,6 +17667,14 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>%1 absolute, not a part of the value</source>
         <translation>%1 absolut, kein Teil des Wertes</translation>
+    </message>
+    <message>
+        <source>Change %1: %2</source>
+        <translation>%1 ändern: %2</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>Zeile %1</translation>
     </message>
 </context>
 <context>
@@ -18137,6 +18205,18 @@ und Großraummetrologie</translation>
     <message>
         <source>Clear units of results</source>
         <translation>Einheiten der Ergebnisse löschen</translation>
+    </message>
+    <message>
+        <source>In Reports and Files Too</source>
+        <translation>Auch in Berichten und Dateien</translation>
+    </message>
+    <message>
+        <source>States the units that are shown in the project: they are those of its documents</source>
+        <translation>Hält die gezeigten Einheiten im Projekt fest: Es sind dann die seiner Dokumente</translation>
+    </message>
+    <message>
+        <source>Units of the tables and charts; reports and files have those that the project states</source>
+        <translation>Einheiten der Tabellen und Diagramme; Berichte und Dateien haben die, die das Projekt festlegt</translation>
     </message>
 </context>
 <context>

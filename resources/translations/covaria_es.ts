@@ -13498,6 +13498,46 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>requirement not met</source>
         <translation>requisito no cumplido</translation>
     </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%1 en la línea %2</translation>
+    </message>
+    <message>
+        <source>columns between tabs</source>
+        <translation>columnas entre tabuladores</translation>
+    </message>
+    <message>
+        <source>columns between semicolons</source>
+        <translation>columnas entre puntos y comas</translation>
+    </message>
+    <message>
+        <source>columns between commas</source>
+        <translation>columnas entre comas</translation>
+    </message>
+    <message>
+        <source>columns between blanks, decimal commas</source>
+        <translation>columnas entre espacios, comas decimales</translation>
+    </message>
+    <message>
+        <source>columns between blanks</source>
+        <translation>columnas entre espacios</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation>los %1 cumplidos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not met</source>
+        <translation>%1 de %2 no cumplidos</translation>
+    </message>
+    <message>
+        <source>Requirements</source>
+        <translation>Requisitos</translation>
+    </message>
+    <message>
+        <source>Requirements: %1</source>
+        <translation>Requisitos: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13979,6 +14019,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Undo Lis&amp;t</source>
         <translation>&amp;Lista de pasos</translation>
     </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Rehecho: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14036,6 +14084,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>; </source>
         <translation>; </translation>
+    </message>
+    <message>
+        <source>%1 of %2 analyses have no result: they lack something or have problems</source>
+        <translation>%1 de %2 análisis no tienen resultado: les falta algo o tienen problemas</translation>
     </message>
 </context>
 <context>
@@ -14237,10 +14289,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Volver al estado conservado</translation>
     </message>
     <message>
-        <source>Makes the project what it was when the results were kept; can be undone</source>
-        <translation>Deja el proyecto como era cuando se conservaron los resultados; se puede deshacer</translation>
-    </message>
-    <message>
         <source>Discard Kept State</source>
         <translation>Descartar estado conservado</translation>
     </message>
@@ -14359,6 +14407,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>Before: %1 (%2), taken at %3. </source>
         <translation>Antes: %1 (%2), tomado a las %3. </translation>
+    </message>
+    <message>
+        <source>Makes the analysis, and what it uses, what they were when the results were kept; can be undone</source>
+        <translation>Devuelve el análisis y lo que usa a lo que eran cuando se conservaron los resultados; se puede deshacer</translation>
     </message>
 </context>
 <context>
@@ -16047,10 +16099,6 @@ Elegido: %2</translation>
         <translation>Registro</translation>
     </message>
     <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Rehacer</translation>
-    </message>
-    <message>
         <source>Add an analysis or what it uses</source>
         <translation>Añade un análisis o lo que este usa</translation>
     </message>
@@ -16501,6 +16549,10 @@ Elegido: %2</translation>
         <source>Problems</source>
         <translation>Problemas</translation>
     </message>
+    <message>
+        <source>No problems.</source>
+        <translation>Sin problemas.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPage</name>
@@ -16852,6 +16904,18 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Leave %1 out of the report</source>
         <translation>Excluir %1 del informe</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>English: none is chosen on the page Certificate.</source>
+        <translation>Inglés: no se ha elegido ninguno en la página Certificado.</translation>
+    </message>
+    <message>
+        <source>%1, as chosen on the page Certificate.</source>
+        <translation>%1, como se eligió en la página Certificado.</translation>
     </message>
 </context>
 <context>
@@ -17557,10 +17621,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
 <context>
     <name>covaria::ui::SetupTableModel</name>
     <message>
-        <source>Change %1</source>
-        <translation>Cambiar %1</translation>
-    </message>
-    <message>
         <source>Insert rows in %1</source>
         <translation>Insertar filas en %1</translation>
     </message>
@@ -17607,6 +17667,14 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>%1 absolute, not a part of the value</source>
         <translation>%1 en términos absolutos, no una fracción del valor</translation>
+    </message>
+    <message>
+        <source>Change %1: %2</source>
+        <translation>Cambiar %1: %2</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>fila %1</translation>
     </message>
 </context>
 <context>
@@ -18137,6 +18205,18 @@ y metrología de grandes dimensiones</translation>
     <message>
         <source>Clear units of results</source>
         <translation>Borrar las unidades de los resultados</translation>
+    </message>
+    <message>
+        <source>In Reports and Files Too</source>
+        <translation>También en informes y archivos</translation>
+    </message>
+    <message>
+        <source>States the units that are shown in the project: they are those of its documents</source>
+        <translation>Fija en el proyecto las unidades que se muestran: son las de sus documentos</translation>
+    </message>
+    <message>
+        <source>Units of the tables and charts; reports and files have those that the project states</source>
+        <translation>Unidades de las tablas y gráficos; los informes y archivos tienen las que indica el proyecto</translation>
     </message>
 </context>
 <context>

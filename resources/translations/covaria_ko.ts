@@ -13497,6 +13497,46 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <source>requirement not met</source>
         <translation>요구 사항 미충족</translation>
     </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%2행의 %1</translation>
+    </message>
+    <message>
+        <source>columns between tabs</source>
+        <translation>탭으로 구분된 열</translation>
+    </message>
+    <message>
+        <source>columns between semicolons</source>
+        <translation>세미콜론으로 구분된 열</translation>
+    </message>
+    <message>
+        <source>columns between commas</source>
+        <translation>쉼표로 구분된 열</translation>
+    </message>
+    <message>
+        <source>columns between blanks, decimal commas</source>
+        <translation>공백으로 구분된 열, 소수점 쉼표</translation>
+    </message>
+    <message>
+        <source>columns between blanks</source>
+        <translation>공백으로 구분된 열</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation>%1개 모두 충족</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not met</source>
+        <translation>%2개 중 %1개 미충족</translation>
+    </message>
+    <message>
+        <source>Requirements</source>
+        <translation>요구사항</translation>
+    </message>
+    <message>
+        <source>Requirements: %1</source>
+        <translation>요구 사항: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13978,6 +14018,14 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <source>Undo Lis&amp;t</source>
         <translation>단계 목록(&amp;T)</translation>
     </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>다시 실행(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>다시 실행됨: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14035,6 +14083,10 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
     <message>
         <source>; </source>
         <translation>; </translation>
+    </message>
+    <message>
+        <source>%1 of %2 analyses have no result: they lack something or have problems</source>
+        <translation>분석 %2개 중 %1개에 결과가 없습니다. 빠진 것이 있거나 문제가 있습니다</translation>
     </message>
 </context>
 <context>
@@ -14236,10 +14288,6 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <translation>보관된 상태로 되돌리기</translation>
     </message>
     <message>
-        <source>Makes the project what it was when the results were kept; can be undone</source>
-        <translation>프로젝트를 결과를 보관할 때의 상태로 만듭니다. 실행 취소할 수 있습니다</translation>
-    </message>
-    <message>
         <source>Discard Kept State</source>
         <translation>보관된 상태 버리기</translation>
     </message>
@@ -14358,6 +14406,10 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
     <message>
         <source>Before: %1 (%2), taken at %3. </source>
         <translation>이전: %1 (%2), %3에 가져옴. </translation>
+    </message>
+    <message>
+        <source>Makes the analysis, and what it uses, what they were when the results were kept; can be undone</source>
+        <translation>분석과 그것이 사용하는 것을 결과를 보관했을 때의 상태로 되돌립니다. 실행 취소할 수 있습니다</translation>
     </message>
 </context>
 <context>
@@ -16043,10 +16095,6 @@ Chosen: %2</source>
         <translation>로그</translation>
     </message>
     <message>
-        <source>&amp;Redo</source>
-        <translation>다시 실행(&amp;R)</translation>
-    </message>
-    <message>
         <source>Add an analysis or what it uses</source>
         <translation>분석이나 분석에 쓰이는 것을 추가합니다</translation>
     </message>
@@ -16497,6 +16545,10 @@ Chosen: %2</source>
         <source>Problems</source>
         <translation>문제</translation>
     </message>
+    <message>
+        <source>No problems.</source>
+        <translation>문제 없음.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPage</name>
@@ -16848,6 +16900,18 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Leave %1 out of the report</source>
         <translation>%1을(를) 보고서에서 제외</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>언어</translation>
+    </message>
+    <message>
+        <source>English: none is chosen on the page Certificate.</source>
+        <translation>영어: 성적서 페이지에서 선택하지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>%1, as chosen on the page Certificate.</source>
+        <translation>%1, 성적서 페이지에서 선택한 언어.</translation>
     </message>
 </context>
 <context>
@@ -17552,10 +17616,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
 <context>
     <name>covaria::ui::SetupTableModel</name>
     <message>
-        <source>Change %1</source>
-        <translation>%1 변경</translation>
-    </message>
-    <message>
         <source>Insert rows in %1</source>
         <translation>%1에 행 삽입</translation>
     </message>
@@ -17602,6 +17662,14 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>%1 absolute, not a part of the value</source>
         <translation>%1(절대값), 값에 대한 비가 아님</translation>
+    </message>
+    <message>
+        <source>Change %1: %2</source>
+        <translation>%1 변경: %2</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>%1행</translation>
     </message>
 </context>
 <context>
@@ -18131,6 +18199,18 @@ and large-scale metrology</source>
     <message>
         <source>Clear units of results</source>
         <translation>결과 단위 지우기</translation>
+    </message>
+    <message>
+        <source>In Reports and Files Too</source>
+        <translation>보고서와 파일에도 사용</translation>
+    </message>
+    <message>
+        <source>States the units that are shown in the project: they are those of its documents</source>
+        <translation>표시된 단위를 프로젝트에 정합니다. 문서에도 그 단위를 씁니다</translation>
+    </message>
+    <message>
+        <source>Units of the tables and charts; reports and files have those that the project states</source>
+        <translation>표와 그래프의 단위. 보고서와 파일은 프로젝트가 정한 단위를 씁니다</translation>
     </message>
 </context>
 <context>

@@ -13498,6 +13498,46 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>requirement not met</source>
         <translation>requisito não cumprido</translation>
     </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%1 na linha %2</translation>
+    </message>
+    <message>
+        <source>columns between tabs</source>
+        <translation>colunas entre tabulações</translation>
+    </message>
+    <message>
+        <source>columns between semicolons</source>
+        <translation>colunas entre pontos e vírgulas</translation>
+    </message>
+    <message>
+        <source>columns between commas</source>
+        <translation>colunas entre vírgulas</translation>
+    </message>
+    <message>
+        <source>columns between blanks, decimal commas</source>
+        <translation>colunas entre espaços, vírgulas decimais</translation>
+    </message>
+    <message>
+        <source>columns between blanks</source>
+        <translation>colunas entre espaços</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation>todos os %1 cumpridos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not met</source>
+        <translation>%1 de %2 não cumpridos</translation>
+    </message>
+    <message>
+        <source>Requirements</source>
+        <translation>Requisitos</translation>
+    </message>
+    <message>
+        <source>Requirements: %1</source>
+        <translation>Requisitos: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13979,6 +14019,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Undo Lis&amp;t</source>
         <translation>&amp;Lista de passos</translation>
     </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Refazer</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Refeito: %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14036,6 +14084,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>; </source>
         <translation>; </translation>
+    </message>
+    <message>
+        <source>%1 of %2 analyses have no result: they lack something or have problems</source>
+        <translation>%1 de %2 análises não têm resultado: falta algo a elas ou têm problemas</translation>
     </message>
 </context>
 <context>
@@ -14237,10 +14289,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Voltar ao estado mantido</translation>
     </message>
     <message>
-        <source>Makes the project what it was when the results were kept; can be undone</source>
-        <translation>Faz do projeto o que ele era quando os resultados foram mantidos; pode ser desfeito</translation>
-    </message>
-    <message>
         <source>Discard Kept State</source>
         <translation>Descartar estado mantido</translation>
     </message>
@@ -14359,6 +14407,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Before: %1 (%2), taken at %3. </source>
         <translation>Antes: %1 (%2), tomado às %3. </translation>
+    </message>
+    <message>
+        <source>Makes the analysis, and what it uses, what they were when the results were kept; can be undone</source>
+        <translation>Faz a análise e o que ela usa voltarem ao que eram quando os resultados foram mantidos; pode ser desfeito</translation>
     </message>
 </context>
 <context>
@@ -16047,10 +16099,6 @@ Escolhido: %2</translation>
         <translation>Registro</translation>
     </message>
     <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Refazer</translation>
-    </message>
-    <message>
         <source>Add an analysis or what it uses</source>
         <translation>Adicionar uma análise ou o que ela usa</translation>
     </message>
@@ -16501,6 +16549,10 @@ Escolhido: %2</translation>
         <source>Problems</source>
         <translation>Problemas</translation>
     </message>
+    <message>
+        <source>No problems.</source>
+        <translation>Sem problemas.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPage</name>
@@ -16852,6 +16904,18 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Leave %1 out of the report</source>
         <translation>Deixar %1 fora do relatório</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>English: none is chosen on the page Certificate.</source>
+        <translation>Inglês: nenhum foi escolhido na página Certificado.</translation>
+    </message>
+    <message>
+        <source>%1, as chosen on the page Certificate.</source>
+        <translation>%1, como escolhido na página Certificado.</translation>
     </message>
 </context>
 <context>
@@ -17557,10 +17621,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
 <context>
     <name>covaria::ui::SetupTableModel</name>
     <message>
-        <source>Change %1</source>
-        <translation>Alterar %1</translation>
-    </message>
-    <message>
         <source>Insert rows in %1</source>
         <translation>Inserir linhas em %1</translation>
     </message>
@@ -17607,6 +17667,14 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>%1 absolute, not a part of the value</source>
         <translation>%1 em termos absolutos, não uma parte do valor</translation>
+    </message>
+    <message>
+        <source>Change %1: %2</source>
+        <translation>Mudar %1: %2</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>linha %1</translation>
     </message>
 </context>
 <context>
@@ -18137,6 +18205,18 @@ e metrologia de grandes volumes</translation>
     <message>
         <source>Clear units of results</source>
         <translation>Limpar as unidades dos resultados</translation>
+    </message>
+    <message>
+        <source>In Reports and Files Too</source>
+        <translation>Também em relatórios e arquivos</translation>
+    </message>
+    <message>
+        <source>States the units that are shown in the project: they are those of its documents</source>
+        <translation>Fixa no projeto as unidades mostradas: são as dos seus documentos</translation>
+    </message>
+    <message>
+        <source>Units of the tables and charts; reports and files have those that the project states</source>
+        <translation>Unidades das tabelas e gráficos; relatórios e arquivos têm as que o projeto indica</translation>
     </message>
 </context>
 <context>

@@ -13497,6 +13497,46 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <source>requirement not met</source>
         <translation>不满足要求</translation>
     </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%1，第 %2 行</translation>
+    </message>
+    <message>
+        <source>columns between tabs</source>
+        <translation>以制表符分隔的列</translation>
+    </message>
+    <message>
+        <source>columns between semicolons</source>
+        <translation>以分号分隔的列</translation>
+    </message>
+    <message>
+        <source>columns between commas</source>
+        <translation>以逗号分隔的列</translation>
+    </message>
+    <message>
+        <source>columns between blanks, decimal commas</source>
+        <translation>以空格分隔的列，小数逗号</translation>
+    </message>
+    <message>
+        <source>columns between blanks</source>
+        <translation>以空格分隔的列</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation>全部 %1 项满足</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not met</source>
+        <translation>%2 项中有 %1 项不满足</translation>
+    </message>
+    <message>
+        <source>Requirements</source>
+        <translation>要求</translation>
+    </message>
+    <message>
+        <source>Requirements: %1</source>
+        <translation>要求：%1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -13978,6 +14018,14 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <source>Undo Lis&amp;t</source>
         <translation>步骤列表(&amp;T)</translation>
     </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>已重做：%1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14035,6 +14083,10 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
     <message>
         <source>; </source>
         <translation>; </translation>
+    </message>
+    <message>
+        <source>%1 of %2 analyses have no result: they lack something or have problems</source>
+        <translation>%2 个分析中有 %1 个没有结果：缺少内容或存在问题</translation>
     </message>
 </context>
 <context>
@@ -14236,10 +14288,6 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <translation>返回保留的状态</translation>
     </message>
     <message>
-        <source>Makes the project what it was when the results were kept; can be undone</source>
-        <translation>使项目恢复到保留结果时的状态；可以撤销</translation>
-    </message>
-    <message>
         <source>Discard Kept State</source>
         <translation>放弃保留的状态</translation>
     </message>
@@ -14358,6 +14406,10 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
     <message>
         <source>Before: %1 (%2), taken at %3. </source>
         <translation>之前：%1（%2），取自 %3。 </translation>
+    </message>
+    <message>
+        <source>Makes the analysis, and what it uses, what they were when the results were kept; can be undone</source>
+        <translation>使分析及其所用的内容恢复到保留结果时的样子；可以撤销</translation>
     </message>
 </context>
 <context>
@@ -16043,10 +16095,6 @@ Chosen: %2</source>
         <translation>日志</translation>
     </message>
     <message>
-        <source>&amp;Redo</source>
-        <translation>重做(&amp;R)</translation>
-    </message>
-    <message>
         <source>Add an analysis or what it uses</source>
         <translation>添加分析或其所用的内容</translation>
     </message>
@@ -16497,6 +16545,10 @@ Chosen: %2</source>
         <source>Problems</source>
         <translation>问题</translation>
     </message>
+    <message>
+        <source>No problems.</source>
+        <translation>没有问题。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPage</name>
@@ -16848,6 +16900,18 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Leave %1 out of the report</source>
         <translation>报告中不列入“%1”</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>English: none is chosen on the page Certificate.</source>
+        <translation>英语：“证书”页未选择语言。</translation>
+    </message>
+    <message>
+        <source>%1, as chosen on the page Certificate.</source>
+        <translation>%1，如“证书”页所选。</translation>
     </message>
 </context>
 <context>
@@ -17552,10 +17616,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
 <context>
     <name>covaria::ui::SetupTableModel</name>
     <message>
-        <source>Change %1</source>
-        <translation>更改%1</translation>
-    </message>
-    <message>
         <source>Insert rows in %1</source>
         <translation>在%1中插入行</translation>
     </message>
@@ -17602,6 +17662,14 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>%1 absolute, not a part of the value</source>
         <translation>%1（绝对值），不是值的一部分</translation>
+    </message>
+    <message>
+        <source>Change %1: %2</source>
+        <translation>更改%1：%2</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>第 %1 行</translation>
     </message>
 </context>
 <context>
@@ -18131,6 +18199,18 @@ and large-scale metrology</source>
     <message>
         <source>Clear units of results</source>
         <translation>清除结果的单位</translation>
+    </message>
+    <message>
+        <source>In Reports and Files Too</source>
+        <translation>报告和文件中也使用</translation>
+    </message>
+    <message>
+        <source>States the units that are shown in the project: they are those of its documents</source>
+        <translation>在项目中规定所显示的单位：其文档即使用这些单位</translation>
+    </message>
+    <message>
+        <source>Units of the tables and charts; reports and files have those that the project states</source>
+        <translation>表格和图表的单位；报告和文件使用项目规定的单位</translation>
     </message>
 </context>
 <context>

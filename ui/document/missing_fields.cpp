@@ -1,6 +1,7 @@
 #include "ui/document/missing_fields.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <sstream>
 
@@ -46,11 +47,10 @@ bool is_empty_cell(const FieldSpec& field, const SetupTable& table, const std::s
            std::holds_alternative<std::monostate>(table.rows[row][column]);
 }
 
-/// "/analyses/0/setup/equations/2/8-8" of a line of seven characters, "y = a *", or of a parenthesis that is
-/// not closed: the end is still being typed.
-bool has_no_end_yet(const std::string& text, const std::string& path) {
+/// At "/analyses/0/setup/equations/2/8-8"; '\0' behind the end of its line. Empty: the path has no columns.
+std::optional<char> character_at(const std::string& text, const std::string& path) {
     const std::size_t columns = path.rfind('/'), line = path.rfind('/', columns - 1);
-    if (path.find('-', columns) == std::string::npos) return false;
+    if (path.find('-', columns) == std::string::npos) return std::nullopt;
     std::istringstream lines(text);
     std::string found;
     for (int i = std::atoi(path.c_str() + line + 1); i >= 0; --i)
@@ -58,8 +58,19 @@ bool has_no_end_yet(const std::string& text, const std::string& path) {
     int left = std::atoi(path.c_str() + columns + 1);  // characters of UTF-8 up to the place, from 1
     const auto at = std::ranges::find_if(
         found, [&left](unsigned char byte) { return (byte & 0xc0U) != 0x80U && --left == 0; });
-    if (at == found.end()) return left > 0;
-    return *at == '(' && std::ranges::count(text, '(') > std::ranges::count(text, ')');
+    return at == found.end() ? '\0' : *at;
+}
+
+/// It ends too soon, a parenthesis is not closed, or a name has no row yet: it is still being typed.
+bool is_begun(const Project& project, const SetupAddress& address, const std::string& text,
+              const std::string& path) {
+    const std::optional<char> at = character_at(text, path);
+    if (!at) return false;
+    const bool is_open = *at == '(' && std::ranges::count(text, '(') > std::ranges::count(text, ')');
+    const auto byte = static_cast<unsigned char>(*at);
+    const auto completed =
+        byte >= 0x80 || std::isalpha(byte) ? completed_setup(project, address) : std::nullopt;
+    return *at == '\0' || is_open || (completed && !(*completed == *setup_of(project, address)));
 }
 
 Lack lack(const Project& project, const Problems& all, const std::string& entry, int depth);
@@ -84,7 +95,7 @@ bool missing(const Project& project, const Problems& all, const Problem& problem
     if (const auto* table = std::get_if<SetupTable>(&value))
         return is_empty_cell(*field, *table, problem.path);
     const auto* text = std::get_if<std::string>(&value);
-    if (text && field->several_lines) return has_no_end_yet(*text, problem.path);
+    if (text && field->several_lines) return is_begun(project, address, *text, problem.path);
     return text && field->kind == FieldKind::reference && refers_to_unfinished(project, all, *text, depth);
 }
 

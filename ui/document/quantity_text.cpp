@@ -10,8 +10,19 @@ namespace covaria::ui {
 
 namespace {
 
+/// "1.000 25 V" as "1.00025 V": digits in groups of three, as results are written, by spaces of any kind.
+QString without_groups(const QString& text) {
+    static const QRegularExpression grouped(
+        QStringLiteral("^([+\\-−]?\\d{1,3}(?:[ \u00a0\u202f\u2009]\\d{3})*|[+\\-−]?\\d*)"
+                       "((?:[.,](?:\\d{3}[ \u00a0\u202f\u2009])*\\d{1,3})?)(?![\\d.,])"));
+    const QRegularExpressionMatch match = grouped.match(text);
+    if (!match.hasMatch()) return text;
+    static const QRegularExpression space(QStringLiteral("[ \u00a0\u202f\u2009]"));
+    return match.captured().remove(space) + text.sliced(match.capturedLength());
+}
+
 QString plain_number(QString text) {
-    text = with_plain_exponent(text).trimmed().replace(QChar(0x2212), '-');
+    text = without_groups(with_plain_exponent(text).trimmed()).replace(QChar(0x2212), '-');
     for (const char16_t space : {u'\u00a0', u'\u202f', u'\u2009'}) text.remove(QChar(space));
     return text;
 }
@@ -48,7 +59,7 @@ Result<Unit> parse_unit(const QString& text) {
 
 Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& unit, const QLocale& locale) {
     static const QRegularExpression group(QStringLiteral("(?<=\\d)[\u00a0\u202f\u2009](?=\\d)"));
-    const QString trimmed = text.trimmed().remove(group);
+    const QString trimmed = without_groups(text.trimmed()).remove(group);
     if (trimmed.isEmpty()) return std::optional<Quantity>{};
     static const QRegularExpression pattern(QStringLiteral(
         "^([+\\-−]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+\\-−]?\\d+|×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?)\\s*(\\S.*)?$"));

@@ -188,6 +188,20 @@ void ComponentsEdit::reset() {
                  [](InputEdit& edit) { edit.components.reset(); });
 }
 
+/// "Laser tracker, distance; Laser tracker, azimuth; …"
+QString ComponentsEdit::shared_names(std::size_t quantity) const {
+    constexpr qsizetype most = 8;
+    const auto own = own_components();
+    QStringList names;
+    for (const Share& share : analysis_->inputs.quantities[quantity].shares) {
+        const UncertaintyComponent& component = analysis_->inputs.components[share.component];
+        if (std::find(own.begin(), own.end(), &component) == own.end())
+            names << to_qt(to_edit(component, language_of_window()).name);
+    }
+    const bool more = names.size() > most;
+    return names.mid(0, most).join(QStringLiteral("; ")) + (more ? QStringLiteral("; …") : QString());
+}
+
 QString ComponentsEdit::note() const {
     if (!analysis_) return {};
     const auto& linked = analysis_->linked;
@@ -199,7 +213,8 @@ QString ComponentsEdit::note() const {
     const bool edited = find_input_edit(document_.project(), analysis_->id, symbol_).components.has_value();
     const std::size_t all = analysis_->inputs.quantities[quantity].shares.size();
     if (!edited && all > model_components().size())
-        return tr("Components that it shares with other quantities are edited where they are stated.");
+        return tr("Components that it shares with other quantities are edited where they are stated.") +
+               QLatin1Char('\n') + shared_names(quantity);
     return list_->count() > 0 ? QString() : tr("It has no component of uncertainty yet.");
 }
 

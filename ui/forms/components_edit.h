@@ -43,6 +43,7 @@ private:
     void show_component();
     /// What the list does not have, and why; empty: it has all.
     QString note() const;
+    QString shared_names(std::size_t quantity) const;
 
     Document& document_;
     std::shared_ptr<const PreparedAnalysis> analysis_;

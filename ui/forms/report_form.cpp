@@ -1,6 +1,7 @@
 #include "ui/forms/report_form.h"
 
 #include <QLabel>
+#include <algorithm>
 
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
@@ -26,6 +27,10 @@ ReportForm::ReportForm(Document& document, QWidget* parent)
                          "Ticked, they stand whole at the end of the report too."));
     annex_->setText(tr("Whole, in an annex"));
     column_->addWidget(annex_);
+    add_head(tr("Language"));
+    language_ = new QLabel(this);
+    language_->setWordWrap(true);
+    column_->addWidget(language_);
     column_->addStretch(1);
     connect(annex_, &QCheckBox::clicked, this, [this](bool on) {
         document_.apply(tr("Change the annex of the report"),
@@ -86,6 +91,14 @@ void ReportForm::refresh() {
     for (std::size_t i = 0; i < chapters_.size(); ++i)
         chapters_[i].box->setChecked(project.report.has(report_chapters()[i].chapter));
     annex_->setChecked(project.report.annex);
+    const auto& languages = certificate_languages();
+    const auto chosen = std::find_if(languages.begin(), languages.end(), [&](const CertificateLanguage& one) {
+        return project.certificate.language == one.code;
+    });
+    language_->setText(
+        chosen == languages.end()
+            ? tr("English: none is chosen on the page Certificate.")
+            : tr("%1, as chosen on the page Certificate.").arg(QString::fromUtf8(chosen->name)));
 }
 
 }  // namespace covaria::ui

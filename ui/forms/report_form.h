@@ -8,6 +8,8 @@
 
 #include "ui/document/document.h"
 
+class QLabel;
+
 namespace covaria::ui {
 
 /// A box for each, ticked where it goes in; every click is one undo step.
@@ -32,6 +34,7 @@ private:
     QVBoxLayout* column_;
     QVBoxLayout* analyses_column_;
     std::vector<Box> analyses_, chapters_;
+    QLabel* language_ = nullptr;
     QCheckBox* annex_;
 };
 

@@ -21,11 +21,17 @@ public:
         editor_.installEventFilter(this);
     }
     void fit() {
-        if (page_) editor_.setMinimumWidth(std::max(least_, std::min(wanted_(), room())));
+        if (!page_) return;
+        constexpr int air = 6;  // that a text has around it
+        int wanted = std::min(wanted_(), room());
+        const int beside = wanted - over_the_edge(wanted);
+        if (beside < wanted && wanted - beside <= air) wanted = beside;
+        editor_.setMinimumWidth(std::max(least_, wanted));
     }
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (watched == &editor_ && event->type() == QEvent::Show) find_page();
-        if (watched == &editor_ && event->type() == QEvent::FontChange) fit();
+        if (watched == &editor_ && (event->type() == QEvent::FontChange || event->type() == QEvent::Move))
+            fit();
         if (watched == page_ && event->type() == QEvent::Resize) fit();
         return QObject::eventFilter(watched, event);
     }
@@ -38,6 +44,14 @@ private:
                 page_->installEventFilter(this);
             }
         fit();
+    }
+    /// How far it would reach beyond the page from where it stands.
+    int over_the_edge(int width) const {
+        int right = page_->width();
+        for (const QWidget* around = editor_.parentWidget(); around != page_; around = around->parentWidget())
+            right -= around->contentsMargins().right() +
+                     (around->layout() ? around->layout()->contentsMargins().right() : 0);
+        return std::max(0, editor_.mapTo(page_.data(), QPoint()).x() + width - right);
     }
     int room() const {
         int room = page_->width();

@@ -160,9 +160,9 @@ void MainWindow::give_names_room() {
 }
 
 void MainWindow::make_actions() {
-    undo_ = make_undo_action(document_, this,
-                             [this](const QString& text) { statusBar()->showMessage(text, 8000); });
-    redo_ = document_.undo_stack().createRedoAction(this, tr("&Redo"));
+    const auto say = [this](const QString& text) { statusBar()->showMessage(text, 8000); };
+    undo_ = make_undo_action(document_, this, say);
+    redo_ = make_redo_action(document_, this, say);
     undo_->setIcon(icon(QStringLiteral("undo")));
     redo_->setIcon(icon(QStringLiteral("redo")));
     undo_->setShortcut(QKeySequence::Undo);

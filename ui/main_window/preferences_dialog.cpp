@@ -3,11 +3,15 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QFontDatabase>
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -22,6 +26,8 @@
 
 namespace covaria::ui {
 namespace {
+
+constexpr int title_bar = 40;  // of the dialog, on the screen
 
 QFormLayout* add_group(QVBoxLayout& column, const QString& title, const QString& note) {
     auto* group = new QGroupBox(title);
@@ -44,10 +50,11 @@ void add_items(QComboBox& box, std::initializer_list<std::pair<QVariant, QString
 }  // namespace
 
 PreferencesDialog::PreferencesDialog(PreferenceStore& preferences, QWidget* parent)
-    : QDialog(parent), preferences_(preferences) {
+    : QDialog(parent), preferences_(preferences), area_(new QScrollArea) {
     setWindowTitle(tr("Preferences"));
     setObjectName(QStringLiteral("preferences"));
-    auto* column = new QVBoxLayout(this);
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
     add_results(*add_group(*column, tr("Results in the window"),
                            tr("Where the project does not state them. Reports and files are the project's "
                               "alone.")));
@@ -56,16 +63,40 @@ PreferencesDialog::PreferencesDialog(PreferenceStore& preferences, QWidget* pare
     add_window(*add_group(*column, tr("Window"), {}));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults);
     column->addStretch(1);
-    column->addWidget(buttons);
+    area_->setWidgetResizable(true);
+    area_->setFrameShape(QFrame::NoFrame);
+    area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area_->setWidget(content);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(area_, 1);
+    foot_ = new QHBoxLayout;
+    foot_->setContentsMargins(column->contentsMargins());
+    foot_->addWidget(buttons);
+    whole->addLayout(foot_);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
             [this] { preferences_.set({}); });
     buttons->button(QDialogButtonBox::RestoreDefaults)->setAutoDefault(false);
     connect(&preferences_, &PreferenceStore::changed, this, &PreferencesDialog::show_preferences);
     show_preferences();
-    // As high as the notes need when they are broken into lines.
-    const int width = column->totalSizeHint().width();
-    resize(width, std::max(column->totalSizeHint().height(), column->totalHeightForWidth(width)));
+    fit();
+}
+
+/// As high as the notes need when they are broken into lines, and no higher than the screen.
+void PreferencesDialog::fit() {
+    const QLayout& content = *area_->widget()->layout();
+    const QSize wanted = content.totalSizeHint();
+    const int width = wanted.width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+    const int height = std::max(wanted.height(), content.totalHeightForWidth(wanted.width())) +
+                       foot_->sizeHint().height() + std::max(0, layout()->spacing());
+    resize(width, std::min(height, screen()->availableSize().height() - title_bar));
+}
+
+void PreferencesDialog::changeEvent(QEvent* event) {
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &PreferencesDialog::fit, Qt::QueuedConnection);  // when all have it
 }
 
 QComboBox* PreferencesDialog::add_box(QFormLayout& form, const QString& title, const char* name,
@@ -136,10 +167,11 @@ void PreferencesDialog::add_window(QFormLayout& form) {
                         {QStringLiteral("dark"), tr("Dark")}});
     family_ = add_box(form, tr("Font"), "font_family", tr("Of the whole window"));
     family_->addItem(tr("Covaria's own"), QString());
-    for (const QString& family : QFontDatabase::families())
+    for (const QString& family : QFontDatabase::families(QFontDatabase::Latin))
         if (!QFontDatabase::isPrivateFamily(family) && QFontDatabase::isSmoothlyScalable(family))
             family_->addItem(family, family);
     may_be_narrow(*family_);
+    family_->setMaxVisibleItems(20);
     font_ = add_number(form, tr("Font size"), "font_points", tr("Of the whole window"),
                        {smallest_font - 1, largest_font});
     font_->setSpecialValueText(tr("as the system"));

@@ -7,6 +7,8 @@
 
 class QComboBox;
 class QFormLayout;
+class QHBoxLayout;
+class QScrollArea;
 class QSpinBox;
 
 namespace covaria::ui {
@@ -19,6 +21,9 @@ class PreferencesDialog : public QDialog {
 public:
     explicit PreferencesDialog(PreferenceStore& preferences, QWidget* parent = nullptr);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void add_results(QFormLayout& form);
     void add_new_analyses(QFormLayout& form);
@@ -30,7 +35,11 @@ private:
     void take();
     void show_preferences();
 
+    void fit();
+
     PreferenceStore& preferences_;
+    QScrollArea* area_;
+    QHBoxLayout* foot_ = nullptr;  ///< the buttons
     UnitChoices* units_ = nullptr;
     QComboBox *language_ = nullptr, *digits_ = nullptr, *numbers_ = nullptr, *factor_ = nullptr,
               *theme_ = nullptr, *family_ = nullptr;

@@ -38,6 +38,14 @@ public:
 
 }  // namespace
 
+QAction* make_redo_action(Document& document, QObject* parent, std::function<void(const QString&)> say) {
+    QUndoStack& stack = document.undo_stack();
+    QAction* action = stack.createRedoAction(parent, tr("&Redo"));
+    QObject::connect(action, &QAction::triggered, &document,  // behind the stack, which has done it
+                     [&stack, say = std::move(say)] { say(tr("Done again: %1").arg(stack.undoText())); });
+    return action;
+}
+
 QAction* make_undo_action(Document& document, QObject* parent, std::function<void(const QString&)> say) {
     auto* action = new QAction(parent);
     QObject::connect(action, &QAction::triggered, &document, [&document, say = std::move(say)] {

@@ -428,7 +428,7 @@ void BudgetSheetModel::take_observations(int row, const QString& text, const QSt
     if (!read || read->observations.empty() || !table || symbol_of(row).empty()) return;
     if (!file_of_observations(document_.project(), address_).empty()) return;
     document_.apply(
-        SetupTableModel::tr("Change %1").arg(core_text(table->title)),
+        SetupTableModel::tr("Change %1: %2").arg(core_text(table->title), to_qt(symbol_of(row))),
         [&](Project& project) { set_observations(project, address_, symbol_of(row), read->observations); },
         step);
 }

@@ -263,11 +263,19 @@ bool SetupTableModel::setData(const QModelIndex& index, const QVariant& value, i
         return true;
     }
     Marks marks;
-    write(tr("Change %1").arg(core_text(field()->title)), [&](SetupTable& table) {
+    const QString at =
+        name_of_row(index.row()) + QStringLiteral(", ") + core_text(column(index.column()).title);
+    write(tr("Change %1: %2").arg(core_text(field()->title), at), [&](SetupTable& table) {
         set_cell(table, {index.row(), index.column()}, value.toString(), marks);
     });
     take(marks);
     return true;
+}
+
+/// For the list of steps.
+QString SetupTableModel::name_of_row(int row) const {
+    const QString name = row < rowCount() ? index(row, 0).data(Qt::EditRole).toString().trimmed() : QString();
+    return name.isEmpty() ? tr("row %1").arg(row + 1) : name;
 }
 
 bool SetupTableModel::insertRows(int row, int count, const QModelIndex& parent) {
@@ -315,7 +323,7 @@ int SetupTableModel::write_row(int row, const std::map<int, TypedCell>& cells, c
                 marks[{row, column}] = {typed.text, typed.refused};
         }
     };
-    write(tr("Change %1").arg(core_text(field()->title)), change, merge_key);
+    write(tr("Change %1: %2").arg(core_text(field()->title), name_of_row(row)), change, merge_key);
     return take(marks);
 }
 

@@ -83,6 +83,7 @@ private:
     std::string written(const CellPosition& at) const;
     void refresh_problems();
     void refresh_taken();
+    QString name_of_row(int row) const;
     SetupTable read() const;
     std::vector<std::vector<int>> decimals_of_table() const;
     std::string written_out(const CellPosition& at, double number) const;

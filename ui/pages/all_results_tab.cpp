@@ -85,11 +85,17 @@ QString AllResultsTab::count_words(const std::vector<ShownAnalysis>& analyses) c
         }
     QStringList words;
     if (all > 0) words << tr("%1 of %2 requirements met").arg(met).arg(all);
-    const std::size_t without = document_.project().analyses.size() - analyses.size();
+    const std::vector<AnalysisEntry>& entries = document_.project().analyses;
+    const std::size_t without = entries.size() - analyses.size();
+    const bool some_can_run = std::any_of(entries.begin(), entries.end(), [this](const AnalysisEntry& entry) {
+        const AnalysisStatus& status = runner_.status(to_qt(entry.id));
+        return !status.result && status.prepared;
+    });
     if (without > 0)
-        words << tr("%1 of %2 analyses have no result: press Ctrl+F5")
+        words << (some_can_run ? tr("%1 of %2 analyses have no result: press Ctrl+F5")
+                               : tr("%1 of %2 analyses have no result: they lack something or have problems"))
                      .arg(without)
-                     .arg(document_.project().analyses.size());
+                     .arg(entries.size());
     return words.join(tr("; "));
 }
 

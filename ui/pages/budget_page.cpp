@@ -69,8 +69,12 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
     follow_font(*correlation_, [this] {
         correlation_->setFixedWidth(8 * correlation_->fontMetrics().averageCharWidth() + 12);
     });
+    column_->addWidget(lines_);
+    remark_ = new QLabel(this);
+    remark_->setTextFormat(Qt::RichText);
+    remark_->setWordWrap(true);
     auto* below = new QHBoxLayout;
-    below->addWidget(lines_, 1);
+    below->addWidget(remark_, 1, Qt::AlignTop);
     below->addWidget(pair_, 0, Qt::AlignTop);
     below->addWidget(correlation_, 0, Qt::AlignTop);
     column_->addLayout(below);
@@ -161,15 +165,15 @@ void BudgetPage::take_result() {
     show_correlation();
     lines_->setVisible(status.result != nullptr);
     lines_->setEnabled(status.is_of_present());
-    if (!status.result) return;
+    if (!status.result) return remark_->clear();
     const QString said = status.is_of_present() ? result_words(status) : reservation(status);
     const QString correlated = status.prepared ? correlation_words(*status.prepared) : QString();
-    QString lines = lines_of(*status.result) +
-                    (correlated.isEmpty() ? QString() : QStringLiteral("<br>") + correlated) +
-                    QStringLiteral("<br><small>") + said.toHtmlEscaped() + first_order_words(*status.result) +
-                    QStringLiteral("</small>");
     // A label breaks a number between its groups, but at no such space.
-    lines_->setText(lines.replace(QChar(0x202f), QChar(QChar::Nbsp)));
+    const auto kept_whole = [](QString words) { return words.replace(QChar(0x202f), QChar(QChar::Nbsp)); };
+    lines_->setText(kept_whole(lines_of(*status.result)));
+    remark_->setText(kept_whole((correlated.isEmpty() ? QString() : correlated + QStringLiteral("<br>")) +
+                                QStringLiteral("<small>") + said.toHtmlEscaped() +
+                                first_order_words(*status.result) + QStringLiteral("</small>")));
 }
 
 std::set<int> BudgetPage::selected_rows() const {

@@ -30,6 +30,8 @@ public:
     BudgetSheetView* view() const { return view_; }
     BudgetSheetModel* model() const { return model_.get(); }
     QLabel& result_lines() const { return *lines_; }
+    /// What is correlated, and how the results came about.
+    QLabel& remark() const { return *remark_; }
     /// The correlation coefficient of the components of the two rows that are selected.
     QLineEdit& correlation() const { return *correlation_; }
     /// Tab comes from `before` to the table, and from it to the correlation coefficient.
@@ -72,6 +74,7 @@ private:
     BudgetSheetView* view_ = nullptr;
     QVBoxLayout* column_ = nullptr;
     QLabel* lines_ = nullptr;
+    QLabel* remark_;  ///< how they came about, and what is correlated
     InputCorrelationModel correlations_;
     QLabel* pair_ = nullptr;
     QLineEdit* correlation_ = nullptr;

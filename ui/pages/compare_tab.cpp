@@ -86,8 +86,9 @@ void CompareTab::make_actions() {
         return made;
     };
     keep_ = action({}, "keep_before", {});  // as `update_actions` says it
-    go_back_ = action(tr("Go Back to Kept State"), "go_back",
-                      tr("Makes the project what it was when the results were kept; can be undone"));
+    go_back_ = action(
+        tr("Go Back to Kept State"), "go_back",
+        tr("Makes the analysis, and what it uses, what they were when the results were kept; can be undone"));
     discard_ = action(tr("Discard Kept State"), "discard_kept",
                       tr("Forgets the kept results; the project stays as it is now"));
     go_back_->setIconText(tr("Go Back to Kept"));  // on the buttons

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QRegularExpression>
 
 #include "ui/forms/complaint.h"
 #include "ui/models/number_words.h"
@@ -55,7 +56,10 @@ void FieldHelp::resizeEvent(QResizeEvent* event) {
 void FieldHelp::show_help() {
     const QString name = shown_->accessibleName();
     const QString head = name.isEmpty() ? QString() : name + QStringLiteral(". ");
-    const QString all = head + shown_->toolTip().replace(QStringLiteral("\n\n"), QStringLiteral(" "));
+    static const QRegularExpression open_end(QStringLiteral("(?<=[^.:!?…\\s])\\s*\n\n"));
+    const QString all = head + shown_->toolTip()
+                                   .replace(open_end, QStringLiteral(". "))
+                                   .replace(QStringLiteral("\n\n"), QStringLiteral(" "));
     const QString fitting = what_fits(*this, all);
     setText(QStringLiteral("<b>%1</b>%2")
                 .arg(fitting.left(head.size()).toHtmlEscaped(), fitting.mid(head.size()).toHtmlEscaped()));

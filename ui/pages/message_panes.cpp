@@ -1,6 +1,7 @@
 #include "ui/pages/message_panes.h"
 
 #include <QHeaderView>
+#include <QPainter>
 #include <QTime>
 
 #include "ui/models/roles.h"
@@ -25,6 +26,14 @@ ProblemsPane::ProblemsPane(Document& document, QWidget* parent) : QTreeView(pare
     const auto go = [this](const QModelIndex& index) { emit place_wanted(index.data(path_role).toString()); };
     connect(this, &QTreeView::clicked, this, go);
     connect(this, &QTreeView::activated, this, go);
+}
+
+void ProblemsPane::paintEvent(QPaintEvent* event) {
+    QTreeView::paintEvent(event);
+    if (model_.rowCount() > 0) return;
+    QPainter painter(viewport());
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(viewport()->rect(), Qt::AlignCenter, tr("No problems."));
 }
 
 LogPane::LogPane(QWidget* parent) : QPlainTextEdit(parent) {

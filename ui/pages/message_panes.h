@@ -19,6 +19,9 @@ signals:
     /// JSON pointer into the project.
     void place_wanted(const QString& path);
 
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
 private:
     ProblemsModel model_;
 };

@@ -255,6 +255,10 @@ void ResultsPane::connect_selection() {
     connect(&runner_, &AnalysisRunner::result_changed, this, take);
     connect(&runner_, &AnalysisRunner::state_changed, this, take);
     connect(&selection_, &Selection::analysis_changed, this, &ResultsPane::take_result);
+    connect(&document_, &Document::project_replaced, this, [this] {
+        stated_digits_ = 0;  // what was chosen beside the results was for the project before
+        QMetaObject::invokeMethod(this, &ResultsPane::take_preferences, Qt::QueuedConnection);
+    });
     connect(&document_, &Document::project_changed, this, [this] {
         if (!(document_.project().results.style == shown_style_)) take_preferences();
         take_requirements();
@@ -285,7 +289,10 @@ QString ResultsPane::state_words() const {
         words =
             tr("<b>Does not represent the measurand</b> (more than 1 % of the trials are lost). ") + words;
     if (!status.result->stabilised) words += tr("; not stabilised");
-    if (!status.is_of_present()) words = tr("<b>Out of date</b>: shown for the project as it was. ") + words;
+    // A preview is of a moment ago while something is dragged, and there is a next one at once.
+    const bool is_followed = runner_.is_live() && status.stage != ResultStage::complete && status.prepared;
+    if (!status.is_of_present() && !is_followed)
+        words = tr("<b>Out of date</b>: shown for the project as it was. ") + words;
     return words;
 }
 

@@ -13,11 +13,12 @@ UnitButton::UnitButton(Document& document, PreferenceStore& preferences, QWidget
     setText(tr("Units"));
     setIcon(ui::icon(QStringLiteral("units")));
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    setToolTip(tr("Units of the tables and charts"));
+    setToolTip(tr("Units of the tables and charts; reports and files have those that the project states"));
     setAccessibleName(tr("Units of the tables and charts"));
     setPopupMode(QToolButton::InstantPopup);
     setAutoRaise(true);
     setMenu(new QMenu(this));
+    menu()->setToolTipsVisible(true);
     connect(menu(), &QMenu::aboutToShow, this, &UnitButton::fill);
 }
 
@@ -41,6 +42,16 @@ void UnitButton::fill() {
         menu()->addSeparator();
     }
     menu()->addAction(tr("As the Model Gives Them"), this, &UnitButton::clear);
+    // What is chosen here is of the window, unless the project states a unit already.
+    const DisplayUnits shown = units();
+    const DisplayUnits& stated = document_.project().results.style.units;
+    QAction* documents = menu()->addAction(tr("In Reports and Files Too"), this,
+                                           [this, shown] { state(tr("Change unit of results"), shown); });
+    documents->setToolTip(
+        tr("States the units that are shown in the project: they are those of its documents"));
+    documents->setEnabled(std::any_of(shown_.begin(), shown_.end(), [&](const Unit& unit) {
+        return !(shown.of(unit) == stated.of(unit));
+    }));
 }
 
 void UnitButton::add_choices(QMenu& menu, const Unit& unit) {

@@ -27,12 +27,14 @@ struct SetEquations {
     std::vector<FormulaPicture> formulas;
     std::vector<QPointF> places;
     QSizeF size;
+    QFont font;
+    double gap = 0.0;  ///< between two below each other
 };
 
 /// Below each other, in as many columns as the height asks for.
 SetEquations set_in_columns(const std::vector<ModelEquation>& equations, const QFont& font, double height) {
-    SetEquations made;
     const double gap = std::clamp(0.6 * font.pointSizeF(), 4.0, 10.0);
+    SetEquations made{{}, {}, {}, font, gap};
     double x = 0.0, y = 0.0, width = 0.0;
     for (const ModelEquation& equation : equations) {
         FormulaPicture formula = picture_of(equation, font);
@@ -78,7 +80,16 @@ void EquationsView::show_equations(const QString& title, std::vector<ModelEquati
 int EquationsView::height_wanted(int width) const {
     const double line = QFontMetricsF(font()).height();
     const double around = 2.0 * narrow_margin + 1.4 * line + 4.0;
-    const SetEquations set = fitted(equations_, font(), {width - 2.0 * margin, low_pane - around});
+    const double room = width - 2.0 * margin;
+    SetEquations set = fitted(equations_, font(), {room, low_pane - around});
+    double tallest = 0.0;
+    for (const FormulaPicture& formula : set.formulas) tallest = std::max(tallest, formula.height());
+    for (std::size_t rows = 1; rows < set.formulas.size(); ++rows) {  // beside each other as far as they fit
+        SetEquations lower = set_in_columns(equations_, set.font, double(rows) * (tallest + set.gap));
+        if (lower.size.width() > room || lower.size.height() >= set.size.height()) continue;
+        set = std::move(lower);
+        break;
+    }
     return std::max(minimumSizeHint().height(), int(std::ceil(set.size.height() + around)));
 }
 

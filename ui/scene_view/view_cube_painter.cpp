@@ -11,7 +11,7 @@ namespace {
 constexpr double cube_edge = 46.0;
 constexpr double room = 1.75 * cube_edge;  // of the cube whichever way it is turned
 constexpr double cube_margin = 10.0;
-constexpr double bar_top = 36.0, tallest_bar = 260.0, bar_share = 0.42;  // as viz/vtk draws colour bars
+constexpr double head = 110.0, foot = 48.0;  // of the picture: title with legend, caption with a message
 constexpr QSize least_view(360, 240);
 constexpr double letters = 0.24;  // height, of the cube_edge
 
@@ -44,10 +44,9 @@ void paint_letters(QPainter& painter, const CubeFace& face, const QPolygonF& pol
 
 QRectF cube_place(QSize view, bool has_map) {
     if (view.width() < least_view.width() || view.height() < least_view.height()) return {};
-    const double top =
-        has_map ? bar_top + std::min(bar_share * view.height(), tallest_bar) + cube_margin : cube_margin;
-    if (top + room > view.height() - 3 * cube_margin) return {};
-    return {view.width() - cube_margin - room, top, room, room};
+    if (!has_map) return {view.width() - cube_margin - room, cube_margin, room, room};
+    const double top = view.height() - foot - room;
+    return top < head ? QRectF() : QRectF(cube_margin, top, room, room);
 }
 
 std::vector<CubeFace> cube_in(const QRectF& place, const Camera& camera) {

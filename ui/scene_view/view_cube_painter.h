@@ -12,7 +12,8 @@ class QPainter;
 
 namespace covaria::ui {
 
-/// Where the cube is in a view of this size, in its pixels: on the right, below the colour bar of a map.
+/// Where the cube is in a view of this size, in its pixels: top right; where a map has its colour bar there,
+/// bottom left.
 /// Empty: there is no room.
 QRectF cube_place(QSize view, bool has_map);
 /// The faces turned to the eye.

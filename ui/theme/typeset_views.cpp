@@ -4,8 +4,10 @@
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
 #include <QApplication>
+#include <QHelpEvent>
 #include <QScrollBar>
 #include <QStylePainter>
+#include <QToolTip>
 #include <cmath>
 
 #include "core/text/symbol.h"
@@ -113,6 +115,19 @@ void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     painter->setPen(text_colour(cell));
     draw_typeset(*painter, text, cell.font, area, cell.displayAlignment);
     painter->restore();
+}
+
+bool TypesetDelegate::helpEvent(QHelpEvent* event, QAbstractItemView* view,
+                                const QStyleOptionViewItem& option, const QModelIndex& index) {
+    const QString text = index.data().toString(), help = index.data(Qt::ToolTipRole).toString();
+    QStyleOptionViewItem of_cell = option;
+    initStyleOption(&of_cell, index);
+    const bool is_cut = event->type() == QEvent::ToolTip && !text.isEmpty() && !help.contains(text) &&
+                        sizeHint(of_cell, index).width() > option.rect.width();
+    if (!is_cut) return SteadyDelegate::helpEvent(event, view, option, index);
+    QToolTip::showText(event->globalPos(), help.isEmpty() ? text : text + QStringLiteral("\n\n") + help, view,
+                       option.rect);
+    return true;
 }
 
 QSize TypesetDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {

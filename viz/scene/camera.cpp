@@ -27,12 +27,6 @@ Camera looking_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& up
     return camera;
 }
 
-/// How much taller the picture of a perspective must be: of a box, what is nearest to the eye is drawn
-/// largest.
-double nearer_in_perspective(const Camera& camera, const SceneBounds& bounds) {
-    return tangent_of_view * (bounds.high - bounds.low).dot(camera.direction.cwiseAbs()) / 2;
-}
-
 }  // namespace
 
 std::optional<StandardView> standard_view_from(std::string_view key) {
@@ -101,21 +95,27 @@ Ray ray_through(const Camera& camera, PictureSize size, Pixel pixel) {
 }
 
 Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size, double room) {
-    constexpr double margin = 1.17;  // room for the axis titles, the title line and the caption
-    const Eigen::Vector3d extent = bounds.high - bounds.low;
-    const double width = extent.dot(camera.right().cwiseAbs());
-    const double height = extent.dot(camera.up.cwiseAbs());
-    const double half = std::max(height, width / aspect(size)) / 2;
-    const auto with_room = [room](double pixels) {
-        return pixels / (pixels - 2 * std::min(room, pixels / 4));
+    static constexpr double margin = 1.17;  // room for the axis titles, the title line and the caption
+    const auto room_for = [room](double pixels) {
+        return std::max(margin, pixels / (pixels - 2 * std::min(room, pixels / 4)));
     };
-    const double needed = std::max(height * with_room(std::max(1, size.height)),
-                                   width / aspect(size) * with_room(std::max(1, size.width))) /
-                          2;
+    const double for_height = room_for(std::max(1, size.height)),
+                 for_width = room_for(std::max(1, size.width));
     Camera result = camera;
     result.focal_point = (bounds.low + bounds.high) / 2;
-    result.half_height = half > smallest_half_height ? std::max(margin * half, needed) : 1.0;
-    if (camera.perspective) result.half_height += nearer_in_perspective(result, bounds);
+    result.half_height = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector3d corner(i & 1 ? bounds.high.x() : bounds.low.x(),
+                                     i & 2 ? bounds.high.y() : bounds.low.y(),
+                                     i & 4 ? bounds.high.z() : bounds.low.z());
+        const Eigen::Vector3d d = corner - result.focal_point;
+        // In a perspective, what is nearer to the eye is drawn larger.
+        const double nearer = camera.perspective ? -tangent_of_view * d.dot(camera.direction) : 0.0;
+        const double half = std::max(for_height * std::abs(d.dot(camera.up)),
+                                     for_width * std::abs(d.dot(camera.right())) / aspect(size));
+        result.half_height = std::max(result.half_height, half + nearer);
+    }
+    if (result.half_height <= smallest_half_height) result.half_height = 1.0;
     return result;
 }
 

@@ -58,7 +58,7 @@ private:
     std::optional<ScreenRect> best_place(const LabelRequest& request) const {
         std::optional<ScreenRect> best;
         auto least = request.is_needed ? std::numeric_limits<std::ptrdiff_t>::max() : most_covered + 1;
-        for (double further : {0.0, 0.8, 1.8, 3.0})
+        for (double further : {0.0, 0.8, 1.8, 3.0, 4.5})
             for (const Place& place : places) {
                 const ScreenRect rect =
                     at_place(request, place, request.clearance + further * request.height);

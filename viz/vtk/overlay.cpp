@@ -30,6 +30,8 @@ void Overlay::paint() {
     const std::vector<HeadLine> head =
         head_lines(scene_, view_.layers, view_.ratio, canvas_.size().width, masks_);
     for (const HeadLine& line : head) claim(line.word, line.x, line.y);
+    if (const ScreenRect ground = legend_ground(head, view_.ratio, masks_); ground.width > 0.0)
+        taken_.push_back(ground);  // it would pale what stands beside a short line
     const double bar_top = view_.layers[Layer::map] ? claim_colour_bar() : 0.0;
     paint_caption();
     if (view_.layers[Layer::axes]) paint_scale_bar();

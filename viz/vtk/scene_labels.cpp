@@ -39,6 +39,14 @@ std::vector<ScreenLine> Overlay::what_labels_avoid() const {
     if (view_.layers[Layer::bodies])
         for (const SceneBody& body : scene_.bodies)
             if (body.outline.empty()) add(body.item.position, body.item.position, glyph_extent * body.size);
+    if (view_.layers[Layer::ellipsoids] || view_.layers[Layer::clouds])
+        for (const SceneEllipsoid& ellipsoid : scene_.ellipsoids) {
+            const Eigen::Vector3d longest = ellipsoid.axes.col(0);
+            const double half = longest.norm(), width = ellipsoid.axes.col(1).norm();
+            if (!(half > 0.0)) continue;
+            const Eigen::Vector3d part = longest * std::max(0.0, half - width) / half;
+            add(ellipsoid.item.position - part, ellipsoid.item.position + part, width);
+        }
     if (view_.layers[Layer::axes])
         for (const AxisEdge& edge : axis_edges()) drawn.push_back({edge.from, edge.to, px(thinnest)});
     return drawn;

@@ -24,7 +24,7 @@ const Fields<Certificate>& calibrator_fields() {
                    "certificate and the coverage factor.",
                    Columns<CertifiedLoad>()
                        .choice(&CertifiedLoad::axis, "axis", "axis", "Force or moment.", axis_choices())
-                       .add(&CertifiedLoad::U, "U", "U",
+                       .add(&CertifiedLoad::U, "U", "U, relative",
                             "Relative expanded uncertainty of the load: a ratio, not %.",
                             {.unit = Unit::of("1"), .range = {.low = 0.0, .high = 1.0}})
                        .add(&CertifiedLoad::k, "k", "k", "Coverage factor; empty: 2.",

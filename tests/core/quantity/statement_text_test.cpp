@@ -62,6 +62,12 @@ TEST(StatementText, IsReadAsPeopleNoteIt) {
     EXPECT_EQ(typed("±0.5 um tri"), (TypedStatement{"triangular", 0.5, {}, {}, "um"}));
     EXPECT_EQ(typed("75 nm k = 3 cert"), (TypedStatement{"certificate-k", 75.0, 3.0}));
     EXPECT_NE(objection("rect 0.5 triangular"), "") << "two words";
+    // Digits in groups, as results are written.
+    EXPECT_EQ(typed("0.000 25 um"), (TypedStatement{"standard", 0.00025, {}, {}, "um"}));
+    EXPECT_EQ(typed("U = 12 000 nm, k = 2"), (TypedStatement{"certificate-k", 12000.0, 2.0}));
+    EXPECT_EQ(typed("limits -0.001 5 to 1 000.5"), (TypedStatement{"limits", -0.0015, 1000.5}));
+    EXPECT_EQ(typed("100 101 102").observations.size(), 3u) << "a list is one";
+    EXPECT_NE(objection("1 00 nm"), "");
     EXPECT_EQ(typed("3 s", Unit::of("s")), (TypedStatement{"standard", 3.0})) << "a letter is a unit";
 }
 

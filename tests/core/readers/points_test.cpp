@@ -66,7 +66,7 @@ TEST(ReadPoints, StatedColumnsAndUnit) {
     ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(point_cell(read->assets[0], 0, "name"), SetupCell(std::string("9")));
     EXPECT_EQ(u_cal(read->assets[0], 1), 0.1) << "an expanded uncertainty, k = 2";
-    EXPECT_NE(all_found(*read).find("expanded uncertainty, k = 2"), std::string::npos);
+    EXPECT_NE(all_found(*read).find("(U, k = 2)"), std::string::npos);
     for (const std::vector<std::string>& wrong :
          {std::vector<std::string>{"x", "y"}, {"x", "y", "z", "x"}, {"x", "y", "z", "Uy"}}) {
         const auto refused = read_with("points", "1 2 3 4\n", {.columns = wrong});

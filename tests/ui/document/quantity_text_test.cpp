@@ -29,6 +29,18 @@ TEST(QuantityText, ANumberAloneIsInTheFieldsUnit) {
     EXPECT_EQ(parsed("12mm", "m").unit.text(), "mm");
 }
 
+TEST(QuantityText, DigitsMayStandInGroups) {
+    EXPECT_EQ(parsed("1.000 25 V", "V").value, 1.00025);
+    EXPECT_EQ(parsed("-12 345.678 9 mm", "mm").value, -12345.6789);
+    EXPECT_EQ(parsed("10 000", "mm").value, 10000.0);
+    EXPECT_EQ(parsed("0,000 005 mm", "mm", german).value, 5e-6);
+    EXPECT_EQ(parsed("1.234 567e3 mm", "mm").value, 1234.567);
+    EXPECT_EQ(parsed("1234.5 mm", "mm").value, 1234.5);
+    EXPECT_EQ(parse_number("1.000 25", english), 1.00025);
+    for (const char* wrong : {"1.00 25 mm", "12 34 mm", "1 2", "1.2.3", "10 mm 000", "1.5 300.5 mm"})
+        EXPECT_FALSE(parse_quantity(wrong, Unit::of("mm"), english)) << wrong;
+}
+
 TEST(QuantityText, ReadsTheDecimalMarkOfTheLocale) {
     EXPECT_EQ(parsed("1,5", "mm", german).value, 1.5);
     EXPECT_EQ(parsed("1.5", "mm", german).value, 1.5);

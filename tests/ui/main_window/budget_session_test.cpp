@@ -136,7 +136,7 @@ TEST_F(BudgetSession, GaugeBlockFromNothingToPdfInTwentyActions) {
     QLabel& lines = window_->budget().result_lines();
     EXPECT_TRUE(lines.isVisible());
     EXPECT_TRUE(lines.text().contains(QString::fromUtf8("±"))) << lines.text().toStdString();
-    EXPECT_TRUE(lines.text().contains(QString::fromUtf8("\u00a0=\u00a00.9<")))
+    EXPECT_TRUE(window_->budget().remark().text().contains(QString::fromUtf8("\u00a0=\u00a00.9<")))
         << "the correlation is said, too";
     EXPECT_FALSE(lines.text().contains(QChar(0x202f))) << "a label breaks numbers there";
     settle();
@@ -332,6 +332,7 @@ TEST_F(BudgetSession, AnEquationWithoutItsEndIsIncomplete) {
     EXPECT_TRUE(is_called(QString::fromUtf8("φ = 2*a\ny = φ + sqrt(b"), RunState::incomplete));
     EXPECT_TRUE(is_called(QStringLiteral("y = a b"), RunState::failed));
     EXPECT_TRUE(is_called(QStringLiteral("y = a *\n"), RunState::incomplete));
+    EXPECT_TRUE(is_called(QStringLiteral("y = a * b_2"), RunState::incomplete)) << "names get their rows";
 }
 
 // What was refused and undone leaves no wide column; the window says what was undone.
