@@ -85,7 +85,7 @@ std::string description_of(const ModelDescriptor& model) {
     write_wrapped(out, model.summary, "  ");
     std::vector<std::string> equations;
     for (const ModelEquation& equation : model.equations)
-        equations.push_back(equation.text + "   (" + equation.source + ")");
+        equations.push_back(equation.text.english() + "   (" + equation.source.english() + ")");
     write_list(out, "Equations", equations);
     write_schema(out, model.schema);
     write_list(out, "Notes", model.notes);

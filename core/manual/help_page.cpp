@@ -177,7 +177,8 @@ Result<HelpPage> page_of_model(const ModelDescriptor& model, const DocumentLangu
     FieldWords page_words(page.blocks, id, in);
     if (!model.equations.empty()) page_words.heading(2, in.say(words::equations), "equations-as-evaluated");
     for (const ModelEquation& equation : model.equations)
-        page.blocks.push_back(EquationBlock{equation.text, equation.source, equation.formula});
+        page.blocks.push_back(
+            EquationBlock{in.say(equation.text), in.say(equation.source), equation.formula});
     page_words.fields(model.schema);
     page_words.list(words::notes, model.notes);
     page_words.list(words::references, texts_of(model.references));

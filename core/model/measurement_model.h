@@ -40,8 +40,8 @@ struct Sensitivity {
 using SensitivityRows = std::vector<std::vector<Sensitivity>>;
 
 struct ModelEquation {
-    std::string text;      ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"
-    std::string source;    ///< "Porath et al., Eq. 19, corrected"
+    Message text;          ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"; words in it are told
+    Message source;        ///< "Porath et al., Eq. 19, corrected"
     Formula formula = {};  ///< the same as a formula, where there is one
 };
 

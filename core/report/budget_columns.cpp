@@ -205,7 +205,8 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
         })
         .print_symbol("c_i")
         .window("c", "Sensitivity coefficient, unit of the output quantity per unit of the component")
-        .digits(3)
+        .digits(sensitivity_digits)
+        .no_fewer_digits()
         .with_unit();
     add("sensitivity unit", [](L l) -> Cell { return quotient(l.output.unit, unit_of(l.component)); });
     add("contribution", [](L l) { return interval(l.row.contribution, l.output.unit); })

@@ -29,6 +29,9 @@ IntervalHeads interval_heads(std::optional<double> probability, const DocumentLa
 /// Keys of the columns "U, ... held", one for each contributor.
 std::vector<std::string> contributor_keys(const UncertaintyResult& result);
 
+/// At the least, of sensitivity coefficients: -575 nm/K, whatever the digits of U.
+inline constexpr int sensitivity_digits = 3;
+
 struct BudgetPlace {
     std::size_t output = 0, row = 0;
 };

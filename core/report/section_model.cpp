@@ -15,7 +15,8 @@ void add_model(Blocks& blocks, const ModelDescriptor& model, const DocumentLangu
     blocks.push_back(HeadingBlock{2, in.say_declared(model.title)});
     if (!model.summary.empty()) blocks.push_back(ParagraphBlock{in.say_declared(model.summary)});
     for (const ModelEquation& equation : model.equations)
-        blocks.push_back(EquationBlock{equation.text, of_standard(equation.source) ? equation.source : "",
+        blocks.push_back(EquationBlock{in.say(equation.text),
+                                       of_standard(equation.source.english()) ? in.say(equation.source) : "",
                                        with_numbers(equation.formula, in.numbers())});
 }
 

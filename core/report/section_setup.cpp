@@ -155,7 +155,7 @@ void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     Blocks equations;
     if (evaluated.analysis->model)
         for (const ModelEquation& equation : evaluated.analysis->model->formulas())
-            equations.push_back(EquationBlock{equation.text, equation.source,
+            equations.push_back(EquationBlock{source.in.say(equation.text), source.in.say(equation.source),
                                               with_numbers(equation.formula, source.in.numbers())});
     add_setup_fields(blocks, evaluated.analysis->descriptor->schema, entry->setup, source, equations);
 }

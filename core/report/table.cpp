@@ -167,7 +167,8 @@ Text cell_shown(const Table& table, const Column& column, std::size_t row, const
         const Measured& measured = std::get<Measured>(cell);
         if (measured.per == Unit{}) number = without_residue(*number, measured.in(view.units).unit);
         NumberRule rule = column.rule;
-        if (view.digits > 0 && !rule.typed) rule.digits = view.digits;
+        if (view.digits > 0 && !rule.typed)
+            rule.digits = rule.no_fewer ? std::max(rule.digits, view.digits) : view.digits;
         const NumberPlace place{matched_to(table, column, row, view.units),
                                 largest_of_row(table, column, row, view.units),
                                 form_of(table, column, view.units)};

@@ -53,6 +53,7 @@ struct NumberRule {
     bool typed = false;  ///< every digit that was typed
     bool degrees_of_freedom = false;
     bool percent = false;   ///< a part of one, shown in per cent
+    bool no_fewer = false;  ///< than its own digits, whatever those of U are: it is no uncertainty
     bool of_limit = false;  ///< a part of a limit: what exceeds it is not written as 1
 };
 
@@ -79,6 +80,7 @@ struct Column {
     }
     Column& tip(Message words) { return help = std::move(words), *this; }
     Column& round(NumberRule by) { return rule = std::move(by), *this; }
+    Column& no_fewer_digits() { return rule.no_fewer = true, *this; }
     Column& digits(int significant) { return rule.digits = significant, *this; }
     Column& match(std::string to) { return rule.match = std::move(to), *this; }
     Column& of_row(std::vector<std::string> keys) { return rule.row = std::move(keys), *this; }

@@ -13538,6 +13538,110 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Requirements: %1</source>
         <translation>Requisitos: %1</translation>
     </message>
+    <message>
+        <source>min Σ w (reading − h(X))²</source>
+        <translation>min Σ w (lectura − h(X))²</translation>
+    </message>
+    <message>
+        <source>least squares: R maximises tr(Rᵀ Σ (q_i − q̄) l_iᵀ),  o = q̄ − R l̄</source>
+        <translation>mínimos cuadrados: R maximiza tr(Rᵀ Σ (q_i − q̄) l_iᵀ),  o = q̄ − R l̄</translation>
+    </message>
+    <message>
+        <source>Z = ± √(L₁² − X² − Y²);  no value where the root is negative</source>
+        <translation>Z = ± √(L₁² − X² − Y²);  sin valor donde la raíz es negativa</translation>
+    </message>
+    <message>
+        <source>min Σ w (L_j − |M − KS_j|)², Gauss-Newton from Eqs 1-3</source>
+        <translation>min Σ w (L_j − |M − KS_j|)², Gauss-Newton desde Ecs. 1-3</translation>
+    </message>
+    <message>
+        <source>L_j = |P_i + e_i + R_i (ω_i × t) − KS_j| + reading&apos;s deviation</source>
+        <translation>L_j = |P_i + e_i + R_i (ω_i × t) − KS_j| + desviación de la lectura</translation>
+    </message>
+    <message>
+        <source>n_x, n_y: planes of the arcs by total least squares;  C: sphere through all points</source>
+        <translation>n_x, n_y: planos de los arcos por mínimos cuadrados totales;  C: esfera por todos los puntos</translation>
+    </message>
+    <message>
+        <source>TCP = mean of Rot_iᵀ Fᵀ (M_i − C)</source>
+        <translation>TCP = media de Rot_iᵀ Fᵀ (M_i − C)</translation>
+    </message>
+    <message>
+        <source>JCGM 102 6.2, with all that points and readings share</source>
+        <translation>JCGM 102 6.2, con todo lo que comparten puntos y lecturas</translation>
+    </message>
+    <message>
+        <source>n·p = D with |n| = 1, least sum of squares</source>
+        <translation>n·p = D con |n| = 1, suma de cuadrados mínima</translation>
+    </message>
+    <message>
+        <source>min Σ (|p_j − c| − R)²  in the fitted plane</source>
+        <translation>min Σ (|p_j − c| − R)²  en el plano ajustado</translation>
+    </message>
+    <message>
+        <source>x_i = ± z_{i−1} × z_i/|…|,  O_i: foot of the common perpendicular on axis i + 1</source>
+        <translation>x_i = ± z_{i−1} × z_i/|…|,  O_i: pie de la perpendicular común en el eje i + 1</translation>
+    </message>
+    <message>
+        <source>parallel: O_i in the plane through O_{i−1} normal to z_{i−1},  y_i = z_i × h/|…|,  x_i = y_i × z_i</source>
+        <translation>paralelos: O_i en el plano por O_{i−1} normal a z_{i−1},  y_i = z_i × h/|…|,  x_i = y_i × z_i</translation>
+    </message>
+    <message>
+        <source>S_hc = Σ L d_h/Σ L²  over the increasing readings under load c</source>
+        <translation>S_hc = Σ L d_h/Σ L²  sobre las lecturas crecientes bajo la carga c</translation>
+    </message>
+    <message>
+        <source>V = S L,  L = C V  with  C = S⁻¹</source>
+        <translation>V = S L,  L = C V  con  C = S⁻¹</translation>
+    </message>
+    <message>
+        <source>V_h = Σ_c (S_hc L_c + Q_hc L_c²),  by Newton&apos;s method from L = C V</source>
+        <translation>V_h = Σ_c (S_hc L_c + Q_hc L_c²),  por el método de Newton desde L = C V</translation>
+    </message>
+    <message>
+        <source>V_h = d_h + repeatability + resolution + non-zero + hysteresis</source>
+        <translation>V_h = d_h + repetibilidad + resolución + desviación del cero + histéresis</translation>
+    </message>
+    <message>
+        <source>S_hc = fitted + regression + S_hc δ_c</source>
+        <translation>S_hc = valor ajustado + regresión + S_hc δ_c</translation>
+    </message>
+    <message>
+        <source>d_hij = d′_hij − d_h0j,  d_hi = mean over j,  s_hi,  u_A = max s_hi/√n</source>
+        <translation>d_hij = d′_hij − d_h0j,  d_hi = media sobre j,  s_hi,  u_A = max s_hi/√n</translation>
+    </message>
+    <message>
+        <source>JCGM 100, Eq 1</source>
+        <translation>JCGM 100, Ec. 1</translation>
+    </message>
+    <message>
+        <source>JCGM 100, Eqs H.24, H.25, for groups of any size</source>
+        <translation>JCGM 100, Ecs. H.24, H.25, para grupos de cualquier tamaño</translation>
+    </message>
+    <message>
+        <source>groups included, JCGM 100 H.5.2.3</source>
+        <translation>grupos incluidos, JCGM 100 H.5.2.3</translation>
+    </message>
+    <message>
+        <source>components of variance, Searle et al. 1992</source>
+        <translation>componentes de la varianza, Searle et al. 1992</translation>
+    </message>
+    <message>
+        <source>groups not included, JCGM 100, Eq H.28</source>
+        <translation>grupos no incluidos, JCGM 100, Ec. H.28</translation>
+    </message>
+    <message>
+        <source>JCGM 100, Eq H.12</source>
+        <translation>JCGM 100, Ec. H.12</translation>
+    </message>
+    <message>
+        <source>from the residuals, JCGM 100 H.3.2</source>
+        <translation>de los residuos, JCGM 100 H.3.2</translation>
+    </message>
+    <message>
+        <source>as stated, York et al. 2004</source>
+        <translation>como se indica, York et al. 2004</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -13537,6 +13537,110 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <source>Requirements: %1</source>
         <translation>요구 사항: %1</translation>
     </message>
+    <message>
+        <source>min Σ w (reading − h(X))²</source>
+        <translation>min Σ w (읽음값 − h(X))²</translation>
+    </message>
+    <message>
+        <source>least squares: R maximises tr(Rᵀ Σ (q_i − q̄) l_iᵀ),  o = q̄ − R l̄</source>
+        <translation>최소제곱: R은 tr(Rᵀ Σ (q_i − q̄) l_iᵀ)를 최대로 함,  o = q̄ − R l̄</translation>
+    </message>
+    <message>
+        <source>Z = ± √(L₁² − X² − Y²);  no value where the root is negative</source>
+        <translation>Z = ± √(L₁² − X² − Y²);  근호 안이 음수이면 값 없음</translation>
+    </message>
+    <message>
+        <source>min Σ w (L_j − |M − KS_j|)², Gauss-Newton from Eqs 1-3</source>
+        <translation>min Σ w (L_j − |M − KS_j|)², 식 1-3에서 시작하는 가우스-뉴턴법</translation>
+    </message>
+    <message>
+        <source>L_j = |P_i + e_i + R_i (ω_i × t) − KS_j| + reading&apos;s deviation</source>
+        <translation>L_j = |P_i + e_i + R_i (ω_i × t) − KS_j| + 읽음값의 편차</translation>
+    </message>
+    <message>
+        <source>n_x, n_y: planes of the arcs by total least squares;  C: sphere through all points</source>
+        <translation>n_x, n_y: 전체 최소제곱에 의한 호의 평면;  C: 모든 점을 지나는 구</translation>
+    </message>
+    <message>
+        <source>TCP = mean of Rot_iᵀ Fᵀ (M_i − C)</source>
+        <translation>TCP = Rot_iᵀ Fᵀ (M_i − C)의 평균</translation>
+    </message>
+    <message>
+        <source>JCGM 102 6.2, with all that points and readings share</source>
+        <translation>JCGM 102 6.2, 점과 읽음값이 공유하는 모든 것을 포함</translation>
+    </message>
+    <message>
+        <source>n·p = D with |n| = 1, least sum of squares</source>
+        <translation>n·p = D, |n| = 1, 제곱합 최소</translation>
+    </message>
+    <message>
+        <source>min Σ (|p_j − c| − R)²  in the fitted plane</source>
+        <translation>min Σ (|p_j − c| − R)²  맞춘 평면에서</translation>
+    </message>
+    <message>
+        <source>x_i = ± z_{i−1} × z_i/|…|,  O_i: foot of the common perpendicular on axis i + 1</source>
+        <translation>x_i = ± z_{i−1} × z_i/|…|,  O_i: 축 i + 1 위의 공통 수선의 발</translation>
+    </message>
+    <message>
+        <source>parallel: O_i in the plane through O_{i−1} normal to z_{i−1},  y_i = z_i × h/|…|,  x_i = y_i × z_i</source>
+        <translation>평행: O_i는 O_{i−1}을 지나고 z_{i−1}에 수직인 평면에 있음,  y_i = z_i × h/|…|,  x_i = y_i × z_i</translation>
+    </message>
+    <message>
+        <source>S_hc = Σ L d_h/Σ L²  over the increasing readings under load c</source>
+        <translation>S_hc = Σ L d_h/Σ L²  하중 c에서 증가하는 읽음값에 대해</translation>
+    </message>
+    <message>
+        <source>V = S L,  L = C V  with  C = S⁻¹</source>
+        <translation>V = S L,  L = C V,  C = S⁻¹</translation>
+    </message>
+    <message>
+        <source>V_h = Σ_c (S_hc L_c + Q_hc L_c²),  by Newton&apos;s method from L = C V</source>
+        <translation>V_h = Σ_c (S_hc L_c + Q_hc L_c²),  L = C V에서 시작하는 뉴턴법</translation>
+    </message>
+    <message>
+        <source>V_h = d_h + repeatability + resolution + non-zero + hysteresis</source>
+        <translation>V_h = d_h + 반복성 + 분해능 + 영점 편차 + 히스테리시스</translation>
+    </message>
+    <message>
+        <source>S_hc = fitted + regression + S_hc δ_c</source>
+        <translation>S_hc = 맞춘 값 + 회귀 + S_hc δ_c</translation>
+    </message>
+    <message>
+        <source>d_hij = d′_hij − d_h0j,  d_hi = mean over j,  s_hi,  u_A = max s_hi/√n</source>
+        <translation>d_hij = d′_hij − d_h0j,  d_hi = j에 대한 평균,  s_hi,  u_A = max s_hi/√n</translation>
+    </message>
+    <message>
+        <source>JCGM 100, Eq 1</source>
+        <translation>JCGM 100, 식 1</translation>
+    </message>
+    <message>
+        <source>JCGM 100, Eqs H.24, H.25, for groups of any size</source>
+        <translation>JCGM 100, 식 H.24, H.25, 임의 크기의 그룹에 대해</translation>
+    </message>
+    <message>
+        <source>groups included, JCGM 100 H.5.2.3</source>
+        <translation>그룹 포함, JCGM 100 H.5.2.3</translation>
+    </message>
+    <message>
+        <source>components of variance, Searle et al. 1992</source>
+        <translation>분산 성분, Searle 등 1992</translation>
+    </message>
+    <message>
+        <source>groups not included, JCGM 100, Eq H.28</source>
+        <translation>그룹 불포함, JCGM 100, 식 H.28</translation>
+    </message>
+    <message>
+        <source>JCGM 100, Eq H.12</source>
+        <translation>JCGM 100, 식 H.12</translation>
+    </message>
+    <message>
+        <source>from the residuals, JCGM 100 H.3.2</source>
+        <translation>잔차로부터, JCGM 100 H.3.2</translation>
+    </message>
+    <message>
+        <source>as stated, York et al. 2004</source>
+        <translation>명시된 대로, York 등 2004</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

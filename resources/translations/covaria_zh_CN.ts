@@ -13537,6 +13537,110 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <source>Requirements: %1</source>
         <translation>要求：%1</translation>
     </message>
+    <message>
+        <source>min Σ w (reading − h(X))²</source>
+        <translation>min Σ w (读数 − h(X))²</translation>
+    </message>
+    <message>
+        <source>least squares: R maximises tr(Rᵀ Σ (q_i − q̄) l_iᵀ),  o = q̄ − R l̄</source>
+        <translation>最小二乘：R 使 tr(Rᵀ Σ (q_i − q̄) l_iᵀ) 最大，o = q̄ − R l̄</translation>
+    </message>
+    <message>
+        <source>Z = ± √(L₁² − X² − Y²);  no value where the root is negative</source>
+        <translation>Z = ± √(L₁² − X² − Y²)；根号内为负时无值</translation>
+    </message>
+    <message>
+        <source>min Σ w (L_j − |M − KS_j|)², Gauss-Newton from Eqs 1-3</source>
+        <translation>min Σ w (L_j − |M − KS_j|)²，由式 1-3 起的高斯-牛顿法</translation>
+    </message>
+    <message>
+        <source>L_j = |P_i + e_i + R_i (ω_i × t) − KS_j| + reading&apos;s deviation</source>
+        <translation>L_j = |P_i + e_i + R_i (ω_i × t) − KS_j| + 读数的偏差</translation>
+    </message>
+    <message>
+        <source>n_x, n_y: planes of the arcs by total least squares;  C: sphere through all points</source>
+        <translation>n_x, n_y：由整体最小二乘得到的圆弧平面；C：通过所有点的球</translation>
+    </message>
+    <message>
+        <source>TCP = mean of Rot_iᵀ Fᵀ (M_i − C)</source>
+        <translation>TCP = Rot_iᵀ Fᵀ (M_i − C) 的平均</translation>
+    </message>
+    <message>
+        <source>JCGM 102 6.2, with all that points and readings share</source>
+        <translation>JCGM 102 6.2，计入点与读数的所有共同部分</translation>
+    </message>
+    <message>
+        <source>n·p = D with |n| = 1, least sum of squares</source>
+        <translation>n·p = D，|n| = 1，平方和最小</translation>
+    </message>
+    <message>
+        <source>min Σ (|p_j − c| − R)²  in the fitted plane</source>
+        <translation>min Σ (|p_j − c| − R)²，在拟合平面内</translation>
+    </message>
+    <message>
+        <source>x_i = ± z_{i−1} × z_i/|…|,  O_i: foot of the common perpendicular on axis i + 1</source>
+        <translation>x_i = ± z_{i−1} × z_i/|…|，O_i：公垂线在轴 i + 1 上的垂足</translation>
+    </message>
+    <message>
+        <source>parallel: O_i in the plane through O_{i−1} normal to z_{i−1},  y_i = z_i × h/|…|,  x_i = y_i × z_i</source>
+        <translation>平行时：O_i 在过 O_{i−1} 且垂直于 z_{i−1} 的平面内，y_i = z_i × h/|…|，x_i = y_i × z_i</translation>
+    </message>
+    <message>
+        <source>S_hc = Σ L d_h/Σ L²  over the increasing readings under load c</source>
+        <translation>S_hc = Σ L d_h/Σ L²，对载荷 c 下的递增读数求和</translation>
+    </message>
+    <message>
+        <source>V = S L,  L = C V  with  C = S⁻¹</source>
+        <translation>V = S L，L = C V，其中 C = S⁻¹</translation>
+    </message>
+    <message>
+        <source>V_h = Σ_c (S_hc L_c + Q_hc L_c²),  by Newton&apos;s method from L = C V</source>
+        <translation>V_h = Σ_c (S_hc L_c + Q_hc L_c²)，由 L = C V 起用牛顿法</translation>
+    </message>
+    <message>
+        <source>V_h = d_h + repeatability + resolution + non-zero + hysteresis</source>
+        <translation>V_h = d_h + 重复性 + 分辨力 + 零点偏差 + 滞后</translation>
+    </message>
+    <message>
+        <source>S_hc = fitted + regression + S_hc δ_c</source>
+        <translation>S_hc = 拟合值 + 回归 + S_hc δ_c</translation>
+    </message>
+    <message>
+        <source>d_hij = d′_hij − d_h0j,  d_hi = mean over j,  s_hi,  u_A = max s_hi/√n</source>
+        <translation>d_hij = d′_hij − d_h0j，d_hi = 对 j 的平均，s_hi，u_A = max s_hi/√n</translation>
+    </message>
+    <message>
+        <source>JCGM 100, Eq 1</source>
+        <translation>JCGM 100，式 1</translation>
+    </message>
+    <message>
+        <source>JCGM 100, Eqs H.24, H.25, for groups of any size</source>
+        <translation>JCGM 100，式 H.24、H.25，适用于任意大小的组</translation>
+    </message>
+    <message>
+        <source>groups included, JCGM 100 H.5.2.3</source>
+        <translation>计入组间影响，JCGM 100 H.5.2.3</translation>
+    </message>
+    <message>
+        <source>components of variance, Searle et al. 1992</source>
+        <translation>方差分量，Searle 等 1992</translation>
+    </message>
+    <message>
+        <source>groups not included, JCGM 100, Eq H.28</source>
+        <translation>未计入组间影响，JCGM 100，式 H.28</translation>
+    </message>
+    <message>
+        <source>JCGM 100, Eq H.12</source>
+        <translation>JCGM 100，式 H.12</translation>
+    </message>
+    <message>
+        <source>from the residuals, JCGM 100 H.3.2</source>
+        <translation>由残差，JCGM 100 H.3.2</translation>
+    </message>
+    <message>
+        <source>as stated, York et al. 2004</source>
+        <translation>按所述，York 等 2004</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -299,8 +299,9 @@ QVariant BudgetSheetModel::sensitivity(int row, int role) const {
     const double value = of_result.interval_from_si(of_row.interval_to_si(si));
     if (role == exact_role) return value;
     if (role != Qt::DisplayRole) return {};
-    return to_qt(grouped_digits(format_significant(value, digits_), user_numbers()) +
-                 unit_after_number(quotient(of_result, of_row)));
+    return to_qt(
+        grouped_digits(format_significant(value, std::max(digits_, sensitivity_digits)), user_numbers()) +
+        unit_after_number(quotient(of_result, of_row)));
 }
 
 /// In the row's unit, and written out where the estimate beside it is: 0.000 025 as 50.000 623.

@@ -19,7 +19,7 @@ constexpr double column_gap = 40.0;
 
 /// Equations without a formula are set as the text that they are.
 FormulaPicture picture_of(const ModelEquation& equation, const QFont& font) {
-    if (equation.formula.empty()) return {equation_text(equation.text), font};
+    if (equation.formula.empty()) return {equation_text(to_std(to_qt(equation.text))), font};
     return {with_numbers(equation.formula, user_numbers()), font};
 }
 

@@ -79,13 +79,14 @@ std::vector<ModelEquation> tcp_model_equations() {
              paper + "Eqs 4-7"},
             {"X = (L₁² − L₂² + x₂²)/(2 x₂)", paper + "Eq 1"},
             {"Y = (L₁² − L₃² + x₃² + y₃²)/(2 y₃) − (x₃/y₃) X", paper + "Eq 2, Y_VC3 read as Y_KS3"},
-            {"Z = ± √(L₁² − X² − Y²);  no value where the root is negative", paper + "Eq 3"},
-            {"min Σ w (L_j − |M − KS_j|)², Gauss-Newton from Eqs 1-3", "more than three supports"},
-            {"L_j = |P_i + e_i + R_i (ω_i × t) − KS_j| + reading's deviation", paper + "section 3; ω added"},
-            {"n_x, n_y: planes of the arcs by total least squares;  C: sphere through all points",
+            {tell<"Z = ± √(L₁² − X² − Y²);  no value where the root is negative">(), paper + "Eq 3"},
+            {tell<"min Σ w (L_j − |M − KS_j|)², Gauss-Newton from Eqs 1-3">(), "more than three supports"},
+            {tell<"L_j = |P_i + e_i + R_i (ω_i × t) − KS_j| + reading's deviation">(),
+             paper + "section 3; ω added"},
+            {tell<"n_x, n_y: planes of the arcs by total least squares;  C: sphere through all points">(),
              paper + "section 2.2"},
             {"y = n_y,  z = unit(n_x × y),  x = y × z", "frame, not stated in the paper; \"y first\""},
-            {"TCP = mean of Rot_iᵀ Fᵀ (M_i − C)", paper + "Eq 8, averaged over the points"}};
+            {tell<"TCP = mean of Rot_iᵀ Fᵀ (M_i − C)">(), paper + "Eq 8, averaged over the points"}};
 }
 
 std::vector<std::string> tcp_notes() {

@@ -42,9 +42,9 @@ UncertaintyComponent stated(std::string id, Message name, const Unit& unit, doub
 /// The curve, and what is least for it: by the residuals, or by what is stated of the points.
 const std::vector<ModelEquation>& curve_equations() {
     static const std::vector<ModelEquation> all{
-        {"b(x) = y₁ + y₂ (x − x₀) + y₃ (x − x₀)² + …", "JCGM 100, Eq H.12"},
-        {"min Σ (y_i − b(x_i))²", "from the residuals, JCGM 100 H.3.2"},
-        {"min Σ (y_i − b(ξ_i))²/u²(y_i) + (x_i − ξ_i)²/u²(x_i)", "as stated, York et al. 2004"}};
+        {"b(x) = y₁ + y₂ (x − x₀) + y₃ (x − x₀)² + …", tell<"JCGM 100, Eq H.12">()},
+        {"min Σ (y_i − b(x_i))²", tell<"from the residuals, JCGM 100 H.3.2">()},
+        {"min Σ (y_i − b(ξ_i))²/u²(y_i) + (x_i − ξ_i)²/u²(x_i)", tell<"as stated, York et al. 2004">()}};
     return all;
 }
 

@@ -216,7 +216,7 @@ ModelDescriptor measurement_equation_model() {
         "Any measurement equation with what is known about its quantities: several results, intermediate "
         "definitions, conditions, and equations that are solved in every trial.";
     d.references = {{"JCGM 100:2008 (GUM)"}, {"JCGM 101:2008, JCGM 102:2011"}, {"EA-4/02 M:2022"}};
-    d.equations = {{"Y = f(X₁, …, X_N)", "JCGM 100, Eq 1"}, {"h(Y, X₁, …, X_N) = 0", "JCGM 102 6.3"}};
+    d.equations = {{"Y = f(X₁, …, X_N)", tell<"JCGM 100, Eq 1">()}, {"h(Y, X₁, …, X_N) = 0", "JCGM 102 6.3"}};
     d.notes = equation_notes();
     d.help_page = "equation.md";
     d.example = "gum/h1-end-gauge.covaria";

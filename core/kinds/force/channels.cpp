@@ -87,7 +87,7 @@ std::unique_ptr<MeasurementModel> create_channels(const SetupReader& reader, con
 std::vector<ModelEquation> channel_equations() {
     const std::string paper = "Kim, ";
     return {
-        {"d_hij = d′_hij − d_h0j,  d_hi = mean over j,  s_hi,  u_A = max s_hi/√n", paper + "Eqs 1-4"},
+        {tell<"d_hij = d′_hij − d_h0j,  d_hi = mean over j,  s_hi,  u_A = max s_hi/√n">(), paper + "Eqs 1-4"},
         {"u_CM = U_CM d_R/k,  u_r = r/√12,  u_z = |d_f − d_0|/√12", paper + "Eqs 5-7"},
         {"u_B² = u_CM² + u_r² + u_z²,  u_c² = u_A² + u_B²", paper + "Eqs 8, 9"},
         {"U = u_hys + u_int + k u_c", paper + "Eqs 10-12, the evaluation beside this one"},

@@ -123,12 +123,14 @@ std::unique_ptr<MeasurementModel> create_loads(const SetupReader& reader, const 
 }
 
 std::vector<ModelEquation> load_equations() {
-    return {{"S_hc = Σ L d_h/Σ L²  over the increasing readings under load c", "least squares through zero"},
-            {"V = S L,  L = C V  with  C = S⁻¹", "calibration matrix; not in Kim"},
-            {"V_h = Σ_c (S_hc L_c + Q_hc L_c²),  by Newton's method from L = C V", "with quadratic terms"},
-            {"V_h = d_h + repeatability + resolution + non-zero + hysteresis",
+    return {{tell<"S_hc = Σ L d_h/Σ L²  over the increasing readings under load c">(),
+             "least squares through zero"},
+            {tell<"V = S L,  L = C V  with  C = S⁻¹">(), "calibration matrix; not in Kim"},
+            {tell<"V_h = Σ_c (S_hc L_c + Q_hc L_c²),  by Newton's method from L = C V">(),
+             "with quadratic terms"},
+            {tell<"V_h = d_h + repeatability + resolution + non-zero + hysteresis">(),
              "Kim, Eqs 3, 6, 7, 10, of one reading"},
-            {"S_hc = fitted + regression + S_hc δ_c",
+            {tell<"S_hc = fitted + regression + S_hc δ_c">(),
              "δ_c: relative deviation of the machine's load on c, Kim, Eq 5"},
             {"L_h,0 = V_h/S_hh", "without compensation"}};
 }

@@ -17,12 +17,12 @@ using group_observations::Variances;
 const std::vector<ModelEquation>& group_equations() {
     static const std::vector<ModelEquation> all{
         {"s_a² = Σ n_j (V̄_j − V̄)²/(J − 1),  s_b² = Σ (V_jk − V̄_j)²/(N − J)",
-         "JCGM 100, Eqs H.24, H.25, for groups of any size"},
-        {"u²(V̄) = s²(V̄_j)/J,  ν = J − 1", "groups included, JCGM 100 H.5.2.3"},
+         tell<"JCGM 100, Eqs H.24, H.25, for groups of any size">()},
+        {"u²(V̄) = s²(V̄_j)/J,  ν = J − 1", tell<"groups included, JCGM 100 H.5.2.3">()},
         {"u²(V̄) = 1/Σ w_j,  1/w_j = s_B² + s_b²/n_j,  s_B² = (s_a² − s_b²)/n_0",
-         "components of variance, Searle et al. 1992"},
+         tell<"components of variance, Searle et al. 1992">()},
         {"u²(V̄) = ((J − 1) s_a² + (N − J) s_b²)/(N (N − 1)),  ν = N − 1",
-         "groups not included, JCGM 100, Eq H.28"}};
+         tell<"groups not included, JCGM 100, Eq H.28">()}};
     return all;
 }
 

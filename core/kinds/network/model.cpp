@@ -151,7 +151,7 @@ std::vector<ModelEquation> network_equations() {
             {"U_X = (MᵀW M)⁻¹", paper + "Eq 5: readings alone"},
             {"C_X = A (Σ_readings + F Fᵀ) Aᵀ,  A = (JᵀW J)⁻¹ JᵀW",
              "law of propagation with the stations, F: shared"},
-            {"min Σ w (reading − h(X))²", "non-linear least squares, Gauss-Newton method"},
+            {tell<"min Σ w (reading − h(X))²">(), "non-linear least squares, Gauss-Newton method"},
             {"Δ = |X_b − X_a| − L", "a calibrated length as check; as constraint L is one more reading"}};
 }
 

@@ -71,7 +71,7 @@ std::vector<ModelEquation> pose_equations() {
             {"R = R_bᵀ R_p", paper + "Eq 20, corrected"},
             {"α = atan2(r₃₂, r₃₃),  β = atan2(−r₃₁, √(r₁₁² + r₂₁²)),  γ = atan2(r₂₁, r₁₁)",
              paper + "Eqs 21-23, corrected"},
-            {"least squares: R maximises tr(Rᵀ Σ (q_i − q̄) l_iᵀ),  o = q̄ − R l̄",
+            {tell<"least squares: R maximises tr(Rᵀ Σ (q_i − q̄) l_iᵀ),  o = q̄ − R l̄">(),
              "orthogonal Procrustes problem, closed form: B. K. P. Horn (1987)"}};
 }
 

@@ -86,7 +86,7 @@ std::vector<ModelEquation> calibration_equations() {
             {"min Σ_k (p_k,meas − p_k)ᵀ W_k (p_k,meas − p_k)",
              "weighted least squares, W from the uncertainties"},
             {"v ← v + G (p_meas − p(v)),  G = (Aᵀ W A)⁻¹ Aᵀ W", "in each trial, A = ∂p/∂v at the estimates"},
-            {"U_v = G U_p Gᵀ", "JCGM 102 6.2, with all that points and readings share"},
+            {"U_v = G U_p Gᵀ", tell<"JCGM 102 6.2, with all that points and readings share">()},
             {"|r_i|/u(r_i) > Φ⁻¹(1 − 0.05/(2 n))", "outlier test of residual i among n"},
             {"E_n = |p_calc − p_meas|/U", "check poses, held back from the fit"}};
 }

@@ -65,17 +65,19 @@ std::unique_ptr<MeasurementModel> create_circle_points(const SetupReader& reader
 
 std::vector<ModelEquation> circle_equations() {
     const std::string paper = "Wen et al., ";
-    return {
-        {"n·p = D with |n| = 1, least sum of squares",
-         "total least squares; offered beside it: " + paper + "Eqs 1-3"},
-        {"min Σ (|p_j − c| − R)²  in the fitted plane", paper + "Eq 4, corrected: the bracket is squared"},
-        {"x_i = ± z_{i−1} × z_i/|…|,  O_i: foot of the common perpendicular on axis i + 1", paper + "2.1.3"},
-        {"parallel: O_i in the plane through O_{i−1} normal to z_{i−1},  y_i = z_i × h/|…|,  x_i = y_i × z_i",
-         paper + "2.1.3, corrected"},
-        {"theta = atan2(m_21, m_11),  alpha = atan2(m_32, m_33)", "from Eq 5, axes not parallel"},
-        {"theta = atan2(−m_12, m_22),  alpha = asin m_32,  beta = atan2(−m_31, m_33)",
-         "from Eq 5, parallel axes"},
-        {"a = m_14 cos theta + m_24 sin theta,  d = m_34", "from Eq 5"}};
+    return {{tell<"n·p = D with |n| = 1, least sum of squares">(),
+             "total least squares; offered beside it: " + paper + "Eqs 1-3"},
+            {tell<"min Σ (|p_j − c| − R)²  in the fitted plane">(),
+             paper + "Eq 4, corrected: the bracket is squared"},
+            {tell<"x_i = ± z_{i−1} × z_i/|…|,  O_i: foot of the common perpendicular on axis i + 1">(),
+             paper + "2.1.3"},
+            {tell<"parallel: O_i in the plane through O_{i−1} normal to z_{i−1},  y_i = z_i × h/|…|,  x_i = "
+                  "y_i × z_i">(),
+             paper + "2.1.3, corrected"},
+            {"theta = atan2(m_21, m_11),  alpha = atan2(m_32, m_33)", "from Eq 5, axes not parallel"},
+            {"theta = atan2(−m_12, m_22),  alpha = asin m_32,  beta = atan2(−m_31, m_33)",
+             "from Eq 5, parallel axes"},
+            {"a = m_14 cos theta + m_24 sin theta,  d = m_34", "from Eq 5"}};
 }
 
 std::vector<std::string> circle_notes() {
