@@ -153,7 +153,7 @@ TEST(BudgetTableModel, ShowsComponentsAndContributions) {
     EXPECT_EQ(cell(model, 1, "Type"), "A");
     EXPECT_EQ(cell(model, 0, "Share / %"), "80.0");
     EXPECT_EQ(cell(model, 0, QString::fromUtf8("|c|·u / mm")), "0.0040");
-    EXPECT_EQ(cell(model, 0, "c"), QString::fromUtf8("0.0020\u00a0mm/µm"));
+    EXPECT_EQ(cell(model, 0, "c"), QString::fromUtf8("0.002\u202f00\u00a0mm/µm"));
     EXPECT_EQ(cell(model, 0, "Origin"), "certificate");
     model.set_result(sample_result(), 7, true);
     EXPECT_EQ(model.rowCount(), 0);
