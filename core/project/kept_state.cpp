@@ -27,6 +27,13 @@ void link_as(std::vector<Entry>& entries, const std::vector<Entry>& linked) {
     }
 }
 
+/// Of what the analysis uses, and of itself.
+std::vector<std::size_t> entries_of(const EntryGraph& graph, std::size_t analysis) {
+    std::vector<std::size_t> entries = graph.used_by(graph.number_of_analysis(analysis));
+    entries.push_back(graph.number_of_analysis(analysis));
+    return entries;
+}
+
 /// In the place of the one with its id, else behind the others.
 template <class Entry>
 void put(std::vector<Entry>& entries, const Entry& entry) {
@@ -57,9 +64,27 @@ KeptState state_to_keep(const Project& project, const std::string& analysis, con
 KeptState state_of_other(const Project& project, const std::string& other, const std::string& other_name,
                          const std::string& analysis, const std::string& at) {
     KeptState state = state_to_keep(project, analysis, at);
-    state.other = other;
-    state.other_name = other_name;
-    return state;
+    const auto compared = std::ranges::find(project.analyses, other, &AnalysisEntry::id);
+    if (compared == project.analyses.end()) return state;
+    // Of a project of somebody else, no more than the numbers need.
+    auto part = std::make_shared<Project>(*state.project);
+    part->assets.clear();
+    part->analyses.clear();
+    const auto number = static_cast<std::size_t>(compared - project.analyses.begin());
+    for (const std::size_t entry : entries_of(EntryGraph(project), number)) {
+        if (entry < project.assets.size())
+            part->assets.push_back(state.project->assets[entry]);
+        else
+            part->analyses.push_back(state.project->analyses[entry - project.assets.size()]);
+    }
+    for (AnalysisEntry& entry : part->analyses) {
+        entry.studies.clear();
+        entry.designs.clear();
+        entry.views.clear();
+        entry.quantity_notes.clear();
+        entry.notes.clear();
+    }
+    return {analysis, at, std::move(part), other, other_name};
 }
 
 const KeptState* find_kept(const std::vector<KeptState>& kept, const std::string& analysis) {
@@ -87,12 +112,9 @@ void go_back(Project& project, const KeptState& state) {
     auto analyses = before->analyses;
     link_as(assets, project.assets);
     link_as(analyses, project.analyses);
-    const EntryGraph graph(*before);
     const auto number = static_cast<std::size_t>(analysis - before->analyses.begin());
-    std::vector<std::size_t> entries = graph.used_by(graph.number_of_analysis(number));
-    entries.push_back(graph.number_of_analysis(number));
-    for (const std::size_t entry : entries) {
-        if (graph.is_asset(entry))
+    for (const std::size_t entry : entries_of(EntryGraph(*before), number)) {
+        if (entry < assets.size())
             put(project.assets, assets[entry]);
         else
             put(project.analyses, analyses[entry - assets.size()]);

@@ -92,6 +92,10 @@ private:
             state.directory = context_.directory;
             read_evaluated(of_state, state);
             of_state.refuse_unknown_keys();
+            if (other.empty() != other_name.empty() || (!other.empty() && !state.find_analysis(other)))
+                context_.problems.error(
+                    of_state.path_of("other"),
+                    tell<"it must be an analysis of the kept state and have a name (otherName)">());
             if (find_kept(project.kept, analysis))
                 context_.problems.error(
                     of_state.path_of("analysis"),

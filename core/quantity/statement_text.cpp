@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/quantity/statement.h"
+#include "core/text/digit_groups.h"
 #include "core/text/numbers.h"
 
 namespace covaria {
@@ -116,22 +117,13 @@ private:
     }
 
     void number(std::string_view rest) {
-        std::size_t length = 0;
         bool point = false;
-        std::size_t run = 0;  // digits since the begin, the point or the group before
-        while (length < rest.size()) {
-            const std::size_t group =
-                run == 3 || (!point && run > 0 && run < 3) ? group_at(rest, length, point) : 0;
-            if (is_digit(rest[length])) {
-                ++run;
-            } else if (is_point(rest[length]) && !point) {
-                point = true;
-                run = 0;
-            } else if (group > 0) {
-                run = 0;
-            } else {
-                break;
-            }
+        std::size_t length = groups_ ? length_in_groups(rest) : 0;
+        if (!comma_ && rest.substr(0, length).find(',') != std::string_view::npos) length = 0;
+        const bool is_plain = length == 0;
+        while (is_plain && length < rest.size() &&
+               (is_digit(rest[length]) || (is_point(rest[length]) && !point))) {
+            point = point || is_point(rest[length]);
             ++length;
         }
         if (length < rest.size() && (rest[length] == 'e' || rest[length] == 'E')) {
@@ -142,8 +134,7 @@ private:
                 length = end;
             }
         }
-        std::string digits(rest.substr(0, length));
-        std::erase(digits, ' ');
+        std::string digits = without_group_spaces(rest.substr(0, length));
         std::replace(digits.begin(), digits.end(), ',', '.');
         double value = 0.0;
         const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -154,16 +145,6 @@ private:
         at_ += length;
         all_.push_back({std::string(rest.substr(0, length)),
                         good ? std::optional(minus ? -value : value) : std::nullopt});
-    }
-
-    /// Digits of a group that begins behind a space: three, or what is left of them behind the point.
-    std::size_t group_at(std::string_view text, std::size_t space, bool behind_point) const {
-        std::size_t end = space + 1;
-        while (end < text.size() && is_digit(text[end])) ++end;
-        const std::size_t digits = end - space - 1;
-        const bool is_group =
-            groups_ && text[space] == ' ' && (digits == 3 || (behind_point && digits > 0 && digits < 3));
-        return is_group ? digits : 0;
     }
 
     bool comma_, groups_;
@@ -382,6 +363,8 @@ private:
                                      : tell<"the second figure has no unit">());
         if (notation.second == "+" && !b.unit)
             return not_read(tell<"the further part is one in %: write MPE 3 + 0.1 %">());
+        if (notation.second == "n" && second_.empty())
+            return not_read(tell<"a figure is missing: it is noted as %1">(example(notation)));
         // An expanded uncertainty with two bare figures says neither k nor p.
         if ((notation.second == "k") && second_.empty())
             return not_read(tell<"say which it is: k = ... or p = ... %">());
@@ -422,10 +405,18 @@ private:
 Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, bool decimal_comma,
                                       const WordOf& word) {
     const std::string english = word ? in_english(text, word) : std::string(text);
-    auto read = StatementReader(english, unit, decimal_comma, false).run();
-    if (read) return read;
-    // What makes no sense as several figures may be one in groups.
-    auto grouped = StatementReader(english, unit, decimal_comma, true).run();
+    const auto read_with = [&](bool groups) {
+        return StatementReader(english, unit, decimal_comma, groups).run();
+    };
+    // Between semicolons blanks can only part groups. Else figures in groups are what makes no sense as
+    // several, if a word or a unit says what they are: "100 101" alone may be two readings.
+    if (english.find(';') != std::string::npos)
+        if (auto read = read_with(true)) return read;
+    auto read = read_with(false);
+    const bool has_words =
+        std::ranges::any_of(english, [](unsigned char c) { return c >= 128 || std::isalpha(c) || c == '%'; });
+    if (read || !has_words) return read;
+    auto grouped = read_with(true);
     return grouped ? grouped : read;
 }
 

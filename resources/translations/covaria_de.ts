@@ -13642,6 +13642,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>as stated, York et al. 2004</source>
         <translation>wie angegeben, York et al. 2004</translation>
     </message>
+    <message>
+        <source>it must be an analysis of the kept state and have a name (otherName)</source>
+        <translation>es muss eine Analyse des gemerkten Stands sein und einen Namen haben (otherName)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14513,8 +14517,8 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Vorher: %1 (%2), übernommen %3. </translation>
     </message>
     <message>
-        <source>Makes the analysis, and what it uses, what they were when the results were kept; can be undone</source>
-        <translation>Macht die Analyse und was sie verwendet zu dem, was sie waren, als die Ergebnisse gemerkt wurden; lässt sich rückgängig machen</translation>
+        <source>Makes the analysis, and what it uses, what they were when the results were kept, and the coverage factor of the project; can be undone</source>
+        <translation>Macht die Analyse und was sie verwendet zu dem, was sie waren, als die Ergebnisse gemerkt wurden, auch den Erweiterungsfaktor des Projekts; lässt sich rückgängig machen</translation>
     </message>
 </context>
 <context>

@@ -13642,6 +13642,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>as stated, York et al. 2004</source>
         <translation>como se indica, York et al. 2004</translation>
     </message>
+    <message>
+        <source>it must be an analysis of the kept state and have a name (otherName)</source>
+        <translation>debe ser un análisis del estado conservado y tener un nombre (otherName)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14513,8 +14517,8 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Antes: %1 (%2), tomado a las %3. </translation>
     </message>
     <message>
-        <source>Makes the analysis, and what it uses, what they were when the results were kept; can be undone</source>
-        <translation>Devuelve el análisis y lo que usa a lo que eran cuando se conservaron los resultados; se puede deshacer</translation>
+        <source>Makes the analysis, and what it uses, what they were when the results were kept, and the coverage factor of the project; can be undone</source>
+        <translation>Devuelve el análisis, lo que usa y el factor de cobertura del proyecto a lo que eran cuando se conservaron los resultados; se puede deshacer</translation>
     </message>
 </context>
 <context>

@@ -13641,6 +13641,10 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <source>as stated, York et al. 2004</source>
         <translation>명시된 대로, York 등 2004</translation>
     </message>
+    <message>
+        <source>it must be an analysis of the kept state and have a name (otherName)</source>
+        <translation>보관된 상태의 분석이어야 하고 이름(otherName)이 있어야 합니다</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14512,8 +14516,8 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <translation>이전: %1 (%2), %3에 가져옴. </translation>
     </message>
     <message>
-        <source>Makes the analysis, and what it uses, what they were when the results were kept; can be undone</source>
-        <translation>분석과 그것이 사용하는 것을 결과를 보관했을 때의 상태로 되돌립니다. 실행 취소할 수 있습니다</translation>
+        <source>Makes the analysis, and what it uses, what they were when the results were kept, and the coverage factor of the project; can be undone</source>
+        <translation>분석과 그것이 사용하는 것, 프로젝트의 포함 인자를 결과를 보관했을 때의 상태로 되돌립니다. 실행 취소할 수 있습니다</translation>
     </message>
 </context>
 <context>

@@ -13642,6 +13642,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>as stated, York et al. 2004</source>
         <translation>como declarado, York et al. 2004</translation>
     </message>
+    <message>
+        <source>it must be an analysis of the kept state and have a name (otherName)</source>
+        <translation>deve ser uma análise do estado mantido e ter um nome (otherName)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14513,8 +14517,8 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Antes: %1 (%2), tomado às %3. </translation>
     </message>
     <message>
-        <source>Makes the analysis, and what it uses, what they were when the results were kept; can be undone</source>
-        <translation>Faz a análise e o que ela usa voltarem ao que eram quando os resultados foram mantidos; pode ser desfeito</translation>
+        <source>Makes the analysis, and what it uses, what they were when the results were kept, and the coverage factor of the project; can be undone</source>
+        <translation>Faz a análise, o que ela usa e o fator de abrangência do projeto voltarem ao que eram quando os resultados foram mantidos; pode ser desfeito</translation>
     </message>
 </context>
 <context>

@@ -13641,6 +13641,10 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <source>as stated, York et al. 2004</source>
         <translation>按所述，York 等 2004</translation>
     </message>
+    <message>
+        <source>it must be an analysis of the kept state and have a name (otherName)</source>
+        <translation>它必须是所保留状态中的一个分析并有名称 (otherName)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -14512,8 +14516,8 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <translation>之前：%1（%2），取自 %3。 </translation>
     </message>
     <message>
-        <source>Makes the analysis, and what it uses, what they were when the results were kept; can be undone</source>
-        <translation>使分析及其所用的内容恢复到保留结果时的样子；可以撤销</translation>
+        <source>Makes the analysis, and what it uses, what they were when the results were kept, and the coverage factor of the project; can be undone</source>
+        <translation>使分析、其所用的内容和项目的包含因子恢复到保留结果时的样子；可以撤销</translation>
     </message>
 </context>
 <context>

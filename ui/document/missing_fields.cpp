@@ -120,8 +120,8 @@ std::optional<MissingField> next(const Project& project, const Problems& all, co
         const FieldSpec* field = find_schema(project, address)->find(field_in(problem.path, entry));
         const SetupValue& value = value_of(*field, *setup_of(project, address));
         const bool is_table = std::holds_alternative<SetupTable>(value);  // of which a cell is empty
-        const bool is_begun = is_table || field->several_lines;
-        if (is_begun || is_empty(value) || setup_of(project, address)->values.empty())
+        const bool has_place = is_table || field->several_lines;
+        if (has_place || is_empty(value) || setup_of(project, address)->values.empty())
             return MissingField{field->title, problem.path};
         const std::string& id = std::get<std::string>(value);
         for (const SetupAddress& used : {SetupAddress{SetupOwner::asset, id}, {SetupOwner::analysis, id}})

@@ -4,30 +4,26 @@
 #include <QRegularExpression>
 #include <cmath>
 
+#include "core/text/digit_groups.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
 namespace {
 
-/// "1.000 25 V" as "1.00025 V": digits in groups of three, as results are written, by spaces of any kind.
-QString without_groups(const QString& text) {
-    static const QRegularExpression grouped(
-        QStringLiteral("^([+\\-−]?\\d{1,3}(?:[ \u00a0\u202f\u2009]\\d{3})*|[+\\-−]?\\d*)"
-                       "((?:[.,](?:\\d{3}[ \u00a0\u202f\u2009])*\\d{1,3})?)(?![\\d.,])"));
-    const QRegularExpressionMatch match = grouped.match(text);
-    if (!match.hasMatch()) return text;
-    static const QRegularExpression space(QStringLiteral("[ \u00a0\u202f\u2009]"));
-    return match.captured().remove(space) + text.sliced(match.capturedLength());
-}
-
 QString plain_number(QString text) {
-    text = without_groups(with_plain_exponent(text).trimmed()).replace(QChar(0x2212), '-');
+    text = with_plain_exponent(text).trimmed().replace(QChar(0x2212), '-');
     for (const char16_t space : {u'\u00a0', u'\u202f', u'\u2009'}) text.remove(QChar(space));
     return text;
 }
 
 }  // namespace
+
+QString without_groups(const QString& text) {
+    const std::string typed = to_std(text);
+    const std::size_t length = length_in_groups(typed);
+    return length == 0 ? text : to_qt(without_group_spaces(typed.substr(0, length)) + typed.substr(length));
+}
 
 QString with_plain_exponent(QString text) {
     static const QString figures = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");

@@ -14,6 +14,9 @@ namespace covaria::ui {
 /// "6.1×10⁻⁵" with its power of ten as programs write it: "6.1e-5"; other texts as they are.
 QString with_plain_exponent(QString text);
 
+/// "1.000 25 V" as "1.00025 V": the number at its begin without the spaces between its groups of digits.
+QString without_groups(const QString& text);
+
 /// A number in the locale's writing, or with a decimal point, powers of ten in either form; no digit
 /// grouping. Empty: not a number.
 std::optional<double> parse_number(const QString& text, const QLocale& locale);

@@ -89,7 +89,8 @@ StepsTaken FirstStepsGuide::taken() const {
         taken.has_requirement = !entry->requirements.empty();
     }
     taken.seen_chart = taken.has_result && is_seen(parts_.results, "contributions_chart");
-    taken.kept = parts_.results.compare_tab().kept().find(id) != nullptr;
+    const KeptResult* kept = parts_.results.compare_tab().kept().find(id);
+    taken.kept = kept && kept->state.other.empty();
     taken.seen_report = is_seen(parts_.results, "report_pages") && parts_.results.report().page_count() > 0;
     taken.exported = exported_;
     return taken;

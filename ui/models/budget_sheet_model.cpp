@@ -495,7 +495,7 @@ bool BudgetSheetModel::setData(const QModelIndex& index, const QVariant& value, 
     const QString text = value.toString();
     if (is_new_row(index.row()) && text.trimmed().isEmpty()) return false;
     if (index.column() == u) return state_u(index.row(), text);
-    const bool bare = text.trimmed().isEmpty() || parse_number(text, QLocale());
+    const bool bare = text.trimmed().isEmpty() || parse_number(without_groups(text.trimmed()), QLocale());
     typed_with_unit_ = index.column() == estimate && !bare ? index.row() : -1;
     write(index.row(), index.column(), text, next_step());
     if (index.column() == unit) read_again(index.row());

@@ -233,7 +233,7 @@ int SetupTableModel::take(const Marks& marks) {
 std::map<int, SetupTableModel::TypedCell> SetupTableModel::cells_of_value(int row,
                                                                           const QString& text) const {
     const auto at = [this](const char* key) { return static_cast<int>(SetupSchema::column(*field(), key)); };
-    const QString trimmed = text.trimmed();
+    const QString trimmed = without_groups(text.trimmed());
     qsizetype digits = trimmed.size();
     while (digits > 0 && !parse_number(trimmed.left(digits), QLocale())) --digits;
     const QString behind = trimmed.mid(digits).trimmed();

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/made/load_project.h"
 #include "core/report/comparison_columns.h"
@@ -44,8 +45,11 @@ QString time_of(const KeptResult& kept) {
                                              : locale.toString(at, QLocale::ShortFormat);
 }
 
-QString name_of(const AnalysisEntry& entry) {
-    return to_qt(entry.name.empty() ? entry.id : entry.name);
+/// With its id where another one is called so, too.
+QString name_among(const std::vector<AnalysisEntry>& all, const AnalysisEntry& entry) {
+    if (entry.name.empty()) return to_qt(entry.id);
+    const bool is_unique = std::ranges::count(all, entry.name, &AnalysisEntry::name) == 1;
+    return to_qt(is_unique ? entry.name : entry.name + " (" + entry.id + ")");
 }
 
 }  // namespace
@@ -86,9 +90,9 @@ void CompareTab::make_actions() {
         return made;
     };
     keep_ = action({}, "keep_before", {});  // as `update_actions` says it
-    go_back_ = action(
-        tr("Go Back to Kept State"), "go_back",
-        tr("Makes the analysis, and what it uses, what they were when the results were kept; can be undone"));
+    go_back_ = action(tr("Go Back to Kept State"), "go_back",
+                      tr("Makes the analysis, and what it uses, what they were when the results were kept, "
+                         "and the coverage factor of the project; can be undone"));
     discard_ = action(tr("Discard Kept State"), "discard_kept",
                       tr("Forgets the kept results; the project stays as it is now"));
     go_back_->setIconText(tr("Go Back to Kept"));  // on the buttons
@@ -183,7 +187,7 @@ void CompareTab::list_others() {
     others_->clear();
     for (const AnalysisEntry& entry : document_.project().analyses) {
         if (entry.id == to_std(selection_.analysis())) continue;
-        const QString name = name_of(entry);
+        const QString name = name_among(document_.project().analyses, entry);
         others_->addAction(QString(name).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
                            [this, id = entry.id, name] {
                                finish_typing();
@@ -205,7 +209,7 @@ void CompareTab::compare_with_file() {
         return;
     }
     QStringList names;
-    for (const AnalysisEntry& entry : all) names << name_of(entry);
+    for (const AnalysisEntry& entry : all) names << name_among(all, entry);
     if (names.isEmpty()) {
         emit message(tr("%1 has no analysis.").arg(QFileInfo(file).fileName()));
         return;

@@ -43,8 +43,9 @@ void UnitButton::fill() {
     }
     menu()->addAction(tr("As the Model Gives Them"), this, &UnitButton::clear);
     // What is chosen here is of the window, unless the project states a unit already.
-    const DisplayUnits shown = units();
     const DisplayUnits& stated = document_.project().results.style.units;
+    DisplayUnits shown = stated;
+    for (const Unit& unit : shown_) shown.choose(units().of(unit));
     QAction* documents = menu()->addAction(tr("In Reports and Files Too"), this,
                                            [this, shown] { state(tr("Change unit of results"), shown); });
     documents->setToolTip(

@@ -359,10 +359,10 @@ std::function<Result<Scene>()> ScenePanel::scene_to_build(const AnalysisStatus& 
             said = to_std(reservation(status))]() -> Result<Scene> {
         std::optional<ResultComparison> compared;
         if (before && result) compared = compare_results(before, result);
-        SceneOptions options = wanted;
+        SceneOptions with_verdicts = wanted;
         const AnalysisEntry* entry = made->project().find_analysis(id);
-        if (result && entry) options.verdicts = judge(*result, *entry);
-        auto scene = analysis_scene(*prepared, result.get(), options, compared ? &*compared : nullptr);
+        if (result && entry) with_verdicts.verdicts = judge(*result, *entry);
+        auto scene = analysis_scene(*prepared, result.get(), with_verdicts, compared ? &*compared : nullptr);
         if (!scene || !result) return scene;
         return remarked(*std::move(scene), said);
     };

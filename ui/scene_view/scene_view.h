@@ -130,8 +130,8 @@ private:
     /// The one that the pointer is or was at, else the one selected.
     QString item_with_handles() const;
     std::optional<std::uint64_t> trial_under(QPointF position) const;
-    /// A ring around its dot in every cloud.
     void paint_picture(QPainter& painter) const;
+    /// A ring around its dot in every cloud.
     void paint_trial(QPainter& painter, std::uint64_t trial) const;
     void bring_item_to(QPointF position, Qt::KeyboardModifiers keys);
     void move_item_to(QPointF position, bool snaps);

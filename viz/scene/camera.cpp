@@ -94,6 +94,14 @@ Ray ray_through(const Camera& camera, PictureSize size, Pixel pixel) {
     return {at, (at - eye).normalized()};
 }
 
+std::array<Eigen::Vector3d, 8> corners_of(const SceneBounds& bounds) {
+    std::array<Eigen::Vector3d, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] = {i & 1 ? bounds.high.x() : bounds.low.x(), i & 2 ? bounds.high.y() : bounds.low.y(),
+                      i & 4 ? bounds.high.z() : bounds.low.z()};
+    return corners;
+}
+
 Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size, double room) {
     static constexpr double margin = 1.17;  // room for the axis titles, the title line and the caption
     const auto room_for = [room](double pixels) {
@@ -104,10 +112,7 @@ Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size,
     Camera result = camera;
     result.focal_point = (bounds.low + bounds.high) / 2;
     result.half_height = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        const Eigen::Vector3d corner(i & 1 ? bounds.high.x() : bounds.low.x(),
-                                     i & 2 ? bounds.high.y() : bounds.low.y(),
-                                     i & 4 ? bounds.high.z() : bounds.low.z());
+    for (const Eigen::Vector3d& corner : corners_of(bounds)) {
         const Eigen::Vector3d d = corner - result.focal_point;
         // In a perspective, what is nearer to the eye is drawn larger.
         const double nearer = camera.perspective ? -tangent_of_view * d.dot(camera.direction) : 0.0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -63,6 +64,7 @@ Ray ray_through(const Camera& camera, PictureSize size, Pixel pixel);
 /// Looking along a standard direction with the whole box in the picture.
 Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, double room = 0.0,
                bool perspective = false);
+std::array<Eigen::Vector3d, 8> corners_of(const SceneBounds& bounds);
 /// Same direction, the whole box in the picture with a margin for captions: `room` pixels at least (letters
 /// do not shrink with the picture), though never more than a quarter of a side.
 Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size, double room = 0.0);

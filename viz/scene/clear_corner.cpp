@@ -22,12 +22,8 @@ struct Shape {
 
 Shape shape_of(const Camera& camera, const SceneBounds& bounds, PictureSize size) {
     Shape shape;
-    for (std::size_t i = 0; i < 8; ++i) {
-        const Eigen::Vector3d corner(i & 1 ? bounds.high.x() : bounds.low.x(),
-                                     i & 2 ? bounds.high.y() : bounds.low.y(),
-                                     i & 4 ? bounds.high.z() : bounds.low.z());
-        shape.corners[i] = project(camera, size, corner);
-    }
+    std::ranges::transform(corners_of(bounds), shape.corners.begin(),
+                           [&](const Eigen::Vector3d& corner) { return project(camera, size, corner); });
     const auto [left, right] = std::ranges::minmax(shape.corners, {}, &Pixel::x);
     shape.left = left.x;
     shape.right = right.x;

@@ -59,6 +59,10 @@ TEST(KeptState, AnotherAnalysisMayStandInItsPlace) {
     EXPECT_TRUE(loaded.problems.items().empty());
     ASSERT_EQ(loaded.project.kept, project.kept);
     EXPECT_EQ(loaded.project.kept.front().compared(), "elsewhere");
+    EXPECT_EQ(loaded.project.kept.front().project->analyses.size(), 1u) << "no more than it needs";
+    std::string nameless = project_text(project);
+    nameless.replace(nameless.find("\"otherName\""), 11, "\"otherTitle\"");
+    EXPECT_TRUE(parse(nameless).problems.has_errors());
     EXPECT_EQ(loaded.project.kept.front().other_name, "hall.covaria: elsewhere");
     EXPECT_EQ(state_to_keep(project, id, when).compared(), id);
 }

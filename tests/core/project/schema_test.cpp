@@ -76,7 +76,7 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
     project.analyses.push_back(full_analysis());
     project.report = {{"a"}, {"scene"}, true};
     project.results.style.digits = 1;
-    put_kept(project.kept, state_to_keep(project, "a", "2026-11-20T09:30:00Z"));
+    put_kept(project.kept, state_of_other(project, "a", "hall.covaria: a", "a", "2026-11-20T09:30:00Z"));
     const Json whole = Json::parse(project_text(project)), written = whole["analyses"][0];
     const std::pair<const char*, Json> objects[] = {
         {"report", whole["report"]},

@@ -66,7 +66,15 @@ TEST(StatementText, IsReadAsPeopleNoteIt) {
     EXPECT_EQ(typed("0.000 25 um"), (TypedStatement{"standard", 0.00025, {}, {}, "um"}));
     EXPECT_EQ(typed("U = 12 000 nm, k = 2"), (TypedStatement{"certificate-k", 12000.0, 2.0}));
     EXPECT_EQ(typed("limits -0.001 5 to 1 000.5"), (TypedStatement{"limits", -0.0015, 1000.5}));
+    EXPECT_EQ(typed("0.000 011 1/K", Unit::of("1/K")), (TypedStatement{"standard", 0.000011}));
+    EXPECT_EQ(typed("0.000 25 1/K", Unit::of("1/K")), (TypedStatement{"standard", 0.00025}));
+    EXPECT_EQ(typed("u = 12\u202f500 nm"), (TypedStatement{"standard", 12500.0}));
+    EXPECT_EQ(typed("s = 12 500 nm"), (TypedStatement{"standard-deviation", 12500.0}));
+    EXPECT_EQ(typed("s = 0.000 25"), (TypedStatement{"standard-deviation", 0.00025}));
+    EXPECT_EQ(typed("10 000; 10 001; 10 002").observations, (std::vector<double>{10000, 10001, 10002}));
     EXPECT_EQ(typed("100 101 102").observations.size(), 3u) << "a list is one";
+    EXPECT_NE(objection("100 101"), "") << "two readings, or one number?";
+    EXPECT_NE(objection("10.125 12"), "");
     EXPECT_NE(objection("1 00 nm"), "");
     EXPECT_EQ(typed("3 s", Unit::of("s")), (TypedStatement{"standard", 3.0})) << "a letter is a unit";
 }

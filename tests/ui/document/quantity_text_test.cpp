@@ -36,7 +36,11 @@ TEST(QuantityText, DigitsMayStandInGroups) {
     EXPECT_EQ(parsed("0,000 005 mm", "mm", german).value, 5e-6);
     EXPECT_EQ(parsed("1.234 567e3 mm", "mm").value, 1234.567);
     EXPECT_EQ(parsed("1234.5 mm", "mm").value, 1234.5);
-    EXPECT_EQ(parse_number("1.000 25", english), 1.00025);
+    EXPECT_EQ(parsed("0.125 1/K", "1/K"), (Quantity{0.125, Unit::of("1/K")}));
+    EXPECT_EQ(parsed("0.000 011 1/K", "1/K").value, 0.000011);
+    EXPECT_EQ(parsed("0.125 1", "1").value, 0.125) << "of unit one";
+    EXPECT_EQ(parsed("50.000 1 mm", "mm").value, 50.0001);
+    EXPECT_FALSE(parse_number("100 200 300", english)) << "of a list";
     for (const char* wrong : {"1.00 25 mm", "12 34 mm", "1 2", "1.2.3", "10 mm 000", "1.5 300.5 mm"})
         EXPECT_FALSE(parse_quantity(wrong, Unit::of("mm"), english)) << wrong;
 }
