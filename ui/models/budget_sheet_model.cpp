@@ -436,7 +436,7 @@ void BudgetSheetModel::take_observations(int row, const QString& text, const QSt
 
 int BudgetSheetModel::write(int row, int section, const QString& text, const QString& step) {
     if (section == stated) take_observations(row, text, step);
-    return sheet_.write_row(row, cells_for(row, section, text), step);
+    return sheet_.write_row(row, cells_for(row, section, text), step, ui::tr(head_of(section).title));
 }
 
 BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QString& text) const {

@@ -310,7 +310,8 @@ int SetupTableModel::paste(const QModelIndex& at, const QString& text) {
     return take(marks);
 }
 
-int SetupTableModel::write_row(int row, const std::map<int, TypedCell>& cells, const QString& merge_key) {
+int SetupTableModel::write_row(int row, const std::map<int, TypedCell>& cells, const QString& merge_key,
+                               const QString& what) {
     if (is_linked()) return 0;
     Marks marks;
     const auto change = [&](SetupTable& table) {
@@ -323,7 +324,8 @@ int SetupTableModel::write_row(int row, const std::map<int, TypedCell>& cells, c
                 marks[{row, column}] = {typed.text, typed.refused};
         }
     };
-    write(tr("Change %1: %2").arg(core_text(field()->title), name_of_row(row)), change, merge_key);
+    const QString at = what.isEmpty() ? name_of_row(row) : name_of_row(row) + QStringLiteral(", ") + what;
+    write(tr("Change %1: %2").arg(core_text(field()->title), at), change, merge_key);
     return take(marks);
 }
 

@@ -40,7 +40,9 @@ public:
     };
     /// Cells of a row by their columns as one undo step, or as a part of that with the same key (not empty),
     /// adding the row if need be. Returns how many could not be understood.
-    int write_row(int row, const std::map<int, TypedCell>& cells, const QString& merge_key = {});
+    /// `what`: for the list of steps, beside the name of the row.
+    int write_row(int row, const std::map<int, TypedCell>& cells, const QString& merge_key = {},
+                  const QString& what = {});
     /// What typing a value into a row writes, of a table that states quantities: a unit behind the number is
     /// the row's where it has none yet; else the number is converted.
     std::map<int, TypedCell> cells_of_value(int row, const QString& text) const;
