@@ -349,7 +349,8 @@ TEST_F(BudgetSession, ARefusedTextThatIsUndoneGivesItsRoomBack) {
     EXPECT_TRUE(wait_for([&] { return sheet()->columnWidth(Section::estimate) == before; }, 3000))
         << sheet()->columnWidth(Section::estimate) << " px, " << before << " before";
     type_key(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_TRUE(window_->statusBar()->currentMessage().startsWith(QStringLiteral("Undone: ")))
+    EXPECT_EQ(window_->statusBar()->currentMessage(),
+              QStringLiteral("Undone: Change Quantities: a, estimate"))
         << window_->statusBar()->currentMessage().toStdString();
 }
 

@@ -2,6 +2,7 @@
 // undone.
 #include <QComboBox>
 #include <QDir>
+#include <QMenu>
 
 #include "core/report/report.h"
 #include "tests/ui/main_window/session_fixture.h"
@@ -61,6 +62,28 @@ TEST_F(ProjectPageSession, WhatTheProjectStatesIsObeyedAndUndone) {
     while (window_->document().undo_stack().canUndo()) window_->document().undo_stack().undo();
     EXPECT_EQ(bytes(), before);
     ASSERT_TRUE(wait_for([this] { return cell_of("Unit") == QStringLiteral("mm"); }));
+}
+
+TEST_F(ProjectPageSession, UnitsThatAreShownCanBeThoseOfItsDocuments) {
+    open(project_copy());
+    select(SetupOwner::analysis, "printed");
+    trigger(QStringLiteral("Run This Analysis"));
+    ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
+    UnitButton& units = window_->results().units();
+    const auto in_documents = [&units] {
+        emit units.menu()->aboutToShow();
+        return units.menu()->actions().back();
+    };
+    EXPECT_EQ(in_documents()->text(), QStringLiteral("In Reports and Files Too"));
+    EXPECT_FALSE(in_documents()->isEnabled()) << "they have these units";
+    units.choose(Unit::of("um"));
+    ASSERT_TRUE(in_documents()->isEnabled());
+    in_documents()->trigger();
+    EXPECT_EQ(window_->document().project().results.style.units.of(Unit::of("m")), Unit::of("um"));
+    EXPECT_FALSE(in_documents()->isEnabled());
+    window_->document().undo();
+    EXPECT_TRUE(window_->document().project().results.style.units.chosen().empty());
+    window_->preferences().set({});
 }
 
 }  // namespace
