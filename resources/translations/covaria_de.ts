@@ -13600,7 +13600,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>V_h = d_h + repeatability + resolution + non-zero + hysteresis</source>
-        <translation>V_h = d_h + Wiederholpräzision + Auflösung + Nullabweichung + Hysterese</translation>
+        <translation>V_h = d_h + Wiederholpräzision + Auflösung + Nullpunktabweichung + Hysterese</translation>
     </message>
     <message>
         <source>S_hc = fitted + regression + S_hc δ_c</source>
