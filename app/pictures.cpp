@@ -205,8 +205,7 @@ Result<void> write_pictures(const std::filesystem::path& folder,
             PictureRequest request;
             request.group = picture.group;
             request.context = context;
-            if (const AnalysisEntry* entry = made.project().find_analysis(evaluated.analysis->id))
-                request.verdicts = judge(*evaluated.result, *entry);
+            request.verdicts = judge(*evaluated.result, made.project(), evaluated.analysis->id);
             auto scene = scene_of(evaluated, request);
             if (!scene) return fail(scene.error());
             renderer.set_size(request.width, request.height);

@@ -139,4 +139,10 @@ std::vector<OutputRequirement> read_requirements(const AnalysisEntry& entry,
     return all;
 }
 
+std::vector<RequirementResult> judge(const UncertaintyResult& result, const Project& project,
+                                     const std::string& analysis) {
+    const AnalysisEntry* entry = project.find_analysis(analysis);
+    return entry ? judge(result, *entry) : std::vector<RequirementResult>();
+}
+
 }  // namespace covaria

@@ -19,6 +19,10 @@ std::string decision_rule(double guard_factor, const DocumentLanguage& in = {});
 /// out: it is a problem of the project.
 std::vector<RequirementResult> judge(const UncertaintyResult& result, const AnalysisEntry& entry);
 
+/// Of the analysis with this id; none where the project has none of it.
+std::vector<RequirementResult> judge(const UncertaintyResult& result, const Project& project,
+                                     const std::string& analysis);
+
 /// Problems: paths relative to the analysis ("/requirements/0/targetUncertainty").
 std::vector<OutputRequirement> read_requirements(const AnalysisEntry& entry,
                                                  const std::vector<OutputQuantity>& outputs,

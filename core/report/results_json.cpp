@@ -317,9 +317,8 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
         json["links"] = links_json(*evaluated.analysis);
         json["byAnalysis"] = shares_json(result);
     }
-    if (const AnalysisEntry* entry = project.find_analysis(evaluated.analysis->id))
-        for (const RequirementResult& r : judge(result, *entry))
-            json["requirements"].push_back(requirement_json(evaluated, r));
+    for (const RequirementResult& r : judge(result, project, evaluated.analysis->id))
+        json["requirements"].push_back(requirement_json(evaluated, r));
     for (const auto& study : evaluated.studies) json["studies"].push_back(study_json(*study));
     return json;
 }

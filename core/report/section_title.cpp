@@ -38,9 +38,7 @@ Message not_evaluated(const FailedAnalysis& failed) {
 
 /// Empty: nothing is required of its results.
 Message requirements_met(const EvaluatedAnalysis& evaluated, const Project& project) {
-    const AnalysisEntry* entry = project.find_analysis(evaluated.analysis->id);
-    const std::vector<RequirementResult> verdicts =
-        entry ? judge(*evaluated.result, *entry) : std::vector<RequirementResult>();
+    const std::vector<RequirementResult> verdicts = judge(*evaluated.result, project, evaluated.analysis->id);
     if (verdicts.empty()) return {};
     const auto met = static_cast<std::size_t>(std::count_if(verdicts.begin(), verdicts.end(), is_met));
     return met == verdicts.size() ? tell<"all %1 met">(met)

@@ -49,8 +49,7 @@ QImage ScenePictures::render(const SceneBlock& block, QSize size) {
         options.units = evaluated.analysis->style.units;
         options.language = scene_language(language_);
         options.probability = evaluated.result->coverage_probability;
-        if (const AnalysisEntry* entry = made_.project().find_analysis(block.analysis))
-            options.verdicts = judge(*evaluated.result, *entry);
+        options.verdicts = judge(*evaluated.result, made_.project(), block.analysis);
         auto scene = scene_of(evaluated, block.design, options);
         if (!scene) {
             problem_ = scene.error().message;

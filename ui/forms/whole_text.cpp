@@ -45,24 +45,26 @@ private:
             }
         fit();
     }
+    /// Of frames and layouts, from its own up to the page.
+    QMargins margins_around() const {
+        QMargins sum;
+        for (const QWidget* around = editor_.parentWidget(); around != page_;
+             around = around->parentWidget()) {
+            sum += around->contentsMargins();  // the frame of a group
+            if (const QLayout* layout = around->layout()) sum += layout->contentsMargins();
+        }
+        return sum;
+    }
     /// How far it would reach beyond the page from where it stands.
     int over_the_edge(int width) const {
-        int right = page_->width();
-        for (const QWidget* around = editor_.parentWidget(); around != page_; around = around->parentWidget())
-            right -= around->contentsMargins().right() +
-                     (around->layout() ? around->layout()->contentsMargins().right() : 0);
+        const int right = page_->width() - margins_around().right();
         return std::max(0, editor_.mapTo(page_.data(), QPoint()).x() + width - right);
     }
     int room() const {
-        int room = page_->width();
-        const auto take = [&room](const QMargins& margins) { room -= margins.left() + margins.right(); };
-        for (const QWidget* around = editor_.parentWidget(); around != page_;
-             around = around->parentWidget()) {
-            take(around->contentsMargins());  // the frame of a group
-            if (const QLayout* layout = around->layout()) take(layout->contentsMargins());
-        }
+        const QMargins around = margins_around();
         // Forms count it in rows too whose field stands below its label.
-        return room - editor_.style()->pixelMetric(QStyle::PM_LayoutHorizontalSpacing, nullptr, &editor_);
+        return page_->width() - around.left() - around.right() -
+               editor_.style()->pixelMetric(QStyle::PM_LayoutHorizontalSpacing, nullptr, &editor_);
     }
 
     QWidget& editor_;

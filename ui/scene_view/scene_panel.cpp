@@ -360,8 +360,7 @@ std::function<Result<Scene>()> ScenePanel::scene_to_build(const AnalysisStatus& 
         std::optional<ResultComparison> compared;
         if (before && result) compared = compare_results(before, result);
         SceneOptions with_verdicts = wanted;
-        const AnalysisEntry* entry = made->project().find_analysis(id);
-        if (result && entry) with_verdicts.verdicts = judge(*result, *entry);
+        if (result) with_verdicts.verdicts = judge(*result, made->project(), id);
         auto scene = analysis_scene(*prepared, result.get(), with_verdicts, compared ? &*compared : nullptr);
         if (!scene || !result) return scene;
         return remarked(*std::move(scene), said);

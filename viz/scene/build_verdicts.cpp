@@ -52,10 +52,12 @@ void add_verdicts(SceneBuild& build) {
     for (const LayoutPoint& point : build.source.layout->points) {
         if (!build.shows(point.group) || next >= scene.points.size()) continue;
         const ScenePoint& drawn = scene.points[next++];
-        if (not_met.has(point)) scene.not_met.push_back({drawn.item.id, drawn.item.position, drawn.radius});
+        if (not_met.has(point))
+            scene.not_met.push_back({drawn.item.id, Layer::points, drawn.item.position, drawn.radius});
     }
     for (const VectorTip& tip : build.tips)
-        if (not_met.has(tip.point)) scene.not_met.push_back({tip.item.id, tip.item.position, 0.0});
+        if (not_met.has(tip.point))
+            scene.not_met.push_back({tip.item.id, Layer::vectors, tip.item.position, 0.0});
 }
 
 }  // namespace covaria::detail

@@ -102,6 +102,10 @@ ScreenRect ScreenRect::grown(double across, double upright) const {
     return {x - across, y - upright, width + 2 * across, height + 2 * upright};
 }
 
+ScreenRect square_about(Pixel middle, double half) {
+    return {middle.x - half, middle.y - half, 2 * half, 2 * half};
+}
+
 std::optional<std::array<double, 2>> ScreenLine::part_in(const ScreenRect& rect) const {
     std::array<double, 2> part{0.0, 1.0};
     const auto clip = [&part](double start, double step, double low, double high) {

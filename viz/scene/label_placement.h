@@ -18,6 +18,8 @@ struct ScreenRect {
     bool operator==(const ScreenRect&) const = default;
 };
 
+ScreenRect square_about(Pixel middle, double half);
+
 /// A line as it is drawn, in pixels; without length, a square.
 struct ScreenLine {
     Pixel from, to;

@@ -223,7 +223,8 @@ struct SceneMap {
 
 /// At a point, or the tip of a vector, whose quantities do not meet what is required of them.
 struct SceneVerdict {
-    std::string item = {};  ///< its id
+    std::string item = {};        ///< its id
+    Layer layer = Layer::points;  ///< that it is in
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     double radius = 0.0;  ///< of what stands there, m
     bool operator==(const SceneVerdict&) const = default;

@@ -29,7 +29,7 @@ void Overlay::paint_measure() {
     }
     if (at.size() == 3) paint_arc(at[0], at[1], at[2]);
     if (view_.measure.text.empty()) return;
-    for (const Pixel& place : at) taken_.push_back({place.x - px(9), place.y - px(9), px(18), px(18)});
+    for (const Pixel& place : at) taken_.push_back(square_about(place, px(9)));
     const Pixel& from = at[0];
     const Pixel& to = at[1];
     paint_measured_value(at.size() == 3 ? to : Pixel{(from.x + to.x) / 2, (from.y + to.y) / 2});

@@ -132,12 +132,6 @@ void Overlay::paint_diamond(Pixel centre, double half, double width, Colour ink)
         canvas_.line(corners[i], corners[(i + 1) % corners.size()], width, ink);
 }
 
-bool Overlay::shows(const SceneVerdict& mark) const {
-    const bool is_point = std::ranges::any_of(
-        scene_.points, [&](const ScenePoint& point) { return point.item.id == mark.item; });
-    return view_.layers[is_point ? Layer::points : Layer::vectors];
-}
-
 double Overlay::half_of_diamond(const SceneVerdict& mark) const {
     return std::max(px(9), 1.6 * mark.radius / metres_per_pixel(view_.camera, canvas_.size(), mark.at));
 }
@@ -145,7 +139,7 @@ double Overlay::half_of_diamond(const SceneVerdict& mark) const {
 void Overlay::paint_verdicts() {
     for (const SceneVerdict& mark : scene_.not_met) {
         const Pixel at = pixel_of(mark.at);
-        if (!shows(mark) || !std::isfinite(at.x + at.y)) continue;
+        if (!view_.layers[mark.layer] || !std::isfinite(at.x + at.y)) continue;
         const double half = half_of_diamond(mark);
         paint_diamond(at, half, px(4.0), ground_top(view_.palette));
         paint_diamond(at, half, px(2.0), colour(Role::not_met));

@@ -59,7 +59,6 @@ private:
     void paint_diamond(Pixel centre, double half, double width, Colour ink);
     /// Around the points, or as large as a letter.
     void paint_verdicts();
-    bool shows(const SceneVerdict& mark) const;
     double half_of_diamond(const SceneVerdict& mark) const;
     // scene_labels.cpp
     struct PlannedLabel {

@@ -126,13 +126,13 @@ void Overlay::paint_labels() {
         const double scale = metres_per_pixel(view_.camera, canvas_.size(), label.at);
         const double half = 0.6 * label.clearance / scale + px(1);
         const Pixel at = labels.back().request.anchor;
-        anchors.push_back({at.x - half, at.y - half, 2 * half, 2 * half});
+        anchors.push_back(square_about(at, half));
     }
     for (const SceneVerdict& mark : scene_.not_met) {
-        if (!shows(mark)) continue;
+        if (!view_.layers[mark.layer]) continue;
         const double half = half_of_diamond(mark) + px(2);
         const Pixel at = pixel_of(mark.at);
-        anchors.push_back({at.x - half, at.y - half, 2 * half, 2 * half});
+        anchors.push_back(square_about(at, half));
         for (PlannedLabel& label : labels)
             if (std::hypot(label.request.anchor.x - at.x, label.request.anchor.y - at.y) < half)
                 label.request.clearance = std::max(label.request.clearance, half);
