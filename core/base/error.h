@@ -5,6 +5,7 @@
 #include <string>
 #include <tl/expected.hpp>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/base/message.h"
@@ -45,7 +46,7 @@ enum class Severity { warning, error };
 struct Remedy {
     struct Value {
         std::string place;  ///< JSON pointer, relative as the path of its problem
-        std::string json;   ///< "\"K\"", "0.4", "null"
+        std::variant<std::monostate, double, std::string> value;  ///< nothing: it becomes empty
     };
     Message words;  ///< "a difference: t in K"
     std::vector<Value> values;

@@ -10,6 +10,13 @@ bool is_reading_for_difference(const Unit& given, const Unit& expected) {
     return given.has_offset() && !expected.has_offset();
 }
 
+Message reading_objection(const Unit& given, const Unit& expected) {
+    if (!is_reading_for_difference(given, expected)) return {};
+    return tell<
+        "%1 is the unit of a temperature, and the quantity is given in %2, in which it may be a "
+        "difference: give both in %1, or both in %2">(given.display(), expected.display());
+}
+
 Message factor_objection(const Message& reading, const std::string& written) {
     return tell<
         "%1 is a temperature in degC, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a "

@@ -29,6 +29,8 @@ bool is_reading(const Unit& unit, TemperatureKind kind = TemperatureKind::by_uni
 /// difference. (A temperature typed in K is one in kelvin.) For uncertainties and widths neither matters:
 /// they are intervals.
 bool is_reading_for_difference(const Unit& given, const Unit& expected);
+/// Why, where a quantity is given in `expected` and something about its value in `given`; empty: it can.
+Message reading_objection(const Unit& given, const Unit& expected);
 
 /// Of a reading in a product, a quotient, a power or a function that would take it in kelvin. `written` is
 /// how an equation has it: "t".
