@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/csv_table.h"
 #include "core/project/design_fields.h"
@@ -141,6 +142,8 @@ private:
         const std::string below = at(&Design::reductions, i);
         const auto target = find_study_target(project_, analysis_, inputs_, reduction.number);
         if (!target) error(below + target.error().path, target.error().message);
+        if (target && !part_objection(target->scale).empty())
+            error(below + reduced_number_fields().place(&StudyAxis::target), part_objection(target->scale));
         if (!(reduction.number.from > 0.0) || !(reduction.number.from < 1.0))
             error(below + reduced_number_fields().place(&StudyAxis::from),
                   tell<"the smallest factor is between 0 and 1">());

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
 #include "core/model/composed_model.h"
 #include "core/model/linearised_model.h"
 #include "core/project/analysis_fields.h"
@@ -143,7 +144,8 @@ private:
         if (!part) return {};
         const Index output = output_of(placed, parts_[*part].model->outputs(), problems);
         if (!output) return {};
-        const Unit& from = parts_[*part].model->outputs()[*output].unit;
+        const OutputQuantity& taken = parts_[*part].model->outputs()[*output];
+        const Unit& from = taken.unit;
         const Unit& to = inputs.quantities[input].unit;
         if (from.dimension() != to.dimension()) {
             problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
@@ -152,7 +154,34 @@ private:
                                in_quotes(link.output.analysis), dimension_words(from)));
             return {};
         }
+        const Message objection = taken_objection(
+            {tell<"%1 of %2">(in_quotes(taken.symbol), in_quotes(name_of(link.output.analysis))), from,
+             taken.temperature},
+            {in_quotes(link.input), to});
+        if (!objection.empty()) {
+            problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
+                           objection);
+            add_remedy(inputs.quantities[input], is_reading(from, taken.temperature), problems);
+            return {};
+        }
         return ModelLink{input, *part, *output};
+    }
+
+    /// The quantity becomes what is taken for it, where the set-up states its unit.
+    void add_remedy(const InputQuantity& quantity, bool as_temperature, Problems& problems) const {
+        const AnalysisEntry* entry = project_.find_analysis(path_.back());
+        const SetupSchema* schema = entry ? schema_of(*entry) : nullptr;
+        if (!schema || !schema->find(&FieldSpec::states_quantities) || quantity.source.empty()) return;
+        const std::string unit = as_temperature ? "degC" : "K";
+        problems.items().back().remedies = {{as_temperature
+                                                 ? tell<"a temperature: %1 in degC">(quantity.symbol)
+                                                 : tell<"a difference: %1 in K">(quantity.symbol),
+                                             {{"/setup" + quantity.source + "/unit", unit}}}};
+    }
+
+    std::string name_of(const std::string& analysis) const {
+        const AnalysisEntry* entry = project_.find_analysis(analysis);
+        return !entry || entry->name.empty() ? analysis : entry->name;
     }
 
     Index upstream(const PlacedLink& placed, Problems& problems) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/requirement_fields.h"
 #include "core/setup/message_text.h"
@@ -57,7 +58,9 @@ private:
     std::optional<double> value(Figure figure, const Message& what) {
         const std::optional<Quantity>& typed = typed_.*figure;
         if (!typed) return std::nullopt;
-        const Message objection = unit_objection(title(what), *typed, output_.unit);
+        // A temperature has its limits in degC also where it is given in K.
+        const Unit scale = is_reading(output_.unit, output_.temperature) ? Unit::of("degC") : output_.unit;
+        const Message objection = unit_objection(title(what), *typed, scale);
         if (!objection.empty()) problems_.error(place(figure), objection);
         return typed->si();
     }

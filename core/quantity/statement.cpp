@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/temperature.h"
 #include "core/math/special_quantiles.h"
 
 namespace covaria {
@@ -71,6 +72,8 @@ Made rectangular_limits(const Statement& s) {
 
 Made maximum_permissible_error(const Statement& s) {
     const double relative = s.b.value_or(0.0) / 100.0;
+    if (const Message objection = part_objection(s.unit); relative != 0.0 && !objection.empty())
+        return refused(objection);
     if (relative != 0.0 && !s.estimate)
         return refused(tell<"a relative part of the permissible error needs the value of the quantity">());
     const double half = *s.a + std::abs(relative * s.estimate.value_or(0.0));
@@ -78,6 +81,7 @@ Made maximum_permissible_error(const Statement& s) {
 }
 
 Made exponential(const Statement& s) {
+    if (const Message objection = part_objection(s.unit); !objection.empty()) return refused(objection);
     if (!s.estimate || !(*s.estimate > 0.0))
         return refused(tell<"an exponential distribution needs an estimate greater than zero">());
     return of_distribution(s, Exponential{*s.estimate}).map([&](StatedComponent c) {
@@ -177,10 +181,13 @@ bool is_part_of_estimate(const Unit& stated, const Unit& of_quantity) {
 
 Result<double> figure_in_si(double figure, const Unit& stated, const Unit& of_quantity, bool on_scale,
                             std::optional<double> estimate) {
+    if (const Message objection = reading_objection(stated, of_quantity); on_scale && !objection.empty())
+        return refused(objection);
     if (stated.dimension() == of_quantity.dimension())
         return on_scale ? stated.to_si(figure) : stated.interval_to_si(figure);
     if (on_scale || !is_part_of_estimate(stated, of_quantity))
         return refused(tell<"%1 is no unit for a quantity in %2">(stated.display(), of_quantity.display()));
+    if (const Message objection = part_objection(of_quantity); !objection.empty()) return refused(objection);
     if (!estimate) return refused(tell<"a part of the value needs the value">());
     return std::abs(*estimate) * stated.interval_to_si(figure);
 }

@@ -20,6 +20,7 @@ struct Statement {
     std::optional<double> degrees_of_freedom = {};
     std::optional<double> relative_uncertainty_of_u = {};  ///< du/u: nu = (du/u)^-2 / 2 (JCGM 100 G.3)
     std::optional<double> estimate = {};                   ///< of the quantity
+    Unit unit = {};  ///< of the quantity: in degC there is no part of its estimate
 };
 
 struct StatementKind {

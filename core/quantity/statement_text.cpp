@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/temperature.h"
 #include "core/quantity/statement.h"
 #include "core/text/digit_groups.h"
 #include "core/text/numbers.h"
@@ -297,6 +298,8 @@ private:
                                : figures_.back().unit ? *figures_.back().unit
                                                       : unit_;
             if (unit.dimension() != unit_.dimension()) return not_read(other_dimension(unit));
+            if (const Message objection = reading_objection(unit, unit_); !objection.empty())
+                return not_read(objection);
             made.observations.push_back(unit == unit_ ? figure.value
                                                       : clean(unit_.from_si(unit.to_si(figure.value))));
         }
@@ -343,6 +346,8 @@ private:
         const Unit unit = limits ? *typed : typed->interval();
         const bool part_of_value = is_part_of_estimate(unit, unit_) && !limits;
         if (unit.dimension() != unit_.dimension() && !part_of_value) return not_read(other_dimension(unit));
+        if (const Message objection = reading_objection(unit, unit_); limits && !objection.empty())
+            return not_read(objection);
         return unit;
     }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/temperature.h"
 #include "core/equation/operations.h"
 #include "core/kinds/ballbar/ballbar.h"
 #include "core/kinds/equation/observations.h"
@@ -163,10 +164,10 @@ private:
         if (!good) refuse(row, &StatedComponent::stated_unit, stated.error().message);
         const auto figure = [&](const std::optional<double>& value, bool has_unit) -> std::optional<double> {
             if (!value || !has_unit || !good) return value;
-            const auto si = figure_in_si(*value, *stated, unit, kind_key == "limits", draft.estimate);
+            const auto si = figure_in_si(*value, *stated, draft.unit, kind_key == "limits", draft.estimate);
             if (si) return *si;
             good = false;
-            refuse(row, &StatedComponent::statement, si.error().message);
+            refuse_statement(draft, row, si.error().message);
             return value;
         };
         const Statement statement{kind_key,
@@ -174,11 +175,12 @@ private:
                                   figure(at(row).b, kind.b_has_unit),
                                   at(row).nu,
                                   at(row).r_u,
-                                  draft.estimate};
+                                  draft.estimate,
+                                  draft.unit};
         if (!good) return false;
         const auto component = stated_component(statement);
         if (!component) {
-            refuse(row, &StatedComponent::statement, component.error().message);
+            refuse_statement(draft, row, component.error().message);
             return false;
         }
         if (component->estimate) draft.estimate = component->estimate;
@@ -188,6 +190,12 @@ private:
         made.normal_draws = component->type == EvaluationType::type_a && stated_.normal_means;
         made.origin = Message::declared(component->words);
         return true;
+    }
+
+    void refuse_statement(const Draft& draft, std::size_t row, const Message& message) {
+        refuse(row, &StatedComponent::statement, message);
+        if (is_reading(draft.unit) && draft.estimate)
+            problems_.items().back().remedies = remedies_for_part(stated_, row, draft.unit, *draft.estimate);
     }
 
     bool observed(Draft& draft, std::size_t row, const std::string& kind, UncertaintyComponent& made) {

@@ -44,10 +44,13 @@ public:
         if (found.empty() && !problems_.has_errors()) {
             equation::Compiled compiled = equation::compile(setup.parsed, stated.symbols, wanted, found);
             setup.program = std::move(compiled.program);
-            for (std::size_t j = 0; j < compiled.output_units.size(); ++j)
-                setup.outputs[j].unit = compiled.output_units[j];
+            for (std::size_t j = 0; j < compiled.outputs.size(); ++j) {
+                setup.outputs[j].unit = compiled.outputs[j].unit;
+                setup.outputs[j].periodic = compiled.outputs[j].on_circle;
+                setup.outputs[j].temperature = compiled.outputs[j].temperature;
+            }
         }
-        report(found, problems_);
+        report(found, stated_, problems_);
         setup.inputs = std::move(stated.inputs);
         setup.observed = std::move(stated.observed);
         if (problems_.has_errors()) return std::nullopt;

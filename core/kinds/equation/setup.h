@@ -95,5 +95,12 @@ StatedQuantities read_quantities(const StatedEquations& stated, Problems& proble
 /// "/equations/1/14-16": line and columns, from 0 and 1.
 std::string path_of(const equation::Place& place);
 void report(const equation::TextProblems& found, Problems& problems);
+/// With the ways out of those that are about temperatures in degC.
+void report(const equation::TextProblems& found, const StatedEquations& stated, Problems& problems);
+
+/// Of a figure of a row that is stated as a part (in %, ppm) of a temperature in degC: the same part of its
+/// reading, in K. `estimate`: SI.
+std::vector<Remedy> remedies_for_part(const StatedEquations& stated, std::size_t row, const Unit& unit,
+                                      double estimate);
 
 }  // namespace covaria::equation_model
