@@ -160,16 +160,12 @@ private:
     Box tall(const QString& mark, const QFont& font, double ascent, double descent) const {
         const QFontMetricsF m = metrics(font);
         const QRectF outline = m.tightBoundingRect(mark);
+        const double higher = (ascent + descent) / std::max(outline.height(), 1e-9);
         Box box;
         box.width = m.horizontalAdvance(mark);
         box.ascent = ascent;
         box.descent = descent;
-        const double width = 0.6 * box.width;
-        const double wider = width / std::max(outline.width(), 1e-9),
-                     higher = (ascent + descent) / std::max(outline.height(), 1e-9);
-        box.texts.push_back(
-            {QPointF(0.5 * (box.width - width) - wider * outline.left(), -ascent - higher * outline.top()),
-             mark, font, QSizeF(wider, higher)});
+        box.texts.push_back({QPointF(0.0, -ascent - higher * outline.top()), mark, font, higher});
         return box;
     }
 
@@ -231,7 +227,7 @@ void FormulaPicture::paint(QPainter& painter, QPointF top_left, const QColor& co
         painter.setFont(text.font);
         painter.save();
         painter.translate(text.at);
-        painter.scale(text.stretch.width(), text.stretch.height());
+        painter.scale(1.0, text.stretch);
         painter.drawText(QPointF(0.0, 0.0), text.text);
         painter.restore();
     }

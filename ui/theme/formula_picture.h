@@ -31,7 +31,7 @@ public:
         QPointF at;  ///< of its baseline
         QString text;
         QFont font;
-        QSizeF stretch = {1.0, 1.0};  ///< of its letters
+        double stretch = 1.0;  ///< of its letters, upwards and downwards
     };
     struct Box {
         double width = 0.0, ascent = 0.0, descent = 0.0;
