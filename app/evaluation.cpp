@@ -3,9 +3,11 @@
 #include "app/terminal.h"
 #include "core/base/guarded.h"
 #include "core/design/design.h"
+#include "core/made/certificate_gaps.h"
 #include "core/made/load_project.h"
 #include "core/project/project_file.h"
 #include "core/project/set_values.h"
+#include "core/report/certificate_warnings.h"
 #include "core/result/representation.h"
 #include "core/study/study.h"
 
@@ -182,8 +184,9 @@ Result<MadeProject::Pointer> open_project(const std::string& file, const std::ve
     return loaded.made;
 }
 
-void say_what_is_missing(const Project& project) {
-    Problems missing = missing_in(project.certificate);
+void say_what_is_missing(const ReportSource& source) {
+    Problems missing = missing_in(source.made);
+    missing.take(improbable_results(source), "");
     for (Problem& problem : missing.items()) problem.severity = Severity::warning;
     print_problems(missing);
 }

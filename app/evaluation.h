@@ -34,7 +34,7 @@ Result<MadeProject::Pointer> open_project(const std::string& file,
                                           const std::vector<std::string>& values = {});
 
 /// Warns of what a certificate must say and the project does not.
-void say_what_is_missing(const Project& project);
+void say_what_is_missing(const ReportSource& source);
 
 /// Where the units of analyses and studies are shared with other processes.
 class UnitStores {

@@ -34,7 +34,7 @@ Result<void> write_documents(const RunOutputs& outputs, const ReportSource& sour
     if (outputs.report)
         if (auto written = write(DocumentKind::report, "report"); !written) return written;
     if (!outputs.certificate) return {};
-    say_what_is_missing(source.made.project());
+    say_what_is_missing(source);
     return write(DocumentKind::certificate, "certificate");
 }
 

@@ -70,7 +70,7 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
         if (auto compared = compare_with(arguments.before, arguments.request, *evaluation, stop); !compared)
             return compared;
     const ReportSource source{*evaluation->made, evaluation->analyses, evaluation->failed};
-    if (arguments.certificate) say_what_is_missing(source.made.project());
+    if (arguments.certificate) say_what_is_missing(source);
     if (auto written = write_document(document_of(arguments, source), source, files, stop); !written)
         return written;
     return check_complete(*evaluation);

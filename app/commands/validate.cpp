@@ -6,6 +6,7 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
+#include "core/made/certificate_gaps.h"
 #include "core/made/load_project.h"
 
 namespace covaria {
@@ -27,7 +28,7 @@ int validate(const ValidateArguments& arguments) {
     if (arguments.certificate && loaded.made) {
         for (Problem& problem : loaded.problems.items())
             if (problem.path.starts_with("/certificate/")) problem.severity = Severity::error;
-        loaded.problems.take(missing_in(loaded.project.certificate), "");
+        loaded.problems.take(missing_in(*loaded.made), "");
     }
     print_problems(loaded.problems);
     if (loaded.problems.has_errors()) return exit_bad_input;

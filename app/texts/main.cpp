@@ -128,6 +128,8 @@ void say_parts_of_project(TextList& list) {
             list.say(std::string("Help on ") + field.title, field.help);
         }
     }
+    for (const CertificateSite& site : certificate_sites())
+        list.say("Whose place a calibration was performed at", site.words);
     for (const DesignObjective objective :
          {DesignObjective::largest, DesignObjective::mean, DesignObjective::root_mean_square})
         for (const bool targets : {true, false})

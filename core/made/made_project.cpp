@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/made/certificate_gaps.h"
 #include "core/made/project_making.h"
 #include "core/project/certificate_logo.h"
 #include "core/project/project_id.h"
@@ -63,6 +64,7 @@ Problems MadeProject::problems() const {
     check_ids(project_->analyses, "/analyses", all);
     check_certificate(project_->certificate, all);
     check_certificate_logo(*project_, all);
+    check_accredited_probability(*project_, all);
     std::vector<std::string> analyses;
     for (const AnalysisEntry& analysis : project_->analyses) analyses.push_back(analysis.id);
     check_report_contents(project_->report, analyses, all);

@@ -140,7 +140,7 @@ std::string by_words(RequirementResult::Distribution by, const DocumentLanguage&
 
 std::string decision_words(const RequirementResult& r, const DocumentLanguage& in) {
     if (!r.not_judged.empty()) return in.say(words::not_judged);
-    return in.say(r.decision == Decision::accept ? words::accepted : words::rejected);
+    return in.say(r.decision == Decision::accept ? words::passes : words::fails);
 }
 
 /// Of a decision that was taken.
@@ -211,15 +211,12 @@ void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAna
 
 void add_certified_conformity(Blocks& blocks, const ReportSource& source,
                               const std::vector<EvaluatedAnalysis>& analyses, const DocumentLanguage& in) {
-    bool headed = false;
     for (const EvaluatedAnalysis& evaluated : analyses) {
         const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);
         if (!entry) continue;
         const std::string title = analyses.size() > 1 ? evaluated.analysis->name : "";
         auto table = conformity_table(judge(*evaluated.result, *entry), evaluated, title, in);
         if (!table) continue;
-        if (!headed) blocks.push_back(HeadingBlock{2, in.say(words::conformity)});
-        headed = true;
         blocks.push_back(std::move(*table));
     }
 }
