@@ -128,22 +128,25 @@ Result<void> ReducedRun::choose(Pilot& pilot, RunMonitor& monitor) {
         source_.linear = &*rows_;
         linear_covariance_ = covariance_of_draws(inputs_, correlations_, law_);
     }
-    const WorkEnd end = run_each(controls.size(), monitor, [&](std::uint64_t k) {
-        controls[k] = {(*rows_)[k].output, expectations(k)};
-    });
+    const WorkEnd end =
+        run_each(controls.size(), monitor, [&](std::uint64_t k) { controls[k] = control_of(k); });
     if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     estimates_.emplace(source_.outputs(), controls);
     return {};
 }
 
-std::array<double, BatchFigures::count> ReducedRun::expectations(std::size_t k) const {
+BatchEstimates::Control ReducedRun::control_of(std::size_t k) const {
     const auto j = static_cast<Eigen::Index>((*rows_)[k].output);
     const LinearDistribution distribution(terms_[k]);
     const double lower = 0.5 * (1.0 - options_.coverage_probability);
     const double variance = linear_covariance_(j, j);
-    return {distribution.has_mean() ? 0.0 : not_known, std::isfinite(variance) ? variance : not_known,
-            distribution.quantile(lower).value_or(not_known),
-            distribution.quantile(1.0 - lower).value_or(not_known)};
+    const auto low = distribution.known_quantile(lower), high = distribution.known_quantile(1.0 - lower);
+    BatchEstimates::Control control{(*rows_)[k].output};
+    control.expectation = {distribution.has_mean() ? 0.0 : not_known,
+                           std::isfinite(variance) ? variance : not_known, low ? low->value : not_known,
+                           high ? high->value : not_known};
+    control.error = {0.0, 0.0, low ? low->error : 0.0, high ? high->error : 0.0};
+    return control;
 }
 
 /// Where trials are lost, those that are left have another linear part than the one whose distribution is

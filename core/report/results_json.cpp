@@ -237,6 +237,8 @@ OrderedJson requirement_json(const EvaluatedAnalysis& evaluated, const Requireme
     json["guardBand"] = json_number(q.unit.interval_from_si(r.guard_band));
     json["conformance"] = {{"probability", json_number(r.conformance)},
                            {"distribution", distribution_key(r.conformance_by)}};
+    if (r.capability_index) json["capabilityIndex"] = json_number(*r.capability_index);
+    if (r.uncertainty_ratio) json["testUncertaintyRatio"] = json_number(*r.uncertainty_ratio);
     if (r.global_risks)
         json["globalRisks"] = {{"consumer", json_number(r.global_risks->consumer)},
                                {"producer", json_number(r.global_risks->producer)}};
