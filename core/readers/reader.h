@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
+#include "core/kinds/robot/urdf.h"
 #include "core/project/project.h"
 
 namespace covaria {
@@ -28,6 +29,7 @@ struct ReadChoice {
     std::vector<std::string> columns = {};   ///< what stands in each column of a table; empty: found
     std::string sheet = {};                  ///< of a workbook; empty: the one with a budget
     bool chosen = false;                     ///< the reader was named: what it stands for is stated
+    UrdfChoice robot = {};                   ///< of a robot: its tip, joints that it does not have
 };
 
 /// Something of the file that is not taken over.
