@@ -7,6 +7,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/run_options.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
 #include "core/base/file_io.h"
@@ -143,6 +144,9 @@ Command check_command(CLI::App& app) {
     arguments->request.studies = false;
     CLI::App* command = app.add_subcommand(
         "check", "Evaluate a project and judge its requirements; status 3 if one is not met");
+    add_examples(*command, {{"check projects/conformity-micrometer.covaria", "every requirement, one a line"},
+                            {"check projects/conformity-micrometer.covaria --junit requirements.xml",
+                             "as test cases for a build server"}});
     add_run_options(*command, arguments->request);
     command->add_option("--junit", arguments->junit, "write the requirements as test cases (JUnit XML)")
         ->type_name("FILE");

@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/commands/run_options.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/merged_run.h"
 #include "app/output_folder.h"
@@ -48,6 +50,7 @@ Command merge_command(CLI::App& app) {
     auto arguments = std::make_shared<MergeArguments>();
     CLI::App* command = app.add_subcommand(
         "merge", "Put the parts of a run together; the results have the bits of covaria run");
+    add_examples(*command, {{"merge parts --out out"}});
     command->add_option("PARTS", arguments->parts, "folder of parts (covaria part, covaria-mpi)")
         ->type_name("DIR")
         ->required();
@@ -56,9 +59,7 @@ Command merge_command(CLI::App& app) {
                      "the project file, where it is not at the place it had when the parts were made")
         ->type_name("FILE");
     command->add_flag("--resume", arguments->resume, "compute the units that no part has, and keep them too");
-    command->add_option("--threads", arguments->threads, "number of threads (results do not depend on it)")
-        ->type_name("T")
-        ->check(CLI::Range(0, 1024));
+    add_threads_option(*command, arguments->threads);
     add_output_options(*command, arguments->outputs);
     return {command, [arguments](const std::stop_token& stop) {
                 const auto done = merge(*arguments, stop);

@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/run_options.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/output_folder.h"
 #include "app/result_lines.h"
@@ -76,6 +77,12 @@ Result<void> run(const RunArguments& arguments, const std::stop_token& stop) {
 Command run_command(CLI::App& app) {
     auto arguments = std::make_shared<RunArguments>();
     CLI::App* command = app.add_subcommand("run", "Evaluate a project; write results.json and CSV tables");
+    add_examples(*command, {{"run projects/stewart-platform.covaria --out out"},
+                            {"run projects/stewart-platform.covaria --analysis printed --trials 1e5 --report",
+                             "one analysis, its report too"},
+                            {"run projects/gum/h1-end-gauge.covaria --first-order --set "
+                             "/analyses/table/setup/quantities/rows/l_S/a=150",
+                             "with another value, which the file keeps not"}});
     add_run_options(*command, arguments->request);
     add_output_options(*command, arguments->outputs);
     command

@@ -12,6 +12,7 @@
 #include "app/mpi/exchange.h"
 #include "app/output_folder.h"
 #include "app/terminal.h"
+#include "app/wrong_usage.h"
 #include "core/base/guarded.h"
 #include "core/base/version.h"
 #include "core/report/result_files.h"
@@ -162,7 +163,13 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
-        return app.exit(problem) == 0 ? exit_success : exit_wrong_usage;
+        if (problem.get_exit_code() == 0) return app.exit(problem);
+        const std::string wrong = what_does_not_exist(app, argc, argv);
+        if (wrong.empty())
+            app.exit(problem);
+        else
+            std::fprintf(stderr, "%s\n", wrong.c_str());
+        return exit_wrong_usage;
     }
     if (arguments.request.threads == 0) arguments.request.threads = 1;  // a rank is a core
     const Interrupt interrupt;
