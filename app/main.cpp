@@ -7,6 +7,7 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
+#include "app/printed_text.h"
 #include "app/terminal.h"
 #include "app/window.h"
 #include "core/base/guarded.h"
@@ -54,6 +55,7 @@ std::string mistyped_command(const CLI::App& app, int argc, char** argv) {
 
 int main(int argc, char** argv) {
     using namespace covaria;
+    show_control_characters();
     CLI::App app(description, "covaria");
     app.footer(footer);
     app.set_version_flag("--version", std::string("covaria ") + version());
@@ -73,7 +75,7 @@ int main(int argc, char** argv) {
             std::fprintf(stderr, "%s\n", wrong.c_str());
             return exit_wrong_usage;
         }
-        return app.exit(problem) == 0 ? exit_success : exit_wrong_usage;
+        return app.exit(problem) != 0 ? exit_wrong_usage : all_is_printed() ? exit_success : exit_bad_input;
     }
     // Whatever is still thrown ends in a sentence.
     const auto status = guarded([&]() -> int {
@@ -83,7 +85,7 @@ int main(int argc, char** argv) {
             if (command.parser->parsed()) return command.run(interrupt.token());
         return exit_wrong_usage;
     });
-    if (status) return *status;
-    print_error(status.error());
-    return exit_bad_input;
+    if (!status) print_error(status.error());
+    const bool printed = all_is_printed();
+    return status && (printed || *status != exit_success) ? *status : exit_bad_input;
 }

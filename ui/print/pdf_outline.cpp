@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <optional>
 
+#include "core/text/numbers.h"
+
 namespace covaria::ui {
 namespace {
 
@@ -84,10 +86,8 @@ public:
         if (!below.empty())  // closed
             text += "\n/First " + ref(below.front()) + "\n/Last " + ref(below.back()) + "\n/Count -" +
                     std::to_string(below.size());
-        char y[32];
-        std::snprintf(y, sizeof y, "%.1f", bookmark.y);
-        return text + "\n/Dest [" + reference(pages_[std::size_t(bookmark.page)]) + " /XYZ 0 " + y +
-               " 0]\n>>";
+        return text + "\n/Dest [" + reference(pages_[std::size_t(bookmark.page)]) + " /XYZ 0 " +
+               format_decimals(bookmark.y, 1) + " 0]\n>>";
     }
 
 private:
