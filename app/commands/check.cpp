@@ -119,7 +119,7 @@ bool print_cases(const std::vector<TestSuite>& suites) {
 }
 
 Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop) {
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    auto opened = open_project(arguments.request.file, arguments.request.values, arguments.request.analyses);
     if (!opened) return fail(opened.error());
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());

@@ -61,7 +61,7 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
     if (!arguments.output.empty())
         if (auto named = write_into_one_file(arguments.output, files); !named) return named;
     if (auto made = make_output_folder(files.folder); !made) return made;
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    auto opened = open_project(arguments.request.file, arguments.request.values, arguments.request.analyses);
     if (!opened) return fail(opened.error());
     const auto request = request_for(arguments, (**opened).project());
     if (!request) return fail(request.error());

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <set>
+
+#include "core/text/numbers.h"
 
 namespace covaria::curve {
 
@@ -96,9 +97,7 @@ Unit coefficient_unit(const CurveSetup& setup, std::size_t k) {
 }
 
 std::string place_text(const Unit& unit, double si) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.12g", unit.from_si(si));
-    return text + (unit == Unit{} ? "" : " " + unit.display());
+    return format_short(unit.from_si(si), 12) + (unit == Unit{} ? "" : " " + unit.display());
 }
 
 }  // namespace covaria::curve
