@@ -401,8 +401,11 @@ private:
         if (!in_.failed() && made.equations.size() != made.defined.size())
             in_.refuse(place, tell<"%1 unknowns need as many equations; there are %2">(
                                   made.defined.size(), made.equations.size()));
-        if (!in_.failed() && made.defined.size() > 6)
-            in_.refuse(place, tell<"at most six unknowns can be solved together">());
+        if (!in_.failed() && made.defined.size() > most_unknowns)
+            in_.refuse(place, tell<"%1 unknowns are too many to be solved together: the time for each trial "
+                                   "grows with the cube of their number, so the limit is %2; solve what does "
+                                   "not depend on the rest in systems of its own">(made.defined.size(),
+                                                                                   most_unknowns));
     }
 
     void residual(Statement& made) {

@@ -75,6 +75,51 @@ TEST(Evaluation, ImplicitDerivativesAreExact) {
     EXPECT_NEAR(y.partials()[0], 0.5 / std::sqrt(2.0), 1e-15);
 }
 
+/// u_k + (u_(k-1) + u_(k+1))/4 + u_k^3/9 = a + k b/40 for k = 1 ... n, u_0 = u_(n+1) = 0; y is the last.
+std::string chain_of(std::size_t n) {
+    const auto u = [&](std::size_t k) {
+        return k == 0 || k > n ? std::string("0") : k == n ? "y" : "u" + std::to_string(k);
+    };
+    std::string unknowns, equations;
+    for (std::size_t k = 1; k <= n; ++k) {
+        unknowns += (k > 1 ? ", " : "") + u(k) + " = 1";
+        equations += (k > 1 ? " and " : " ") + u(k) + " + (" + u(k - 1) + " + " + u(k + 1) + ")/4 + " + u(k) +
+                     "^3/9 = a + " + std::to_string(k) + "*b/40";
+    }
+    return "solve " + unknowns + ":" + equations;
+}
+
+TEST(Evaluation, SystemsOfAllSizesAreSolved) {
+    for (std::size_t n = 1; n <= most_unknowns; ++n) {
+        const Program program = compiled(chain_of(n), {"a", "b"});
+        ASSERT_EQ(program.systems.front().size(), n);
+        const double a = 1.3, b = 0.7, h = 1e-5;
+        const auto f = [&](double da, double db) { return value<double>(program, {a + da, b + db}); };
+        const Dual y = value<Dual>(program, {Dual::variable(a, 0), Dual::variable(b, 1)});
+        EXPECT_NEAR(y.partials()[0], (f(h, 0) - f(-h, 0)) / (2 * h), 1e-9) << n;
+        EXPECT_NEAR(y.partials()[1], (f(0, h) - f(0, -h)) / (2 * h), 1e-9) << n;
+        std::vector<double> u(n + 2, 0.0);  // by Gauss and Seidel: each from its neighbours, until they stay
+        for (int sweep = 0; sweep < 200; ++sweep)
+            for (std::size_t k = 1; k <= n; ++k) {
+                const double right = a + static_cast<double>(k) * b / 40 - (u[k - 1] + u[k + 1]) / 4;
+                for (int step = 0; step < 3; ++step)
+                    u[k] -= (u[k] + u[k] * u[k] * u[k] / 9 - right) / (1 + u[k] * u[k] / 3);
+            }
+        EXPECT_NEAR(f(0, 0), u[n], 1e-12) << n;
+        const Batch lanes = value<Batch>(program, {Batch(a), Batch(b)});
+        EXPECT_NEAR(lanes.get(0), u[n], 1e-12) << n;
+    }
+}
+
+TEST(Evaluation, TooLargeASystemIsRefusedWithItsLimit) {
+    TextProblems problems;
+    parse(chain_of(most_unknowns + 1), problems);
+    ASSERT_FALSE(problems.empty());
+    EXPECT_NE(problems[0].message.english().find("41 unknowns"), std::string::npos)
+        << problems[0].message.english();
+    EXPECT_NE(problems[0].message.english().find("the limit is 40"), std::string::npos);
+}
+
 // One lane without a solution neither stops nor changes the others.
 TEST(Evaluation, LanesDoNotInfluenceEachOther) {
     const Program program = compiled("solve y = 1: y^2 = a", {"a"});
