@@ -50,8 +50,8 @@ TestCase target_case(const std::string& name, const OutputResult& output, const 
 TestCase tolerance_case(const std::string& name, const RequirementResult& verdict) {
     TestCase made{name + ", tolerance", verdict.not_judged.english()};
     if (made.failure.empty() && verdict.decision != RequirementResult::Decision::accept)
-        made.failure = "rejected by " + decision_rule(verdict.guard_factor) +
-                       "; probability of conformance " + format_significant(verdict.conformance, 4);
+        made.failure = "rejected by " + decision_rule(verdict) + "; probability of conformance " +
+                       format_significant(verdict.conformance, 4);
     return made;
 }
 

@@ -73,7 +73,7 @@ public:
         const double u = distribution.standard_deviation();
         const Distribution unit = distribution.shifted(-distribution.mean()).scaled(1.0 / u);
         std::vector<double> shape = distribution_parameters(unit);
-        if (distribution.kind() != "discrete")
+        if (!find_distribution_kind(distribution.kind())->parameters.empty())
             for (double& parameter : shape) parameter = static_cast<double>(static_cast<float>(parameter));
         const bool mirrored = unit.factor() < 0.0;
         std::vector<double> key{static_cast<double>(unit.parameters().index()), mirrored ? -1.0 : 1.0};

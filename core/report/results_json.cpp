@@ -246,7 +246,9 @@ OrderedJson requirement_json(const EvaluatedAnalysis& evaluated, const Requireme
     if (r.uncertainty_ratio) json["testUncertaintyRatio"] = json_number(*r.uncertainty_ratio);
     if (r.global_risks)
         json["globalRisks"] = {{"consumer", json_number(r.global_risks->consumer)},
-                               {"producer", json_number(r.global_risks->producer)}};
+                               {"producer", json_number(r.global_risks->producer)},
+                               {"consumerIfAccepted", json_number(r.global_risks->consumer_if_accepted)},
+                               {"producerIfRejected", json_number(r.global_risks->producer_if_rejected)}};
     return json;
 }
 
