@@ -9,6 +9,7 @@
 #include "core/project/entry_graph.h"
 #include "core/project/json_location.h"
 #include "core/project/kind_lookup.h"
+#include "core/project/links.h"
 #include "core/project/project_id.h"
 #include "core/project/study_fields.h"
 #include "core/project/study_target.h"
@@ -143,6 +144,10 @@ public:
         for (const std::string& id : assets_used_by(project_, analysis_)) {
             const AssetEntry& asset = *project_.find_asset(id);
             if (const SetupSchema* schema = schema_of(asset)) add_setup(id, *schema, asset.setup);
+        }
+        for (const std::string& id : analyses_used_by(project_, analysis_)) {
+            const AnalysisEntry& upstream = *project_.find_analysis(id);
+            if (const SetupSchema* schema = schema_of(upstream)) add_setup(id, *schema, upstream.setup);
         }
         if (inputs_) add_inputs();
         return std::move(choices_);
