@@ -82,10 +82,8 @@ void refuse_idle_edits(const AnalysisEntry& entry, const InputSet& inputs, Probl
 }  // namespace
 
 Message chain_too_long() {
-    return tell<
-        "more than %1 analyses feed each other in a row: let some of them be one analysis, with the "
-        "equations "
-        "of all of them">(deepest_chain);
+    return tell<"more than %1 analyses feed each other in a row: put the equations of some of them into one">(
+        deepest_chain);
 }
 
 namespace {
