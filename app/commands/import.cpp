@@ -5,8 +5,10 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/extended_project.h"
+#include "app/frozen_joints.h"
 #include "app/terminal.h"
 #include "core/base/in_quotes.h"
 #include "core/made/import_reading.h"
@@ -26,19 +28,10 @@ struct FileImport {
     std::string file, reader, sheet, output;
     std::vector<std::string> columns, units, cells;
     std::vector<int> rows_left_out;
+    std::string tip;
+    std::vector<std::string> frozen;
     bool list = false, add = false;
 };
-
-constexpr const char* import_footer =
-    "Examples:\n"
-    "  covaria import --list\n"
-    "  covaria import certificate.xml                        what would be taken over\n"
-    "  covaria import jig.txt --as spatialanalyzer -o jig.covaria\n"
-    "  covaria import budget.xlsx -o budget.covaria\n"
-    "  covaria import budget.xlsx --cell D7=mm --leave-out 9  a cell read so, a row left out\n"
-    "  covaria import points.csv --unit m --columns name,x,y,z,u,- -o jig.covaria --add\n"
-    "\n"
-    "What a file does not say is asked for, and what is not taken over is listed.";
 
 tl::unexpected<Error> with_file(Error error, const std::string& file) {
     if (error.file.empty()) error.file = file;
@@ -76,13 +69,17 @@ Result<ReadChoice> choice_of(const FileImport& request) {
                       .columns = request.columns,
                       .sheet = request.sheet,
                       .chosen = !request.reader.empty(),
-                      .rows_left_out = {request.rows_left_out.begin(), request.rows_left_out.end()}};
+                      .rows_left_out = {request.rows_left_out.begin(), request.rows_left_out.end()},
+                      .robot = {}};
     for (const std::string& cell : request.cells) {
         const std::size_t sign = cell.find('=');
         if (sign == std::string::npos || sign == 0)
             return fail(ErrorCode::usage, "--cell " + cell + ": it must be PLACE=TEXT, such as D7=mm");
         choice.cells.insert_or_assign(cell.substr(0, sign), cell.substr(sign + 1));
     }
+    auto robot = urdf_choice(request.tip, request.frozen);
+    if (!robot) return fail(robot.error());
+    choice.robot = *std::move(robot);
     for (const std::string& text : request.units) {
         const std::size_t sign = text.rfind('=');
         const bool lengths = sign == std::string::npos;
@@ -159,7 +156,14 @@ Command import_command(CLI::App& app) {
     auto request = std::make_shared<FileImport>();
     CLI::App* command = app.add_subcommand(
         "import", "Read points, certificates and measurements from files of other programs");
-    command->footer(import_footer);
+    add_examples(*command,
+                 {{"import --list", "the readers"},
+                  {"import certificate.xml", "what would be taken over"},
+                  {"import jig.txt --as spatialanalyzer -o jig.covaria"},
+                  {"import projects/excel-budget.xlsx -o budget.covaria"},
+                  {"import points.csv --unit m --columns name,x,y,z,u,- -o jig.covaria --add"},
+                  {"import arm.urdf -o arm.covaria", "a robot"}},
+                 "What a file does not say is asked for, and what is not taken over is listed.");
     command->add_option("FILE", request->file, "file to read");
     command->add_flag("--list", request->list, "list the readers");
     command->add_option("--as", request->reader, "read it with this reader; found without it")
@@ -193,6 +197,7 @@ Command import_command(CLI::App& app) {
         ->delimiter(',')
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_robot_options(*command, request->tip, request->frozen);
     return {command, [request](const std::stop_token&) -> int {
                 if (request->list) {
                     std::fputs(list_of_readers().c_str(), stdout);

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
+#include "core/kinds/robot/urdf.h"
 #include "core/project/project.h"
 
 namespace covaria {
@@ -31,6 +32,7 @@ struct ReadChoice {
     bool chosen = false;                     ///< the reader was named: what it stands for is stated
     std::map<std::string, std::string> cells = {};  ///< of a workbook, to be read so: "D3" -> "mm"
     std::set<int> rows_left_out = {};               ///< of a workbook
+    UrdfChoice robot = {};                          ///< of a robot: its tip, joints that it does not have
 };
 
 /// Something of the file that is not taken over.

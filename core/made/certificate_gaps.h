@@ -1,0 +1,34 @@
+// What a certificate of a project must state and does not: texts, and the names of its measurands, which only
+// the made project knows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/made/made_project.h"
+
+namespace covaria {
+
+struct CertificateGap {
+    std::string path;    ///< from the root of the project
+    Message what;        ///< "Customer", "Name of the measurand Y of End gauge"
+    const char* clause;  ///< of ISO/IEC 17025:2017
+};
+
+/// Whether an analysis that the certificate states has a tolerance.
+Conformity stated_conformity(const Project& project);
+
+/// All of them: texts in the order of their form, then a measurand that is called by its symbol alone for
+/// each analysis.
+std::vector<CertificateGap> certificate_gaps(const MadeProject& made);
+/// An error for each.
+Problems missing_in(const MadeProject& made);
+
+/// That a certificate under an accreditation states U for: about 95 % (ILAC-P14 5.3), which 95.45 % of k = 2
+/// is.
+bool is_accredited_probability(double probability);
+/// A warning where an analysis of an accredited certificate states U for another one: at the options that say
+/// so, by the normal distribution where k is fixed.
+void check_accredited_probability(const Project& project, Problems& problems);
+
+}  // namespace covaria
