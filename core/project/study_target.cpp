@@ -7,6 +7,7 @@
 
 #include "core/base/in_quotes.h"
 #include "core/base/temperature.h"
+#include "core/project/entry_names.h"
 #include "core/project/kind_lookup.h"
 #include "core/setup/message_text.h"
 #include "core/text/symbol.h"
@@ -79,7 +80,9 @@ private:
         if (!axis_.asset.empty()) {
             const AssetEntry* asset = project_.find_asset(axis_.asset);
             if (!asset)
-                return fail(ErrorCode::bad_input, tell<"there is no asset %1">(in_quotes(axis_.asset)),
+                return fail(ErrorCode::bad_input,
+                            tell<"there is no asset %1%2">(in_quotes(axis_.asset),
+                                                           did_you_mean_entry(axis_.asset, project_.assets)),
                             "/asset");
             schema = schema_of(*asset);
             setup_ = &asset->setup;
