@@ -69,14 +69,18 @@ bool stay(const Uses& uses, const Uses& before) {
     return std::equal(uses.begin(), uses.end(), before.begin(), before.end(), is_same);
 }
 
-void refuse_circles(const std::vector<EntryReference>& references, Problems& problems) {
+void refuse_circles(const Project& project, const std::vector<EntryReference>& references,
+                    Problems& problems) {
+    const auto name = [&](const std::string& id) {
+        return in_quotes(shown_name(project, id, !project.find_asset(id)));
+    };
     for (const EntryReference& reference : references) {
         if (reference.circle.empty()) continue;
         std::string way;
-        for (const std::string& id : reference.circle) way += id + " → ";
+        for (const std::string& id : reference.circle) way += name(id) + " → ";
         problems.error(path_in_setup(reference),
                        tell<"%1, which refers back to this one: %2%3">(words_of(reference, project), way,
-                                                                       reference.circle.front()));
+                                                                       name(reference.circle.front())));
     }
 }
 
