@@ -36,6 +36,7 @@ PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWid
     for (std::size_t i = 0; i < edits_.size(); ++i) {
         auto* edit = edits_[i] = new QuantityEdit(this);
         keep_whole_text(*edit, letters);
+        edit->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // no wider than it must be
         edit->setTextMargins(-1, 0, -1, 0);
         edit->set_keeps_unit(false);
         edit->set_optional(false);
