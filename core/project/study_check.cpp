@@ -40,7 +40,7 @@ public:
             path_ = analysis_fields().place(&AnalysisEntry::studies, i);
             const std::string& id = analysis_.studies[i].id;
             if (!ids.insert(id).second)
-                problems_.error(path_ + at(&Study::id), tell<"the id %1 is used twice">(in_quotes(id)));
+                problems_.error(path_ + at(&Study::id), tell<"another study has the same id">());
             check(analysis_.studies[i]);
         }
     }
@@ -67,9 +67,8 @@ public:
 private:
     void check(const Study& study) {
         if (!is_project_id(study.id))
-            problems_.error(
-                path_ + at(&Study::id),
-                tell<"the id %1 must be made of letters, digits, '-' and '_'">(in_quotes(study.id)));
+            problems_.error(path_ + at(&Study::id),
+                            tell<"its id must be made of letters, digits, '-' and '_'">());
         if (study.axes.empty() || study.axes.size() > 3)
             problems_.error(path_ + at(&Study::axes),
                             tell<"a study has one to three axes; this one has %1">(study.axes.size()));

@@ -8,6 +8,7 @@
 
 #include "core/base/in_quotes.h"
 #include "core/base/temperature.h"
+#include "core/project/entry_names.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/links.h"
 #include "core/setup/message_text.h"
@@ -97,7 +98,8 @@ private:
             if (!asset && !upstream)
                 return fail(ErrorCode::bad_input,
                             tell<"there is no asset %1, and no analysis of this name that this one takes "
-                                 "from">(in_quotes(axis_.asset)),
+                                 "from%2">(in_quotes(axis_.asset),
+                                           did_you_mean_entry(axis_.asset, project_.assets)),
                             "/asset");
             schema = asset ? of_entry(*asset) : of_entry(*upstream);
             if (asset) target_.asset = static_cast<std::size_t>(asset - project_.assets.data());
