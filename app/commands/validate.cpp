@@ -28,7 +28,7 @@ int validate(const ValidateArguments& arguments) {
     if (arguments.certificate && loaded.made) {
         for (Problem& problem : loaded.problems.items())
             if (problem.path.starts_with("/certificate/")) problem.severity = Severity::error;
-        loaded.problems.take(missing_in(*loaded.made), "");
+        loaded.problems.take(missing_in(*loaded.made, certified_ids(loaded.project)), "");
     }
     print_problems(loaded.problems);
     if (loaded.problems.has_errors()) return exit_bad_input;
