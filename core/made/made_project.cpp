@@ -1,12 +1,14 @@
 // The parts of a made project put together.
 #include "core/made/made_project.h"
 
+#include <algorithm>
 #include <set>
 
 #include "core/base/in_quotes.h"
 #include "core/made/certificate_gaps.h"
 #include "core/made/project_making.h"
 #include "core/project/certificate_logo.h"
+#include "core/project/links.h"
 #include "core/project/project_id.h"
 #include "core/setup/message_text.h"
 
@@ -26,6 +28,10 @@ void check_ids(const std::vector<Entry>& entries, const std::string& place, Prob
         else if (!known.insert(id).second)
             problems.error(path, tell<"the id %1 is used twice">(in_quotes(id)));
     }
+}
+
+bool is_of_long_chain(const Problem& problem) {
+    return problem.message == chain_too_long();
 }
 
 }  // namespace
@@ -70,9 +76,14 @@ Problems MadeProject::problems() const {
     check_report_contents(project_->report, analyses, all);
     for (const std::size_t entry : graph_.order())  // causes before what follows from them
         if (graph_.is_asset(entry)) all.take(entries_[entry]->problems, "/assets/" + std::to_string(entry));
+    bool said_too_long = false;
     for (std::size_t i = 0; i < project_->analyses.size(); ++i) {
         const std::string place = "/analyses/" + std::to_string(i);
-        all.take(made_analysis(i).problems, place);
+        Problems own = made_analysis(i).problems;
+        if (said_too_long)  // once: every further analysis of the chain has the same to say
+            std::erase_if(own.items(), is_of_long_chain);
+        said_too_long = said_too_long || std::ranges::any_of(own.items(), is_of_long_chain);
+        all.take(own, place);
         all.take(made_analysis(i).of_studies, place);
     }
     return all;

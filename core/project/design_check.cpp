@@ -5,6 +5,8 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
+#include "core/base/own_folder.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/csv_table.h"
 #include "core/project/design_fields.h"
@@ -52,6 +54,10 @@ TablePlace place_of_table(const Project& project, const AnalysisEntry& analysis,
 /// The candidates of the CSV file in the units of the table, behind its rows.
 void add_candidates(const Project& project, const FieldSpec& field, const std::string& file,
                     DesignTable& table, Problems& problems) {
+    if (is_led_out_of(project.directory, file))
+        return problems.error(choice_fields().place(&DesignChoice::candidates),
+                              tell<"the file of candidates '%1' is a link that leads out of the project's "
+                                   "folder: put the file itself there">(file));
     CsvTable csv = table_from_csv_file(project.directory / file, field);
     for (const Problem& problem : csv.problems.items()) {
         Problem placed = problem;
@@ -141,6 +147,8 @@ private:
         const std::string below = at(&Design::reductions, i);
         const auto target = find_study_target(project_, analysis_, inputs_, reduction.number);
         if (!target) error(below + target.error().path, target.error().message);
+        if (target && !part_objection(target->scale).empty())
+            error(below + reduced_number_fields().place(&StudyAxis::target), part_objection(target->scale));
         if (!(reduction.number.from > 0.0) || !(reduction.number.from < 1.0))
             error(below + reduced_number_fields().place(&StudyAxis::from),
                   tell<"the smallest factor is between 0 and 1">());

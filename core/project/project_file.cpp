@@ -39,6 +39,9 @@ Result<Json> parse_json(const std::string& text) {
                           {},
                           {},
                           line});
+    } catch (const Json::out_of_range&) {
+        return fail(ErrorCode::bad_input,
+                    tell<"a number here is larger than any that can be computed with (1.8e308)">());
     }
 }
 

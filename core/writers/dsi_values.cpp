@@ -119,7 +119,7 @@ private:
         const DsiUnit unit = dsi_unit_for(output.quantity.unit);
         meta.append_attribute("refType") = "basic_conformity";
         add_name(meta, "Conformity of " + label_of(output));
-        add_text(meta, "dcc:convention", decision_rule(verdict.guard_factor));
+        add_text(meta, "dcc:convention", decision_rule(verdict));
         if (!conformity_.specification.empty()) add_text(meta, "dcc:norm", conformity_.specification);
         add_text(meta, "dcc:norm", "JCGM 106:2012");
         add_text(meta, "dcc:conformity",
@@ -129,7 +129,8 @@ private:
             add_number(data, "lower limit", unit, unit.unit.from_si(*verdict.lower_limit));
         if (verdict.upper_limit)
             add_number(data, "upper limit", unit, unit.unit.from_si(*verdict.upper_limit));
-        add_number(data, "guard band", unit, unit.unit.interval_from_si(verdict.guard_band));
+        if (std::isfinite(verdict.guard_band))
+            add_number(data, "guard band", unit, unit.unit.interval_from_si(verdict.guard_band));
         add_number(data, "probability of conformance", dsi_unit_for(Unit()), verdict.conformance);
     }
 

@@ -241,12 +241,15 @@ QString BudgetSheetModel::stated_words(int row, bool typeset) const {
     if (kind.empty()) return {};
     TypedStatement statement{kind, number_at(row, "a"), number_at(row, "b"), std::nullopt,
                              text_at(row, "stated_unit")};
-    if (kind == "observations") statement.observations = observed(symbol_of(row));
+    const bool is_drawn = kind == "sample" || kind == "histogram";
+    if (kind == "observations" || is_drawn) statement.observations = observed(symbol_of(row));
+    if (is_drawn) statement.weights = weights_of(document_.project(), address_, symbol_of(row));
     // A long list would take the room of what follows from it; where it is edited it is whole.
     const std::size_t count = statement.observations.size();
     const int decimals = common_decimals(statement.observations);
     const bool is_long = typeset && count > most_listed;
     if (is_long) statement.observations.resize(most_listed - 1);
+    if (is_long) statement.weights.clear();
     const auto number = [typeset, decimals](double value) {
         const std::string alike = decimals < 0 ? std::string() : format_decimals(value, decimals);
         if (typeset) return grouped_digits(alike.empty() ? format_typed(value) : alike, user_numbers());
@@ -430,7 +433,9 @@ void BudgetSheetModel::take_observations(int row, const QString& text, const QSt
     if (!file_of_observations(document_.project(), address_).empty()) return;
     document_.apply(
         SetupTableModel::tr("Change %1: %2").arg(core_text(table->title), to_qt(symbol_of(row))),
-        [&](Project& project) { set_observations(project, address_, symbol_of(row), read->observations); },
+        [&](Project& project) {
+            set_observations(project, address_, symbol_of(row), read->observations, read->weights);
+        },
         step);
 }
 

@@ -1,8 +1,12 @@
 // Problems in words, with the place as people name it.
 #include "ui/models/problems_model.h"
 
+#include <QFont>
+#include <QGuiApplication>
+#include <QPalette>
 #include <algorithm>
 
+#include "core/project/remedies.h"
 #include "core/text/symbol.h"
 #include "ui/document/correlated_pair.h"
 #include "ui/document/missing_fields.h"
@@ -74,6 +78,17 @@ QString part_words(const Project& project, const SetupAddress& address, const st
     return field_words(find_schema(project, address), find_setup(project, address), parts);
 }
 
+/// As a link looks.
+QVariant remedy_data(const Remedy* remedy, int role) {
+    if (!remedy) return {};
+    if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return to_qt(remedy->words);
+    if (role == Qt::ForegroundRole) return QGuiApplication::palette().color(QPalette::Link);
+    if (role != Qt::FontRole) return {};
+    QFont font = QGuiApplication::font();
+    font.setUnderline(true);
+    return font;
+}
+
 }  // namespace
 
 ProblemsModel::ProblemsModel(Document& document, QObject* parent)
@@ -92,6 +107,32 @@ void ProblemsModel::show(const Problems& problems) {
 int ProblemsModel::errors() const {
     return static_cast<int>(std::count_if(problems_.begin(), problems_.end(),
                                           [](const Problem& p) { return p.severity == Severity::error; }));
+}
+
+int ProblemsModel::remedies() const {
+    std::size_t most = 0;
+    for (const Problem& problem : problems_) most = std::max(most, problem.remedies.size());
+    return std::min(static_cast<int>(most), column_count - remedy_column);
+}
+
+const Remedy* ProblemsModel::remedy_at(const QModelIndex& index) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid) || index.column() < remedy_column) return nullptr;
+    const auto& remedies = problems_[static_cast<std::size_t>(index.row())].remedies;
+    const auto at = static_cast<std::size_t>(index.column() - remedy_column);
+    return at < remedies.size() ? &remedies[at] : nullptr;
+}
+
+bool ProblemsModel::take_remedy(const QModelIndex& index) {
+    const Remedy* found = remedy_at(index);
+    if (!found) return false;
+    const Remedy remedy = *found;  // the problems change with the project
+    const auto changed = mended(document_.project(), remedy);
+    if (!changed) {
+        emit remedy_refused(to_qt(changed.error().message));
+        return false;
+    }
+    document_.apply(to_qt(remedy.words), [&](Project& project) { project = *changed; });
+    return true;
 }
 
 int ProblemsModel::rowCount(const QModelIndex& parent) const {
@@ -130,6 +171,7 @@ QString ProblemsModel::missing_words(const Document& document, const std::string
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const Problem& problem = problems_[static_cast<std::size_t>(index.row())];
+    if (index.column() >= remedy_column) return remedy_data(remedy_at(index), role);
     switch (role) {
         case path_role:
             return to_qt(problem.path);
@@ -161,6 +203,7 @@ bool ProblemsModel::is_to_give(const Problem& problem) const {
 QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (role != Qt::DisplayRole) return {};
     if (orientation == Qt::Vertical) return section + 1;
+    if (section >= remedy_column) return section == remedy_column ? tr("Way out") : tr("or");
     return section == severity_column ? tr("Kind") : section == place_column ? tr("Place") : tr("Problem");
 }
 

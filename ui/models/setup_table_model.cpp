@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/temperature.h"
 #include "core/setup/text_columns.h"
 #include "core/text/head_with_unit.h"
 #include "core/text/symbol.h"
@@ -249,6 +250,8 @@ std::map<int, SetupTableModel::TypedCell> SetupTableModel::cells_of_value(int ro
     if (written.isEmpty())
         return {{at("value"), {number_text(value, QLocale())}}, {at("unit"), {to_qt(typed->text())}}};
     const Unit of_row = Unit::parse(to_std(written)).value_or(Unit());
+    if (const Message objection = reading_objection(*typed, of_row); !objection.empty())
+        return {{at("value"), {text, to_qt(objection)}}};
     if (typed->dimension() == of_row.dimension())
         return {{at("value"), {number_text(converted(value, *typed, of_row), QLocale())}}};
     return {{at("value"),

@@ -202,7 +202,8 @@ void warn_of_other_axes(const FrameRule& rule, Side side, Problems& problems) {
     for (const NominalPoint& p : rule.points) local.push_back(p.local);
     const Eigen::Isometry3d X = frame_of(rule, local);
     const double angle = Eigen::AngleAxisd(X.linear()).angle(), shift = X.translation().norm();
-    const double size = (local[1] - local[0]).norm();
+    double size = 0.0;
+    for (const Eigen::Vector3d& p : local) size = std::max(size, (p - local[0]).norm());
     if (angle < 1e-3 && shift < 1e-3 * size) return;
     problems.warning(
         frame_fields(side).place(&FrameRule::points),
