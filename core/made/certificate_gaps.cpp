@@ -40,6 +40,10 @@ bool has_tolerance(const Requirement& requirement) {
     return requirement.lower_limit || requirement.upper_limit;
 }
 
+bool contains(const CertifiedIds& ids, const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
 const char* key_of_option(std::string_view key) {
     const auto& all = option_fields();
     return std::find_if(all.begin(), all.end(), [&](const OptionField& field) { return field.key == key; })
@@ -47,13 +51,13 @@ const char* key_of_option(std::string_view key) {
 }
 
 /// A gap for each analysis with results that have no name.
-std::vector<CertificateGap> unnamed_results(const MadeProject& made) {
+std::vector<CertificateGap> unnamed_results(const MadeProject& made, const CertifiedIds& ids) {
     std::vector<CertificateGap> gaps;
     const Project& project = made.project();
     for (std::size_t i = 0; i < project.analyses.size(); ++i) {
         const AnalysisEntry& analysis = project.analyses[i];
         const auto prepared = made.analysis(analysis.id);
-        if (!prepared || !project.report.has_analysis(analysis.id)) continue;
+        if (!prepared || !contains(ids, analysis.id)) continue;
         const std::vector<std::string> symbols = unnamed_symbols(prepared->model->outputs());
         if (symbols.empty()) continue;
         const std::string of = in_quotes(analysis.name);
@@ -68,28 +72,35 @@ std::vector<CertificateGap> unnamed_results(const MadeProject& made) {
 
 }  // namespace
 
-Conformity stated_conformity(const Project& project) {
+CertifiedIds certified_ids(const Project& project) {
+    CertifiedIds ids;
     for (const AnalysisEntry& analysis : project.analyses)
-        if (project.report.has_analysis(analysis.id) &&
+        if (project.report.has_analysis(analysis.id)) ids.push_back(analysis.id);
+    return ids;
+}
+
+Conformity stated_conformity(const Project& project, const CertifiedIds& ids) {
+    for (const AnalysisEntry& analysis : project.analyses)
+        if (contains(ids, analysis.id) &&
             std::any_of(analysis.requirements.begin(), analysis.requirements.end(), has_tolerance))
             return Conformity::stated;
     return Conformity::not_stated;
 }
 
-std::vector<CertificateGap> certificate_gaps(const MadeProject& made) {
+std::vector<CertificateGap> certificate_gaps(const MadeProject& made, const CertifiedIds& ids) {
     const Certificate& certificate = made.project().certificate;
-    const Conformity conformity = stated_conformity(made.project());
+    const Conformity conformity = stated_conformity(made.project(), ids);
     std::vector<CertificateGap> gaps;
     for (const CertificateField& field : certificate_fields())
         if (is_missing(field, certificate, conformity))
             gaps.push_back({pointer_of(field), Message::declared(field.title), field.clause});
-    for (CertificateGap& gap : unnamed_results(made)) gaps.push_back(std::move(gap));
+    for (CertificateGap& gap : unnamed_results(made, ids)) gaps.push_back(std::move(gap));
     return gaps;
 }
 
-Problems missing_in(const MadeProject& made) {
-    Problems missing = missing_in(made.project().certificate, stated_conformity(made.project()));
-    for (const CertificateGap& gap : unnamed_results(made))
+Problems missing_in(const MadeProject& made, const CertifiedIds& ids) {
+    Problems missing = missing_in(made.project().certificate, stated_conformity(made.project(), ids));
+    for (const CertificateGap& gap : unnamed_results(made, ids))
         missing.error(gap.path, tell<"the certificate calls it by its symbol alone: %1 must be stated "
                                      "(ISO/IEC 17025 %2)">(gap.what, gap.clause));
     return missing;

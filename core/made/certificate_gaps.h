@@ -15,14 +15,19 @@ struct CertificateGap {
     const char* clause;  ///< of ISO/IEC 17025:2017
 };
 
-/// Whether an analysis that the certificate states has a tolerance.
-Conformity stated_conformity(const Project& project);
+/// Analyses whose results a certificate states, by id.
+using CertifiedIds = std::vector<std::string>;
+/// Those that the project does not leave out of its documents.
+CertifiedIds certified_ids(const Project& project);
 
-/// All of them: texts in the order of their form, then a measurand that is called by its symbol alone for
-/// each analysis.
-std::vector<CertificateGap> certificate_gaps(const MadeProject& made);
+/// Whether one of them has a tolerance.
+Conformity stated_conformity(const Project& project, const CertifiedIds& ids);
+
+/// All of them: texts in the order of their form, then for each analysis the results that are called by their
+/// symbols alone.
+std::vector<CertificateGap> certificate_gaps(const MadeProject& made, const CertifiedIds& ids);
 /// An error for each.
-Problems missing_in(const MadeProject& made);
+Problems missing_in(const MadeProject& made, const CertifiedIds& ids);
 
 /// That a certificate under an accreditation states U for: about 95 % (ILAC-P14 5.3), which 95.45 % of k = 2
 /// is.

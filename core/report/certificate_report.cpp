@@ -119,7 +119,8 @@ Blocks conformity_of(const ReportSource& source, const std::vector<EvaluatedAnal
 
 /// Whether the PDF carries a digital certificate, which then states the results of all analyses.
 bool has_digital(const ReportSource& source) {
-    if (missing_in_digital(source.made.project().certificate, stated_conformity(source.made.project()))
+    if (missing_in_digital(source.made.project().certificate,
+                           stated_conformity(source.made.project(), ids_of(source.analyses)))
             .has_errors())
         return false;
     for (const EvaluatedAnalysis& one : source.analyses)

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/base/file_names.h"
+#include "core/made/certificate_gaps.h"
 #include "core/project/project_file.h"
 #include "core/report/certificate_words.h"
 #include "core/report/report_body.h"
@@ -146,11 +147,14 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
     return build_report(made, analyses, failed, made.project().report, in);
 }
 
-std::vector<std::string> reported_analyses(const Project& project) {
+std::vector<std::string> ids_of(const std::vector<EvaluatedAnalysis>& analyses) {
     std::vector<std::string> ids;
-    for (const AnalysisEntry& analysis : project.analyses)
-        if (project.report.has_analysis(analysis.id)) ids.push_back(analysis.id);
+    for (const EvaluatedAnalysis& one : analyses) ids.push_back(one.analysis->id);
     return ids;
+}
+
+std::vector<std::string> reported_analyses(const Project& project) {
+    return certified_ids(project);
 }
 
 ReportDocument build_document(DocumentKind kind, const MadeProject& made,

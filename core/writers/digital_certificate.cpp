@@ -221,11 +221,13 @@ private:
 };
 
 Problems missing_for_dcc(const Project& project) {
-    return missing_in_digital(project.certificate, stated_conformity(project));
+    return missing_in_digital(project.certificate, stated_conformity(project, certified_ids(project)));
 }
 
 Result<WrittenFile> write_dcc(const WriterSource& source) {
-    const Problems missing = missing_for_dcc(source.made.project());
+    const Project& project = source.made.project();
+    const Problems missing =
+        missing_in_digital(project.certificate, stated_conformity(project, ids_of(source.analyses)));
     if (missing.has_errors())
         return fail(ErrorCode::bad_input, first_error(missing, ""), missing.items().front().path);
     return DccWriter(source).write();

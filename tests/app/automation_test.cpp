@@ -157,7 +157,7 @@ std::vector<std::string> with_certificate(std::vector<std::string> arguments) {
           "customer/name=Works", "customer/address=Road 2, Town", "item/description=Gauge block",
           "item/serialNumber=0815", "dates/calibrated=2026-04-17", "dates/issued=2026-04-20",
           "method=Comparison, MP-12", "environment=(20.0 ± 0.1) °C", "traceability=Certificate 55-2026",
-          "authorised/name=E. Muster"}) {
+          "specification=ISO 3650:1998, grade 1", "authorised/name=E. Muster"}) {
         arguments.emplace_back("--set");
         arguments.push_back(std::string("/certificate/") + value);
     }
@@ -173,6 +173,11 @@ TEST(Certificate, ValidateListsWhatIsMissing) {
     const Outcome with = run_program(with_certificate({"validate", gauge, "--certificate"}));
     EXPECT_EQ(with.status, 0) << with.err;
     EXPECT_EQ(with.err, "");
+    std::vector<std::string> accredited = with_certificate({"validate", gauge});
+    accredited.insert(accredited.end(), {"--set", "/certificate/laboratory/accreditation=D-K-1"});
+    const Outcome warned = run_program(accredited);
+    EXPECT_EQ(warned.status, 0) << "a warning";
+    EXPECT_NE(warned.err.find("about 95 % (ILAC-P14 5.3); here it is 99"), std::string::npos) << warned.err;
     const Outcome wrong = run_program({"validate", gauge, "--set", "/certificate/dates/issued=17.4.2026"});
     EXPECT_EQ(wrong.status, 1);
     EXPECT_NE(wrong.err.find("must be a date of the form 2026-04-17"), std::string::npos) << wrong.err;
@@ -198,8 +203,9 @@ TEST(Certificate, IsOneFileOfTheFormatThatItsNameAsksFor) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder / "new"), fs::directory_iterator()), 3);
     EXPECT_EQ(read_text(folder / "new" / "c.pdf").substr(0, 5), "%PDF-");
     const std::string html = read_text(folder / "new" / "c.html");
-    for (const char* part : {"Calibration certificate 2026-0417", "0815", "End of certificate 2026-0417",
-                             "l = (50 000 838 ± 92) nm, k = 2.91", "p = 99 %"})
+    for (const char* part :
+         {"Calibration certificate 2026-0417", "0815", "End of certificate 2026-0417", "17 April 2026",
+          "Date of issue: 20 April 2026", "l = (50 000 838 ± 92) nm, k = 2.91", "p = 99 %"})
         EXPECT_NE(html.find(part), std::string::npos) << part << "\n" << html;
     const Outcome wrong = run_program({"report", gauge, "-o", (folder / "c.docx").string()});
     EXPECT_EQ(wrong.status, 2) << wrong.err;

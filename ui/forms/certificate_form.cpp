@@ -65,11 +65,15 @@ private:
     QString none_;
 };
 
+Conformity conformity_in(const Project& project) {
+    return stated_conformity(project, certified_ids(project));
+}
+
 /// Names of results that the made project lacks; none before it is made.
 QStringList unnamed_results(Document& document) {
     QStringList words;
     if (const auto& made = document.maker().made())
-        for (const CertificateGap& gap : certificate_gaps(*made))
+        for (const CertificateGap& gap : certificate_gaps(*made, certified_ids(made->project())))
             if (!gap.path.starts_with("/certificate/")) words << to_qt(gap.what);
     return words;
 }
@@ -168,7 +172,7 @@ void CertificateForm::write(const CertificateField& field, const std::string& te
 
 void CertificateForm::refresh() {
     const Certificate& certificate = document_.project().certificate;
-    const Conformity conformity = stated_conformity(document_.project());
+    const Conformity conformity = conformity_in(document_.project());
     const DocumentLanguage in = language_of_window();
     for (const Row& row : rows_) {
         const std::string& text = certificate.*row.field->member;
@@ -181,7 +185,7 @@ void CertificateForm::refresh() {
 }
 
 void CertificateForm::refresh_state() {
-    const Conformity conformity = stated_conformity(document_.project());
+    const Conformity conformity = conformity_in(document_.project());
     QStringList missing;
     qsizetype required = 0;
     for (const Row& row : rows_) {
@@ -235,7 +239,7 @@ void CertificateForm::focus_next_missing() {
     const std::size_t first = start == rows_.end() ? 0 : std::size_t(start - rows_.begin()) + 1;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Row& row = rows_[(first + i) % rows_.size()];
-        if (!is_missing(*row.field, document_.project().certificate, stated_conformity(document_.project())))
+        if (!is_missing(*row.field, document_.project().certificate, conformity_in(document_.project())))
             continue;
         row.editor->focus_part({});
         return bring_into_view(*row.editor);

@@ -46,7 +46,7 @@ QString filter_of(ReportFormat format) {
 /// "Customer (7.8.2.1 e)"
 QStringList missing_words(const MadeProject& made) {
     QStringList words;
-    for (const CertificateGap& gap : certificate_gaps(made))
+    for (const CertificateGap& gap : certificate_gaps(made, certified_ids(made.project())))
         words << QStringLiteral("%1 (%2)").arg(to_qt(gap.what), QLatin1String(gap.clause));
     return words;
 }

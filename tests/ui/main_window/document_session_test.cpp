@@ -151,7 +151,7 @@ TEST_F(DocumentSession, TheWindowsCertificateIsThatOfTheCommandLine) {
     open(QStringLiteral(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria"));
     wait_until_idle();
     ASSERT_NO_FATAL_FAILURE(fill_certificate());
-    EXPECT_TRUE(missing_in(project().certificate, stated_conformity(project())).items().empty());
+    EXPECT_TRUE(missing_in(*MadeProject::make(project()), certified_ids(project())).items().empty());
     EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
     const QString ours = folder_.filePath(QStringLiteral("ours.pdf"));
     answer_.file_to_save = ours;

@@ -27,6 +27,10 @@ Project project_of(const std::string& rows_of_results) {
     return loaded.project;
 }
 
+std::vector<CertificateGap> gaps_of(const Project& project) {
+    return certificate_gaps(*MadeProject::make(project), certified_ids(project));
+}
+
 std::string list(const std::vector<CertificateGap>& gaps) {
     std::string all;
     for (const CertificateGap& gap : gaps)
@@ -36,9 +40,7 @@ std::string list(const std::vector<CertificateGap>& gaps) {
 }
 
 TEST(CertificateGaps, AResultThatIsCalledByItsSymbolAloneIsOne) {
-    const auto gaps_with = [](const char* rows) {
-        return list(certificate_gaps(*MadeProject::make(project_of(rows))));
-    };
+    const auto gaps_with = [](const char* rows) { return list(gaps_of(project_of(rows))); };
     EXPECT_EQ(gaps_with(R"(["L_1", "length", "mm"], ["L_2", "twice", "mm"])"), "");
     EXPECT_EQ(gaps_with(R"(["L_1", "length", "mm"], ["L_2", null, "mm"])"),
               "/analyses/0/setup: the name of the result L₂ of 'Bar' (7.8.2.1 m)\n");
@@ -46,8 +48,7 @@ TEST(CertificateGaps, AResultThatIsCalledByItsSymbolAloneIsOne) {
               "/analyses/0/setup: the names of the results L₁, L₂ of 'Bar' (7.8.2.1 m)\n");
     Project left_out = project_of(R"(["L_1", null, "mm"])");
     left_out.report.without_analyses = {"a"};
-    EXPECT_EQ(list(certificate_gaps(*MadeProject::make(left_out))), "")
-        << "the certificate does not state it";
+    EXPECT_EQ(list(gaps_of(left_out)), "") << "the certificate does not state it";
 }
 
 TEST(CertificateGaps, ProblemsAndGapsAreTheSame) {
@@ -55,14 +56,15 @@ TEST(CertificateGaps, ProblemsAndGapsAreTheSame) {
     for (const bool limited : {false, true}) {
         if (limited) project.analyses[0].requirements = {{"", "L_1", {}, {}, Quantity{11.0, Unit::of("mm")}}};
         const auto made = MadeProject::make(project);
-        const auto gaps = certificate_gaps(*made);
-        const Problems missing = missing_in(*made);
+        const auto gaps = certificate_gaps(*made, {"a"});
+        const Problems missing = missing_in(*made, {"a"});
         ASSERT_EQ(gaps.size(), missing.items().size());
         bool specification = false;
         for (std::size_t i = 0; i < gaps.size(); ++i) {
             EXPECT_EQ(gaps[i].path, missing.items()[i].path);
             specification = specification || gaps[i].path == "/certificate/specification";
         }
+        EXPECT_EQ(certificate_gaps(*made, {}).size(), gaps.size() - (limited ? 2 : 1)) << "nothing is stated";
         EXPECT_EQ(specification, limited) << "conformity is stated where there is a limit";
     }
 }
