@@ -183,11 +183,6 @@ private:
                                              {{"/setup" + quantity.source + "/unit", unit}}}};
     }
 
-    std::string name_of(const std::string& analysis) const {
-        const AnalysisEntry* entry = project_.find_analysis(analysis);
-        return !entry || entry->name.empty() ? analysis : entry->name;
-    }
-
     Index upstream(const PlacedLink& placed, Problems& problems) {
         const std::string& id = placed.link.output.analysis;
         const AnalysisEntry* entry = project_.find_analysis(id);

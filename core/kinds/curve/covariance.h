@@ -149,6 +149,7 @@ private:
 template <class Real, class X, class Y>
 mask_of<Real> fit_with_covariance(const PointCovariance& covariance, const Polynomials& polynomials,
                                   std::size_t points, X x, Y y, Values<Real>& q, Real& squares) {
+    using namespace real_functions;
     static thread_local CovarianceWorkspace<Real> work;
     work.resize(points);
     for (std::size_t i = 0; i < points; ++i) {
