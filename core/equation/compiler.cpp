@@ -231,11 +231,12 @@ private:
 
     void definition(const Statement& s) {
         nodes(s.first_node, s.last_node);
-        const Definition& d = s.defined.front();
-        if (emitter_.kind(at(d.root)).condition)
-            refuse(d.place, tell<"'%1' would be a condition: a definition must give a number">(d.name));
-        defined_[d.name] = at(d.root);
-        readings_.define(d.name, d.root);
+        for (const Definition& d : s.defined) {  // the parts of a complex number are two
+            if (emitter_.kind(at(d.root)).condition)
+                refuse(d.place, tell<"'%1' would be a condition: a definition must give a number">(d.name));
+            defined_[d.name] = at(d.root);
+            readings_.define(d.name, d.root);
+        }
     }
 
     void system(const Statement& s) {

@@ -32,6 +32,7 @@ struct StatedComponent {
     std::string stated_unit;  ///< of a and b; empty: the row's
     std::optional<double> nu, r_u;
     std::string source;
+    std::string ensemble;  ///< of quantities whose uncertainties one evaluation gave
     Referred instrument;
 };
 
@@ -39,7 +40,8 @@ struct Observation {
     std::string quantity;
     std::optional<int> number;  ///< of the simultaneous observation
     std::string series;
-    double value = 0.0;  ///< as typed, in the unit of the quantity
+    double value = 0.0;            ///< as typed, in the unit of the quantity
+    std::optional<double> weight;  ///< of a value of a sample, or of the cell that begins at an edge
 };
 
 /// The set-up as typed.
