@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -32,13 +33,6 @@ Pair ordered(std::size_t a, std::size_t b) {
 
 std::string quoted(const InputSet& inputs, std::size_t component) {
     return '"' + inputs.components[component].id + '"';
-}
-
-std::optional<double> factor_of(const InputQuantity& quantity, std::size_t component) {
-    std::optional<double> factor;
-    for (const Share& share : quantity.shares)
-        if (share.component == component) factor = factor.value_or(0.0) + share.factor;
-    return factor;
 }
 
 /// So that |factor| u of all components add: components with factors of opposite sign get -1.
@@ -170,16 +164,30 @@ std::optional<Error> estimate_problem(const InputSet& inputs) {
 
 }  // namespace
 
-double detail::correlation_between(const InputSet& inputs, std::size_t first, std::size_t second) {
-    for (const ComponentCorrelation& c : inputs.correlations)
-        if (ordered(c.first, c.second) == ordered(first, second)) return c.coefficient;
+std::vector<ComponentCorrelation> detail::correlations_among(const InputSet& inputs,
+                                                             const std::vector<std::size_t>& components) {
+    if (components.size() < 2) return {};
+    std::unordered_map<std::size_t, std::size_t> places;
+    for (std::size_t i = 0; i < components.size(); ++i) places.emplace(components[i], i);
+    Coefficients found;
+    for (const ComponentCorrelation& c : inputs.correlations) {
+        const auto first = places.find(c.first), second = places.find(c.second);
+        if (first != places.end() && second != places.end())
+            insert(found, ordered(first->second, second->second), c.coefficient);
+    }
     for (const InputQuantity& quantity : inputs.quantities) {
         if (quantity.combination != Combination::arithmetic) continue;
-        const std::optional<double> a = factor_of(quantity, first);
-        const std::optional<double> b = factor_of(quantity, second);
-        if (a && b) return coefficient_of_signs(*a, *b);
+        std::map<std::size_t, double> factors;
+        for (const Share& share : quantity.shares)
+            if (const auto place = places.find(share.component); place != places.end())
+                factors[place->second] += share.factor;
+        for (auto a = factors.begin(); a != factors.end(); ++a)
+            for (auto b = std::next(a); b != factors.end(); ++b)
+                insert(found, {a->first, b->first}, coefficient_of_signs(a->second, b->second));
     }
-    return 0.0;
+    std::vector<ComponentCorrelation> pairs;
+    for (const auto& [pair, coefficient] : found) pairs.push_back({pair.first, pair.second, coefficient});
+    return pairs;
 }
 
 std::vector<std::vector<std::size_t>> detail::correlated_sets(

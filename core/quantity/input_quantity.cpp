@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 
@@ -14,10 +15,12 @@ namespace covaria {
 
 namespace {
 
-/// Contributions a_j = factor_j u_j of the components of one quantity and their correlations R.
+/// Contributions a_j = factor_j u_j of the components of one quantity, their correlated pairs (places in the
+/// list), and R a with their correlations R. Most of many components are correlated with none: there is no
+/// matrix of them.
 struct Contributions {
-    Eigen::VectorXd a;
-    Eigen::MatrixXd correlation;
+    Eigen::VectorXd a, correlated;
+    std::vector<ComponentCorrelation> pairs;
     std::vector<std::size_t> components;
 };
 
@@ -25,13 +28,14 @@ struct Contributions {
 Contributions merged_contributions(const InputSet& inputs, const InputQuantity& quantity) {
     Contributions c;
     std::vector<double> a;
+    std::unordered_map<std::size_t, std::size_t> places;
     for (const Share& share : quantity.shares) {
         const UncertaintyComponent& component = inputs.components.at(share.component);
         if (component.held) continue;
         const double part = share.factor * component.distribution.standard_uncertainty();
-        const auto known = std::find(c.components.begin(), c.components.end(), share.component);
-        if (known != c.components.end()) {
-            a[static_cast<std::size_t>(known - c.components.begin())] += part;
+        const auto [known, is_new] = places.try_emplace(share.component, a.size());
+        if (!is_new) {
+            a[known->second] += part;
             continue;
         }
         c.components.push_back(share.component);
@@ -43,19 +47,18 @@ Contributions merged_contributions(const InputSet& inputs, const InputQuantity& 
 
 Contributions contributions(const InputSet& inputs, const InputQuantity& quantity) {
     Contributions c = merged_contributions(inputs, quantity);
-    const Eigen::Index n = c.a.size();
-    c.correlation = Eigen::MatrixXd::Identity(n, n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        for (Eigen::Index j = i + 1; j < n; ++j) {
-            const std::size_t first = c.components[static_cast<std::size_t>(i)];
-            const std::size_t second = c.components[static_cast<std::size_t>(j)];
-            c.correlation(i, j) = c.correlation(j, i) = detail::correlation_between(inputs, first, second);
-        }
+    c.correlated = c.a;
+    c.pairs = detail::correlations_among(inputs, c.components);
+    for (const ComponentCorrelation& pair : c.pairs) {
+        const auto i = static_cast<Eigen::Index>(pair.first), j = static_cast<Eigen::Index>(pair.second);
+        c.correlated[i] += pair.coefficient * c.a[j];
+        c.correlated[j] += pair.coefficient * c.a[i];
+    }
     return c;
 }
 
 double variance(const Contributions& c) {
-    return std::max(0.0, c.a.dot(c.correlation * c.a));
+    return std::max(0.0, c.a.dot(c.correlated));
 }
 
 }  // namespace
@@ -63,10 +66,9 @@ double variance(const Contributions& c) {
 std::vector<Share> detail::correlations_with_total(const InputSet& inputs, std::size_t quantity) {
     const Contributions c = contributions(inputs, inputs.quantities.at(quantity));
     const double u = std::sqrt(variance(c));
-    const Eigen::VectorXd covariances = c.correlation * c.a;
     std::vector<Share> result;
     for (std::size_t j = 0; j < c.components.size() && u > 0.0; ++j)
-        result.push_back({c.components[j], covariances[static_cast<Eigen::Index>(j)] / u});
+        result.push_back({c.components[j], c.correlated[static_cast<Eigen::Index>(j)] / u});
     return result;
 }
 
@@ -147,17 +149,13 @@ double degrees_of_freedom_of(const InputSet& inputs, std::size_t quantity) {
     const std::vector<std::size_t> estimates = inputs.estimates_of_components();
     std::vector<detail::WelchSatterthwaite::Source> sources;
     std::vector<detail::WelchSatterthwaite::Part> parts;
-    std::vector<ComponentCorrelation> correlations;
-    const Eigen::VectorXd correlated = c.correlation * c.a;
     for (std::size_t j = 0; j < c.components.size(); ++j) {
         const auto row = static_cast<Eigen::Index>(j);
         sources.push_back(
             {degrees_of_freedom_of(inputs.components[c.components[j]]), estimates[c.components[j]]});
-        parts.push_back({j, c.a[row] * correlated[row]});
-        for (std::size_t k = 0; k < j; ++k)
-            correlations.push_back({k, j, c.correlation(static_cast<Eigen::Index>(k), row)});
+        parts.push_back({j, c.a[row] * c.correlated[row]});
     }
-    return detail::WelchSatterthwaite(std::move(sources), correlations)
+    return detail::WelchSatterthwaite(std::move(sources), c.pairs)
         .effective(parts, variance(c))
         .degrees_of_freedom;
 }

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace covaria::input_quantity_test {
 namespace {
@@ -51,6 +55,59 @@ TEST(InputQuantity, AnArithmeticPairIsCorrelatedInOtherQuantitiesToo) {
     inputs.quantities.push_back(other);
     EXPECT_DOUBLE_EQ(standard_uncertainty_of(inputs, 0), 7.0);
     EXPECT_DOUBLE_EQ(standard_uncertainty_of(inputs, 1), 1.0);
+}
+
+/// Hundreds of components, some correlated, shared with other quantities, named twice, held: the variance is
+/// the double sum over all pairs.
+TEST(InputQuantity, TheVarianceIsTheSumOverAllPairs) {
+    std::mt19937_64 bits(9);
+    const auto below = [&](std::size_t n) { return static_cast<std::size_t>(bits() % n); };
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
+    };
+    for (int n = 0; n < 40; ++n) {
+        SCOPED_TRACE(n);
+        InputSet inputs;
+        const std::size_t components = 2 + below(60);
+        for (std::size_t i = 0; i < components; ++i) {
+            inputs.add(component("c" + std::to_string(i), between(0.1, 1.0)));
+            inputs.components.back().held = below(10) == 0;
+        }
+        InputQuantity sum = quantity("x", 0.0), arithmetic = quantity("y", 0.0, Combination::arithmetic);
+        std::vector<double> factors(components, 0.0);
+        for (std::size_t i = 0; i < components; ++i)
+            for (std::size_t times = 1 + (below(8) == 0 ? 1 : 0); times > 0; --times) {
+                sum.shares.push_back({i, between(-1.0, 1.0)});
+                factors[i] += sum.shares.back().factor;
+            }
+        Eigen::MatrixXd correlation =
+            Eigen::MatrixXd::Identity(Eigen::Index(components), Eigen::Index(components));
+        const auto correlate = [&](std::size_t i, std::size_t j, double r) {
+            correlation(Eigen::Index(i), Eigen::Index(j)) = correlation(Eigen::Index(j), Eigen::Index(i)) = r;
+        };
+        // The first half in declared pairs, of the second three that are added arithmetically.
+        for (std::size_t i = 0; i + 1 < components / 2; i += 2) {
+            inputs.correlations.push_back({i + 1, i, between(-1.0, 1.0)});
+            correlate(i, i + 1, inputs.correlations.back().coefficient);
+        }
+        for (std::size_t i = components / 2; i < std::min(components, components / 2 + 3); ++i) {
+            arithmetic.shares.push_back({i, between(-1.0, 1.0)});
+            for (const Share& other : arithmetic.shares)
+                if (other.component != i)
+                    correlate(i, other.component,
+                              (other.factor < 0.0) == (arithmetic.shares.back().factor < 0.0) ? 1.0 : -1.0);
+        }
+        inputs.quantities = {arithmetic, sum};
+        double variance = 0.0;
+        const auto part = [&](std::size_t i) {
+            const UncertaintyComponent& c = inputs.components[i];
+            return c.held ? 0.0 : factors[i] * c.distribution.standard_uncertainty();
+        };
+        for (std::size_t i = 0; i < components; ++i)
+            for (std::size_t j = 0; j < components; ++j)
+                variance += part(i) * correlation(Eigen::Index(i), Eigen::Index(j)) * part(j);
+        EXPECT_NEAR(std::pow(standard_uncertainty_of(inputs, 1), 2), std::max(0.0, variance), 1e-12);
+    }
 }
 
 TEST(InputQuantity, CorrelationsHeldComponentsAndMeans) {
