@@ -22,11 +22,14 @@ struct StudyTarget {
     std::size_t upstream = analysis;  ///< index in Project::analyses of another one that this one takes from
     std::string key = {};             ///< of the field; symbol of the quantity; id of the component
     std::size_t row = 0;
-    std::size_t column = 0;     ///< of the table's schema; coordinate 0 ... 5 of a pose
-    std::size_t index = 0;      ///< of the quantity or component
-    bool whole = false;         ///< a whole number
-    bool measured = false;      ///< read, observed or calibrated: nobody can choose it
-    Unit unit = {};             ///< in which the project gives the number
+    std::size_t column = 0;  ///< of the table's schema; coordinate 0 ... 5 of a pose
+    std::size_t index = 0;   ///< of the quantity or component
+    bool whole = false;      ///< a whole number
+    bool measured = false;   ///< read, observed or calibrated: nobody can choose it
+    Unit unit = {};          ///< in which the project gives the number
+    /// On whose scale the number is: `unit`, or that which another cell of its row or a field gives it; in
+    /// degC no multiple is taken of it.
+    Unit scale = {};
     TypesetMessage title = {};  ///< "Targets, B: x"
     double current = 0.0;       ///< in `unit`; of a column that of its first row with a number
 

@@ -187,7 +187,10 @@ Eigen::MatrixXd covariance_of(const LawOfPropagation& law) {
         covariance.triangularView<Eigen::StrictlyUpper>() = covariance.transpose();
     } else {
         covariance.noalias() += correlated * contribution.transpose();
-        covariance = 0.5 * (covariance + covariance.transpose()).eval();
+        for (Eigen::Index j = 0; j < outputs;
+             ++j)  // in place: of thousands of outputs it is the largest matrix
+            for (Eigen::Index i = 0; i < j; ++i)
+                covariance(i, j) = covariance(j, i) = 0.5 * (covariance(i, j) + covariance(j, i));
     }
     covariance.diagonal() = covariance.diagonal().cwiseMax(0.0);
     return covariance;

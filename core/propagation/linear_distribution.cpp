@@ -23,7 +23,15 @@ double width_of(const LinearTerm& term) {
 }
 
 bool is_heavy(const LinearTerm& term) {
-    return term.distribution.degrees_of_freedom() < 6.0 || term.distribution.kind() == "lognormal";
+    return term.distribution.degrees_of_freedom() < 6.0 || term.distribution.kind() == "lognormal" ||
+           term.distribution.kind() == "weibull";
+}
+
+/// Of a Poisson or binomial distribution; 0 of others.
+double step_of(const Distribution& distribution) {
+    if (const auto* p = std::get_if<Poisson>(&distribution.parameters())) return p->step;
+    if (const auto* b = std::get_if<Binomial>(&distribution.parameters())) return b->step;
+    return 0.0;
 }
 
 /// Probability that the term lies further than `distance` > 0 from its mean, to the next greater power of
@@ -92,6 +100,18 @@ void LinearDistribution::choose_grid(const std::vector<LinearTerm>& terms) {
     most_points_ = far ? 4 * usual_points : usual_points;
 }
 
+/// Equal steps have a characteristic function that comes back to one, perhaps beyond the grid.
+bool LinearDistribution::keeps_steps(const std::vector<LinearTerm>& terms) const {
+    return std::any_of(terms.begin(), terms.end(), [&](const LinearTerm& stepped) {
+        const double step = step_of(stepped.distribution) * stepped.factor;
+        if (step == 0.0) return false;
+        const double t = 2.0 * std::numbers::pi / std::abs(step);
+        std::complex<double> product = std::exp(-0.5 * normal_ * normal_ * t * t);
+        for (const LinearTerm& term : terms) product *= (*term.characteristic)(term.factor * t);
+        return std::abs(product) > 1e-11;
+    });
+}
+
 void LinearDistribution::multiply(const std::vector<LinearTerm>& terms) {
     std::size_t small = 0;
     while (values_.size() < most_points_ && small < 64) {
@@ -109,11 +129,12 @@ void LinearDistribution::multiply(const std::vector<LinearTerm>& terms) {
         small = std::abs(product) < negligible ? small + 1 : 0;
         values_.push_back(product);
     }
+    has_density_ = !keeps_steps(terms);
     if (values_.size() < most_points_) return;
     double left = 0.0;
     for (std::size_t k = values_.size() - values_.size() / 8; k < values_.size(); ++k)
         left = std::max(left, std::abs(values_[k]));
-    has_density_ = left < 0.05;
+    has_density_ = has_density_ && left < 0.05;
     if (left < 1e-11) return;
     damping_ = 6.0 / (static_cast<double>(values_.size()) * spacing_);
     for (std::size_t k = 0; k < values_.size(); ++k) {
@@ -196,7 +217,7 @@ std::optional<KnownQuantile> LinearDistribution::known_quantile(double p) const 
 }
 
 std::optional<double> LinearDistribution::quantile(double p) const {
-    if (!alone_.empty() && alone_.front().distribution.kind() != "discrete") {
+    if (!alone_.empty() && !alone_.front().distribution.has_jumps()) {
         const LinearTerm& term = alone_.front();
         const double x = term.distribution.quantile(term.factor > 0.0 ? p : 1.0 - p);
         return term.factor * (x - term.distribution.mean());

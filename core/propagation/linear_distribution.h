@@ -54,6 +54,7 @@ private:
     };
     void take_closed_forms(std::vector<LinearTerm>& terms);
     void choose_grid(const std::vector<LinearTerm>& terms);
+    bool keeps_steps(const std::vector<LinearTerm>& terms) const;
     void multiply(const std::vector<LinearTerm>& terms);
     Value at(double x) const { return damped_at(x, 0.0); }
     /// Damped by further normal terms of this variance.

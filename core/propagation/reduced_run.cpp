@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 
@@ -11,6 +10,7 @@
 #include "core/propagation/adaptive.h"
 #include "core/propagation/linear_parts.h"
 #include "core/propagation/parallel_blocks.h"
+#include "core/text/numbers.h"
 
 namespace covaria::detail {
 namespace {
@@ -24,10 +24,8 @@ double gain_of(double explained) {
 }
 
 Message little_gained(double explained) {
-    char percent[16], gain[16];
-    std::snprintf(percent, sizeof percent, "%.0f", 100.0 * explained);
-    std::snprintf(gain, sizeof gain, "%.2g", gain_of(explained));
-    return tell<"the linear part explains %1 % of the variance: a gain of %2">(percent, gain);
+    return tell<"the linear part explains %1 % of the variance: a gain of %2">(
+        format_decimals(100.0 * explained, 0), format_short(gain_of(explained), 2));
 }
 
 /// Otherwise the scatter of the figure between batches tells nothing. Ends of intervals always have one.

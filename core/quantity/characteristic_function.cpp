@@ -280,11 +280,57 @@ Function function_of(const Discrete& d) {
     return nodes;
 }
 
+Function function_of(const Laplace& l) {
+    return [scale = l.scale](double t) { return Complex(1.0 / (1.0 + scale * scale * t * t)); };
+}
+
+Function function_of(const Weibull& w) {
+    return w.scale == 0.0 ? normal_function(0.0) : by_quadrature(w);
+}
+
+/// exp(lambda (e^iz - 1 - iz)): the cosine less one, and the sine less its argument, keep their digits.
+Function function_of(const Poisson& p) {
+    return [p](double t) {
+        const double z = p.step * t, s = std::sin(0.5 * z);
+        return std::exp(p.number * Complex(-2.0 * s * s, std::sin(z) - z));
+    };
+}
+
+Function function_of(const Binomial& b) {
+    return [b](double t) {
+        const double z = b.step * t, s = std::sin(0.5 * z);
+        const Complex one_trial = 1.0 + b.probability * Complex(-2.0 * s * s, std::sin(z));
+        return std::pow(std::abs(one_trial), b.trials) *
+               std::polar(1.0, b.trials * (std::arg(one_trial) - b.probability * z));
+    };
+}
+
+/// The mean of those of its cells.
+Function function_of(const StatedHistogram& h) {
+    struct Cell {
+        double middle, half, probability;
+    };
+    const double mean = Distribution::of(h).mean();
+    double whole = 0.0;
+    for (const double probability : h.probabilities) whole += probability;
+    std::vector<Cell> cells;
+    for (std::size_t i = 0; i < h.probabilities.size(); ++i)
+        cells.push_back({0.5 * (h.edges[i] + h.edges[i + 1]) - mean, 0.5 * (h.edges[i + 1] - h.edges[i]),
+                         h.probabilities[i] / whole});
+    return [cells](double t) {
+        Complex sum;
+        for (const Cell& cell : cells)
+            sum += cell.probability * sine_over(cell.half * t) * std::polar(1.0, cell.middle * t);
+        return sum;
+    };
+}
+
 bool is_by_quadrature(const DistributionParameters& parameters) {
     if (const auto* t = std::get_if<TruncatedNormal>(&parameters))
         return t->low != t->high && t->standard_deviation != 0.0;
     if (const auto* b = std::get_if<Beta>(&parameters))
         return b->low != b->high && (b->alpha != b->beta || b->alpha > 20.0);
+    if (const auto* w = std::get_if<Weibull>(&parameters)) return w->scale != 0.0;
     return std::holds_alternative<Lognormal>(parameters);
 }
 

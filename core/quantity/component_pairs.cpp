@@ -7,16 +7,15 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "core/math/decompositions.h"
 #include "core/quantity/copula.h"
 #include "core/quantity/isotropic_vector.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 
@@ -112,13 +111,10 @@ std::optional<Error> group_problem(const InputSet& inputs, const std::vector<std
     std::string components;
     for (const std::size_t member : group)
         components += (components.empty() ? "" : ", ") + quoted(inputs, member);
-    std::ostringstream number;
-    number.precision(3);
-    number << smallest;
     return Error{
         ErrorCode::bad_input,
         tell<"the correlations of the components %1 contradict each other: the smallest eigenvalue of "
-             "their correlation matrix is %2, it must not be negative.">(components, number.str())};
+             "their correlation matrix is %2, it must not be negative.">(components, format_short(smallest))};
 }
 
 /// Error if a coordinate of a vector of random direction is correlated: its draws come with the others'.
@@ -166,24 +162,22 @@ std::optional<Error> estimate_problem(const InputSet& inputs) {
 
 std::vector<ComponentCorrelation> detail::correlations_among(const InputSet& inputs,
                                                              const std::vector<std::size_t>& components) {
-    if (components.size() < 2) return {};
-    std::unordered_map<std::size_t, std::size_t> places;
+    std::map<std::size_t, std::size_t> places;
     for (std::size_t i = 0; i < components.size(); ++i) places.emplace(components[i], i);
     Coefficients found;
-    for (const ComponentCorrelation& c : inputs.correlations) {
-        const auto first = places.find(c.first), second = places.find(c.second);
-        if (first != places.end() && second != places.end())
-            insert(found, ordered(first->second, second->second), c.coefficient);
-    }
+    const auto insert_known = [&](std::size_t first, std::size_t second, double coefficient) {
+        const auto a = places.find(first), b = places.find(second);
+        if (a != places.end() && b != places.end()) insert(found, ordered(a->second, b->second), coefficient);
+    };
+    for (const ComponentCorrelation& c : inputs.correlations) insert_known(c.first, c.second, c.coefficient);
     for (const InputQuantity& quantity : inputs.quantities) {
         if (quantity.combination != Combination::arithmetic) continue;
         std::map<std::size_t, double> factors;
         for (const Share& share : quantity.shares)
-            if (const auto place = places.find(share.component); place != places.end())
-                factors[place->second] += share.factor;
+            if (places.contains(share.component)) factors[share.component] += share.factor;
         for (auto a = factors.begin(); a != factors.end(); ++a)
             for (auto b = std::next(a); b != factors.end(); ++b)
-                insert(found, {a->first, b->first}, coefficient_of_signs(a->second, b->second));
+                insert_known(a->first, b->first, coefficient_of_signs(a->second, b->second));
     }
     std::vector<ComponentCorrelation> pairs;
     for (const auto& [pair, coefficient] : found) pairs.push_back({pair.first, pair.second, coefficient});

@@ -8,8 +8,8 @@
 
 namespace covaria::detail {
 
-/// Coefficients of pairs of these components, which are different, by their places in the list: declared
-/// ones, and +-1 where an arithmetic quantity has both. Other pairs are independent.
+/// Coefficients between these components, by their places in the list, each pair once: declared, +-1 where an
+/// arithmetic quantity has both. Pairs that are not named are independent.
 std::vector<ComponentCorrelation> correlations_among(const InputSet& inputs,
                                                      const std::vector<std::size_t>& components);
 
