@@ -299,6 +299,11 @@ Message choice_of_groups(const UncertaintyResult& result) {
         "average; the CSV table of budgets has all %3 groups.">(shown, alike, all);
 }
 
+/// Without sensitivity coefficients Monte Carlo answers alone.
+bool has_budget(const OutputResult& output) {
+    return !std::isnan(output.first_order.standard_uncertainty);
+}
+
 }  // namespace
 
 void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in,
@@ -321,11 +326,18 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
             blocks.push_back(
                 GroupTable(evaluated, grouping, measurands_of(result, group), most_rows, in).make());
         for (const std::size_t output : measurands_of(result, group))
-            blocks.push_back(BudgetBlock(evaluated, output, most_rows, in).make());
+            if (has_budget(result.outputs[output]))
+                blocks.push_back(BudgetBlock(evaluated, output, most_rows, in).make());
+            else
+                blocks.push_back(ParagraphBlock{
+                    in.say(tell<"There is no budget of %1: the law of propagation of uncertainty says "
+                                "nothing of it at the estimates of its input quantities.">(
+                        output_label(result.outputs[output].quantity)))});
         for (const std::size_t output : measurands_of(result, group))
-            blocks.push_back(figure(contribution_plot(result, output, in), evaluated,
-                                    in.say(tell<"Contributions to the variance of %1.">(
-                                        output_label(result.outputs[output].quantity)))));
+            if (has_budget(result.outputs[output]))
+                blocks.push_back(figure(contribution_plot(result, output, in), evaluated,
+                                        in.say(tell<"Contributions to the variance of %1.">(
+                                            output_label(result.outputs[output].quantity)))));
     }
 }
 
