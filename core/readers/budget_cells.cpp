@@ -194,9 +194,8 @@ Result<void> check_no_column_is_dropped(const BudgetCells& cells) {
         const WorkbookCell* head = place.sheet->cell(place.head_row, column);
         if (!holds.first && !holds.second && !head) continue;  // a remark beside the budget
         return fail(Error{ErrorCode::usage,
-                          tell<"column %1%2 of sheet %3 is filled, and what it is is not understood: state "
-                               "the columns, %4, with one of "
-                               "%5 in place of ? (- leaves the column out)">(
+                          tell<"column %1%2 of sheet %3 is filled but not understood: state what each column "
+                               "is, %4, with one of %5 in place of ? (- leaves the column out)">(
                               column_letters(column), head ? " " + in_quotes(head->text) : std::string(),
                               in_quotes(place.sheet->name), typed_columns(place, last), listed(keys)),
                           {},
