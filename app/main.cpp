@@ -1,18 +1,16 @@
 // The program: a window without a subcommand, a headless tool with one.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
+#include "app/printed_text.h"
 #include "app/terminal.h"
 #include "app/window.h"
+#include "app/wrong_usage.h"
 #include "core/base/guarded.h"
-#include "core/base/in_quotes.h"
 #include "core/base/version.h"
-#include "core/setup/message_text.h"
 
 namespace {
 
@@ -36,24 +34,11 @@ const char* const footer =
     "Exit status: 0 success, 1 bad input or something without results, 2 wrong usage, 3 a requirement is not "
     "met (check), 130 interrupted.";
 
-/// "there is no command ..." where the first word is neither a file nor an option; else empty.
-std::string mistyped_command(const CLI::App& app, int argc, char** argv) {
-    const std::string word = argc > 1 ? argv[1] : "";
-    std::error_code ignored;
-    if (word.empty() || word.front() == '-' || std::filesystem::exists(word, ignored)) return {};
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-        names.push_back(command->get_name());
-    if (std::find(names.begin(), names.end(), word) != names.end()) return {};
-    const std::string hint = covaria::did_you_mean(word, names).english();
-    if (hint.empty()) return {};
-    return "there is no command " + covaria::in_quotes(word) + hint;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
     using namespace covaria;
+    show_control_characters();
     CLI::App app(description, "covaria");
     app.footer(footer);
     app.set_version_flag("--version", std::string("covaria ") + version());
@@ -69,11 +54,16 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
-        if (const std::string wrong = mistyped_command(app, argc, argv); !wrong.empty()) {
-            std::fprintf(stderr, "%s\n", wrong.c_str());
-            return exit_wrong_usage;
+        if (problem.get_exit_code() == 0) {  // help was asked for, or the version
+            app.exit(problem);
+            return all_is_printed() ? exit_success : exit_bad_input;
         }
-        return app.exit(problem) == 0 ? exit_success : exit_wrong_usage;
+        const std::string wrong = what_does_not_exist(app, argc, argv);
+        if (wrong.empty())
+            app.exit(problem);
+        else
+            std::fprintf(stderr, "%s\n", wrong.c_str());
+        return exit_wrong_usage;
     }
     // Whatever is still thrown ends in a sentence.
     const auto status = guarded([&]() -> int {
@@ -83,7 +73,7 @@ int main(int argc, char** argv) {
             if (command.parser->parsed()) return command.run(interrupt.token());
         return exit_wrong_usage;
     });
-    if (status) return *status;
-    print_error(status.error());
-    return exit_bad_input;
+    if (!status) print_error(status.error());
+    const bool printed = all_is_printed();
+    return status && (printed || *status != exit_success) ? *status : exit_bad_input;
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/json_output.h"
 #include "app/schema_text.h"
 #include "core/base/resource_path.h"
 #include "core/quantity/distribution.h"
@@ -111,6 +112,36 @@ void write_distributions(std::ostringstream& out) {
     }
 }
 
+const Definition* find_definition(const std::string& name) {
+    for (const Definition& definition : definitions())
+        if (definition.part.name == name) return &definition;
+    return nullptr;
+}
+
+/// All definitions of the schema of project files, of which one must be there.
+Result<SchemaJson> read_definitions(const char* needed) {
+    const auto file = data_directory() / "resources" / "schema" / "covaria-project.schema.json";
+    std::ifstream in(file, std::ios::binary);
+    SchemaJson schema = SchemaJson::parse(in, nullptr, false);
+    if (!schema.is_object() || !schema.contains("$defs") || !schema["$defs"].contains(needed))
+        return fail(ErrorCode::bad_input, "the schema of the project file cannot be read: " + file.string());
+    return std::move(schema["$defs"]);
+}
+
+/// What the schema refers to, and what that refers to.
+void add_referred(const SchemaJson& schema, const SchemaJson& all, SchemaJson& referred) {
+    if (schema.is_object() && schema.contains("$ref")) {
+        const std::string reference = schema["$ref"];
+        const std::string name = reference.substr(reference.rfind('/') + 1);
+        if (all.contains(name) && !referred.contains(name)) {
+            referred[name] = all[name];
+            add_referred(all[name], all, referred);
+        }
+    }
+    if (schema.is_structured())
+        for (const SchemaJson& inner : schema) add_referred(inner, all, referred);
+}
+
 }  // namespace
 
 const std::vector<ProjectPart>& project_parts() {
@@ -123,15 +154,11 @@ const std::vector<ProjectPart>& project_parts() {
 }
 
 Result<std::optional<std::string>> description_of_part(const std::string& name) {
-    const auto found = std::find_if(definitions().begin(), definitions().end(),
-                                    [&](const Definition& d) { return d.part.name == name; });
-    if (found == definitions().end()) return std::optional<std::string>();
-    const auto file = data_directory() / "resources" / "schema" / "covaria-project.schema.json";
-    std::ifstream in(file, std::ios::binary);
-    const SchemaJson schema = SchemaJson::parse(in, nullptr, false);
-    if (!schema.is_object() || !schema.contains("$defs") || !schema["$defs"].contains(found->in_schema))
-        return fail(ErrorCode::bad_input, "the schema of the project file cannot be read: " + file.string());
-    const SchemaJson& object = schema["$defs"][found->in_schema];
+    const Definition* found = find_definition(name);
+    if (!found) return std::optional<std::string>();
+    const auto definitions_read = read_definitions(found->in_schema);
+    if (!definitions_read) return fail(definitions_read.error());
+    const SchemaJson& object = definitions_read->at(found->in_schema);
     std::ostringstream out;
     out << found->part.name << ": " << found->part.title << '\n';
     if (object.contains("description")) write_wrapped(out, text_of(object["description"]), "  ");
@@ -140,6 +167,20 @@ Result<std::optional<std::string>> description_of_part(const std::string& name) 
     if (name == "components") write_distributions(out);
     if (name == "axes" || name == "variables") out << "\nTargets\n" << study_targets_text();
     return std::optional<std::string>(out.str());
+}
+
+Result<std::optional<std::string>> description_of_part_json(const std::string& name) {
+    const Definition* found = find_definition(name);
+    if (!found) return std::optional<std::string>();
+    const auto definitions_read = read_definitions(found->in_schema);
+    if (!definitions_read) return fail(definitions_read.error());
+    SchemaJson referred = SchemaJson::object();
+    add_referred(definitions_read->at(found->in_schema), *definitions_read, referred);
+    SchemaJson schema = definitions_read->at(found->in_schema);
+    if (!referred.empty()) schema["$defs"] = std::move(referred);
+    OrderedJson json = json_document("covaria-description");
+    json["part"] = {{"name", found->part.name}, {"title", found->part.title}, {"schema", std::move(schema)}};
+    return std::optional<std::string>(json_text(json));
 }
 
 }  // namespace covaria

@@ -19,5 +19,7 @@ const std::vector<ProjectPart>& project_parts();
 /// Fields, choices, ranges and defaults of a part; empty: there is no such part. Error: the schema file is
 /// missing or damaged.
 Result<std::optional<std::string>> description_of_part(const std::string& name);
+/// The same for programs: the part's own JSON schema, and those that it refers to.
+Result<std::optional<std::string>> description_of_part_json(const std::string& name);
 
 }  // namespace covaria

@@ -7,6 +7,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION share/doc/covaria FILE
 install(FILES ${packaging}/copyright DESTINATION share/doc/covaria)
 install(FILES ${packaging}/covaria.desktop DESTINATION share/applications)
 install(FILES ${packaging}/covaria.xml DESTINATION share/mime/packages)
+install(FILES ${packaging}/covaria.metainfo.xml DESTINATION share/metainfo)
 install(FILES ${PROJECT_SOURCE_DIR}/resources/icons/covaria.svg DESTINATION share/icons/hicolor/scalable/apps)
 
 # The program describes its command line itself.
@@ -38,5 +39,6 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Covaria describes artefacts, instruments, 
 uncertainties (law of propagation and Monte Carlo, JCGM 100, 101 and 102) and writes budgets, reports and certificates.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What is loaded at run time and therefore not found by its linking: pictures of icons, fonts, drawing without a display.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3, python3-numpy")  # of the Python module
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6, fonts-inter, fonts-liberation2, libgl1-mesa-dri")
 include(CPack)

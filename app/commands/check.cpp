@@ -7,6 +7,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/run_options.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
 #include "core/base/file_io.h"
@@ -49,8 +50,8 @@ TestCase target_case(const std::string& name, const OutputResult& output, const 
 TestCase tolerance_case(const std::string& name, const RequirementResult& verdict) {
     TestCase made{name + ", tolerance", verdict.not_judged.english()};
     if (made.failure.empty() && verdict.decision != RequirementResult::Decision::accept)
-        made.failure = "rejected by " + decision_rule(verdict.guard_factor) +
-                       "; probability of conformance " + format_significant(verdict.conformance, 4);
+        made.failure = "rejected by " + decision_rule(verdict) + "; probability of conformance " +
+                       format_significant(verdict.conformance, 4);
     return made;
 }
 
@@ -118,7 +119,7 @@ bool print_cases(const std::vector<TestSuite>& suites) {
 }
 
 Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop) {
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    auto opened = open_project(arguments.request.file, arguments.request.values, arguments.request.analyses);
     if (!opened) return fail(opened.error());
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());
@@ -143,6 +144,9 @@ Command check_command(CLI::App& app) {
     arguments->request.studies = false;
     CLI::App* command = app.add_subcommand(
         "check", "Evaluate a project and judge its requirements; status 3 if one is not met");
+    add_examples(*command, {{"check projects/conformity-micrometer.covaria", "every requirement, one a line"},
+                            {"check projects/conformity-micrometer.covaria --junit requirements.xml",
+                             "as test cases for a build server"}});
     add_run_options(*command, arguments->request);
     command->add_option("--junit", arguments->junit, "write the requirements as test cases (JUnit XML)")
         ->type_name("FILE");

@@ -7,6 +7,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/run_options.h"
 #include "app/evaluation.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/output_folder.h"
 #include "app/report_files.h"
@@ -169,6 +170,12 @@ Command compare_command(CLI::App& app) {
     auto arguments = std::make_shared<CompareArguments>();
     CLI::App* command = app.add_subcommand(
         "compare", "Put results beside each other: U before and after, and what of the budgets changed");
+    add_examples(*command,
+                 {{"compare projects/ballbar-tcp.covaria --analysis paper --analysis stated --first-order",
+                   "two analyses of one project"},
+                  {"compare projects/gum/h1-end-gauge.covaria --analysis table --set "
+                   "/analyses/table/setup/quantities/rows/l_S/a=150 --out comparison",
+                   "a project, and what it would be"}});
     command->add_option("A", arguments->before, "project file (*.covaria): before")->required();
     command->add_option("B", arguments->after,
                         "project file: after; without it two analyses of A, or A with the values of --set");

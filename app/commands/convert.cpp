@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/evaluation.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
 #include "core/made/load_project.h"
@@ -72,6 +73,8 @@ Command convert_command(CLI::App& app) {
     auto request = std::make_shared<ConvertRequest>();
     CLI::App* command =
         app.add_subcommand("convert", "Write a project in the current file version and canonical form");
+    add_examples(*command, {{"convert projects/stewart-platform.covaria whole.covaria --embed",
+                             "its CSV files inside"}});
     command->add_option("FILE", request->file, "project file (*.covaria), of this or an older version")
         ->required();
     command->add_option("OUTPUT", request->output, "file to write; may be the same as FILE")->required();

@@ -4,11 +4,15 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
+#include "app/json_output.h"
 #include "app/project_parts.h"
+#include "app/schema_json.h"
 #include "app/schema_text.h"
 #include "app/terminal.h"
 #include "core/kinds/registries.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 namespace {
@@ -26,42 +30,67 @@ void list_everything() {
     std::printf("\n\"covaria describe NAME\" shows the fields of one of them.\n");
 }
 
-int describe(const std::string& name) {
+/// Empty: there is no such model, asset or part.
+Result<std::string> description(const std::string& name, bool json) {
+    if (const ModelDescriptor* model = find_model(name))
+        return json ? description_json(*model) : description_of(*model);
+    if (const AssetDescriptor* asset = find_asset_kind(name))
+        return json ? description_json(*asset) : description_of(*asset);
+    const auto part = json ? description_of_part_json(name) : description_of_part(name);
+    if (!part) return fail(part.error());
+    return part->value_or("");
+}
+
+std::string all_names_near(const std::string& name) {
+    std::vector<std::string> names;
+    for (const ModelDescriptor& model : model_registry()) names.push_back(model.id);
+    for (const AssetDescriptor& asset : asset_registry()) names.push_back(asset.kind);
+    for (const ProjectPart& part : project_parts()) names.push_back(part.name);
+    return did_you_mean(name, names).english();
+}
+
+int describe(const std::string& name, bool json) {
     if (name.empty()) {
-        list_everything();
+        if (json)
+            std::fputs(list_of_descriptions_json().c_str(), stdout);
+        else
+            list_everything();
         return exit_success;
     }
-    if (const ModelDescriptor* model = find_model(name)) {
-        std::fputs(description_of(*model).c_str(), stdout);
-        return exit_success;
-    }
-    if (const AssetDescriptor* asset = find_asset_kind(name)) {
-        std::fputs(description_of(*asset).c_str(), stdout);
-        return exit_success;
-    }
-    const auto part = description_of_part(name);
-    if (!part) {
-        print_message(part.error().message.english());
+    const auto text = description(name, json);
+    if (!text) {
+        print_error(text.error());
         return exit_bad_input;
     }
-    if (*part) {
-        std::fputs((*part)->c_str(), stdout);
+    if (!text->empty()) {
+        std::fputs(text->c_str(), stdout);
         return exit_success;
     }
-    print_message("there is no model, asset or part of an analysis called \"" + name +
-                  "\"; \"covaria describe\" lists them");
+    print_message("there is no model, asset or part of an analysis called \"" + name + "\"" +
+                  all_names_near(name) + "; \"covaria describe\" lists them");
     return exit_bad_input;
 }
+
+struct DescribeArguments {
+    std::string name;
+    bool json = false;
+};
 
 }  // namespace
 
 Command describe_command(CLI::App& app) {
-    auto name = std::make_shared<std::string>();
+    auto arguments = std::make_shared<DescribeArguments>();
     CLI::App* command = app.add_subcommand(
         "describe", "List models, assets and parts of analyses, or the fields, units and defaults of one");
-    command->add_option("NAME", *name,
+    add_examples(*command, {{"describe", "all models, assets and parts"},
+                            {"describe pose-from-points"},
+                            {"describe requirements"},
+                            {"describe laser-tracker --json", "for programs"}});
+    command->add_option("NAME", arguments->name,
                         "a model, an asset kind or a part (inputs, options ...); all are listed without it");
-    return {command, [name](const std::stop_token&) { return describe(*name); }};
+    add_json_option(*command, arguments->json);
+    return {command,
+            [arguments](const std::stop_token&) { return describe(arguments->name, arguments->json); }};
 }
 
 }  // namespace covaria

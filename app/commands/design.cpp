@@ -4,8 +4,11 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/commands/run_options.h"
 #include "app/evaluation.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
+#include "app/json_output.h"
 #include "app/output_folder.h"
 #include "app/terminal.h"
 #include "core/base/file_io.h"
@@ -24,6 +27,7 @@ struct DesignArguments {
     std::string file, design, analysis, out, take_over;
     std::vector<std::string> values;
     int threads = 0;
+    bool json = false;
 };
 
 struct DesignPlace {
@@ -96,7 +100,7 @@ Result<bool> design(const DesignArguments& arguments, const std::stop_token& sto
         *prepared, {stop, [&](const Progress& progress) { show(*place, progress); }, arguments.threads});
     end_progress_line();
     if (!result) return fail(result.error());
-    std::fputs(design_text(*result).c_str(), stdout);
+    std::fputs((arguments.json ? design_json(*result) : design_text(*result)).c_str(), stdout);
     if (auto written = write_files(arguments, *result); !written) return fail(written.error());
     if (auto written = write_project(arguments, project, *prepared, *result); !written)
         return fail(written.error());
@@ -109,6 +113,9 @@ Command design_command(CLI::App& app) {
     auto arguments = std::make_shared<DesignArguments>();
     CLI::App* command = app.add_subcommand(
         "design", "Find where to stand and what to measure; status 3 if a target is not met");
+    add_examples(*command, {{"design projects/ballbar-design.covaria --design twelve"},
+                            {"design projects/ballbar-design.covaria --take-over twelve.covaria --out design",
+                             "the project with the design in it, and tables"}});
     command->add_option("FILE", arguments->file, "project file (*.covaria)")->required();
     command
         ->add_option("--design,--study", arguments->design,
@@ -118,9 +125,8 @@ Command design_command(CLI::App& app) {
     command->add_option("--out", arguments->out, "folder for JSON and CSV tables")->type_name("DIR");
     command->add_option("--take-over", arguments->take_over, "write the project with the design in it")
         ->type_name("FILE");
-    command->add_option("--threads", arguments->threads, "number of threads (results do not depend on it)")
-        ->type_name("T")
-        ->check(CLI::Range(0, 1024));
+    add_threads_option(*command, arguments->threads);
+    add_json_option(*command, arguments->json);
     command->add_option("--set", arguments->values, "a value of the project file, for this run, as of run")
         ->type_name("PLACE=VALUE")
         ->allow_extra_args(false);

@@ -7,6 +7,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/run_options.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/output_folder.h"
 #include "app/terminal.h"
@@ -23,17 +24,14 @@ struct ExportArguments {
     std::string writer, output;
 };
 
-std::string export_footer() {
+std::string list_of_writers() {
     std::string text = "Writers:\n";
     std::size_t width = 0;
     for (const Writer& writer : writer_registry()) width = std::max(width, writer.name.size() + 1);
     for (const Writer& writer : writer_registry())
         text += "  " + writer.name + std::string(width - writer.name.size(), ' ') + writer.title + " (" +
                 writer.ending + "): " + writer.writes + "\n";
-    return text +
-           "\nExamples:\n"
-           "  covaria export network.covaria --as points -o targets.txt\n"
-           "  covaria export bar.covaria --as dcc --analysis length -o certificate.xml";
+    return text;
 }
 
 Result<const Writer*> chosen_writer(const std::string& name) {
@@ -56,7 +54,7 @@ Result<void> check_nothing_missing(const Writer& writer, const Project& project)
 Result<void> export_results(ExportArguments& arguments, const std::stop_token& stop) {
     const auto writer = chosen_writer(arguments.writer);
     if (!writer) return fail(writer.error());
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    auto opened = open_project(arguments.request.file, arguments.request.values, arguments.request.analyses);
     if (!opened) return fail(opened.error());
     if (auto checked = check_nothing_missing(**writer, (*opened)->project()); !checked) return checked;
     const std::filesystem::path file(arguments.output);
@@ -79,7 +77,12 @@ Command export_command(CLI::App& app) {
     auto arguments = std::make_shared<ExportArguments>();
     CLI::App* command =
         app.add_subcommand("export", "Evaluate a project; write its results as a file for other programs");
-    command->footer(export_footer());
+    add_examples(
+        *command,
+        {{"export projects/lsm-network.covaria --as points -o targets.txt"},
+         {"export projects/certificate-gauge-block.covaria --as dcc -o certificate.xml"},
+         {"export projects/gum/h1-end-gauge.covaria --as xlsx -o budget.xlsx", "with live formulas"}},
+        list_of_writers());
     add_run_options(*command, arguments->request);
     command->add_option("--as", arguments->writer, "what to write, see below")
         ->type_name("WRITER")

@@ -5,11 +5,13 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/extended_project.h"
+#include "app/frozen_joints.h"
 #include "app/terminal.h"
-#include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
+#include "core/made/import_reading.h"
 #include "core/made/load_project.h"
 #include "core/readers/proposal_text.h"
 #include "core/readers/readers.h"
@@ -24,19 +26,12 @@ namespace fs = std::filesystem;
 
 struct FileImport {
     std::string file, reader, sheet, output;
-    std::vector<std::string> columns, units;
+    std::vector<std::string> columns, units, cells;
+    std::vector<int> rows_left_out;
+    std::string tip;
+    std::vector<std::string> frozen;
     bool list = false, add = false;
 };
-
-constexpr const char* import_footer =
-    "Examples:\n"
-    "  covaria import --list\n"
-    "  covaria import certificate.xml                        what would be taken over\n"
-    "  covaria import jig.txt --as spatialanalyzer -o jig.covaria\n"
-    "  covaria import budget.xlsx -o budget.covaria\n"
-    "  covaria import points.csv --unit m --columns name,x,y,z,u,- -o jig.covaria --add\n"
-    "\n"
-    "What a file does not say is asked for, and what is not taken over is listed.";
 
 tl::unexpected<Error> with_file(Error error, const std::string& file) {
     if (error.file.empty()) error.file = file;
@@ -73,7 +68,18 @@ Result<ReadChoice> choice_of(const FileImport& request) {
                       .units = {},
                       .columns = request.columns,
                       .sheet = request.sheet,
-                      .chosen = !request.reader.empty()};
+                      .chosen = !request.reader.empty(),
+                      .rows_left_out = {request.rows_left_out.begin(), request.rows_left_out.end()},
+                      .robot = {}};
+    for (const std::string& cell : request.cells) {
+        const std::size_t sign = cell.find('=');
+        if (sign == std::string::npos || sign == 0)
+            return fail(ErrorCode::usage, "--cell " + cell + ": it must be PLACE=TEXT, such as D7=mm");
+        choice.cells.insert_or_assign(cell.substr(0, sign), cell.substr(sign + 1));
+    }
+    auto robot = urdf_choice(request.tip, request.frozen);
+    if (!robot) return fail(robot.error());
+    choice.robot = *std::move(robot);
     for (const std::string& text : request.units) {
         const std::size_t sign = text.rfind('=');
         const bool lengths = sign == std::string::npos;
@@ -125,11 +131,14 @@ Result<void> import_file(const FileImport& request) {
     text = text_for_readers(std::move(*text));
     const auto reader = chosen_reader(request, *text);
     if (!reader) return fail(reader.error());
-    auto guarded_read = guarded([&] { return (*reader)->read(*text, *choice); });
-    if (!guarded_read) return with_file(guarded_read.error(), request.file);
-    auto proposals = std::move(*guarded_read);
+    if (!(*reader)->mends_cells && !(choice->cells.empty() && choice->rows_left_out.empty()))
+        return fail(ErrorCode::usage, "--cell and --leave-out are for workbooks (*.xlsx)");
+    auto proposals = read_proposals(**reader, *text, *choice);
     if (!proposals && proposals.error().code == ErrorCode::usage)
         proposals.error().message += " (--columns NAME,NAME,..., --sheet NAME or --as READER)";
+    else if (!proposals && (*reader)->mends_cells && proposals.error().line > 0)
+        proposals.error().message +=
+            " (--cell PLACE=TEXT reads a cell as TEXT, --leave-out ROW leaves a row out)";
     if (!proposals) return with_file(proposals.error(), request.file);
     if (auto checked = check_stated_units(*choice, *proposals); !checked)
         return with_file(checked.error(), request.file);
@@ -147,7 +156,14 @@ Command import_command(CLI::App& app) {
     auto request = std::make_shared<FileImport>();
     CLI::App* command = app.add_subcommand(
         "import", "Read points, certificates and measurements from files of other programs");
-    command->footer(import_footer);
+    add_examples(*command,
+                 {{"import --list", "the readers"},
+                  {"import certificate.xml", "what would be taken over"},
+                  {"import jig.txt --as spatialanalyzer -o jig.covaria"},
+                  {"import projects/excel-budget.xlsx -o budget.covaria"},
+                  {"import points.csv --unit m --columns name,x,y,z,u,- -o jig.covaria --add"},
+                  {"import arm.urdf -o arm.covaria", "a robot"}},
+                 "What a file does not say is asked for, and what is not taken over is listed.");
     command->add_option("FILE", request->file, "file to read");
     command->add_flag("--list", request->list, "list the readers");
     command->add_option("--as", request->reader, "read it with this reader; found without it")
@@ -163,15 +179,25 @@ Command import_command(CLI::App& app) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_option("--sheet", request->sheet, "sheet of a workbook")->type_name("NAME");
+    command->add_option("--cell", request->cells, "read a cell of a workbook as TEXT: D7=mm; may be repeated")
+        ->type_name("PLACE=TEXT")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        ->add_option("--leave-out", request->rows_left_out, "leave out a row of a workbook; may be repeated")
+        ->type_name("ROW")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command
         ->add_option(
             "--columns", request->columns,
             "what stands in each column of a table of points: name,x,y,z,u_x,u_y,u_z,-; of a budget: "
-            "quantity,value,unit,U,divisor,c,-")
+            "quantity,value,unit,U,divisor,c,-; ? is as its head says")
         ->type_name("NAMES")
         ->delimiter(',')
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_robot_options(*command, request->tip, request->frozen);
     return {command, [request](const std::stop_token&) -> int {
                 if (request->list) {
                     std::fputs(list_of_readers().c_str(), stdout);

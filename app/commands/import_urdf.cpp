@@ -2,11 +2,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
-#include <sstream>
 
 #include "app/commands/commands.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/extended_project.h"
+#include "app/frozen_joints.h"
 #include "app/terminal.h"
 #include "core/base/file_io.h"
 #include "core/kinds/robot/urdf.h"
@@ -21,26 +22,10 @@ struct ImportRequest {
     std::vector<std::string> frozen;  ///< NAME=VALUE
 };
 
-Result<UrdfChoice> choice_of(const ImportRequest& request) {
-    UrdfChoice choice{.tip = request.tip, .frozen = {}};
-    for (const std::string& text : request.frozen) {
-        const std::size_t sign = text.rfind('=');
-        FrozenJoint joint;
-        std::istringstream value(sign == std::string::npos ? std::string() : text.substr(sign + 1));
-        if (sign == 0 || !(value >> joint.value) || !(value >> std::ws).eof())
-            return fail(ErrorCode::bad_input, "--freeze " + text +
-                                                  ": write NAME=VALUE, in degrees for a joint that turns, in "
-                                                  "millimetres for one that slides");
-        joint.name = text.substr(0, sign);
-        choice.frozen.push_back(std::move(joint));
-    }
-    return choice;
-}
-
 Result<void> import_robot(const ImportRequest& request) {
     const auto text = read_file(request.file);
     if (!text) return fail(text.error());
-    const auto choice = choice_of(request);
+    const auto choice = urdf_choice(request.tip, request.frozen);
     if (!choice) return fail(choice.error());
     auto imported = import_urdf(*text, *choice);
     if (!imported) {
@@ -66,6 +51,9 @@ Result<void> import_robot(const ImportRequest& request) {
 Command import_urdf_command(CLI::App& app) {
     auto request = std::make_shared<ImportRequest>();
     CLI::App* command = app.add_subcommand("import-urdf", "Make a serial robot from a URDF file");
+    add_examples(*command, {{"import-urdf arm.urdf -o arm.covaria"},
+                            {"import-urdf arm.urdf -o rest.covaria --freeze shoulder=30",
+                             "a joint that the arm does not have, at 30 degrees"}});
     command->add_option("FILE", request->file, "robot description (*.urdf), xacro macros expanded")
         ->required();
     command
@@ -73,15 +61,7 @@ Command import_urdf_command(CLI::App& app) {
                      "project to write; the robot is added to it if it is there already")
         ->type_name("PROJECT")
         ->required();
-    command->add_option("--tip", request->tip, "link at the end of the arm; found without it")
-        ->type_name("LINK");
-    command
-        ->add_option("--freeze", request->frozen,
-                     "joint that the arm does not have, at a value in degrees or millimetres: a rail, a "
-                     "turntable; repeat for more")
-        ->type_name("NAME=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_robot_options(*command, request->tip, request->frozen);
     return {command, [request](const std::stop_token&) -> int {
                 const auto done = import_robot(*request);
                 if (done) return exit_success;

@@ -5,10 +5,14 @@
 
 #include "app/asset_picture.h"
 #include "app/commands/commands.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
+#include "app/json_output.h"
 #include "app/terminal.h"
 #include "core/kinds/registries.h"
 #include "core/made/library.h"
+#include "core/project/setup_json.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 namespace {
@@ -41,13 +45,46 @@ int list_library(const std::string& words) {
     return any || words.empty() ? status : exit_bad_input;
 }
 
-int show_item(const std::string& id, const std::string& picture) {
+OrderedJson item_json(const LibraryItem& item) {
+    return {{"id", item.asset.id},           {"name", item.asset.name}, {"kind", item.asset.kind},
+            {"collection", item.collection}, {"own", item.own},         {"notes", item.asset.notes}};
+}
+
+int list_library_json(const std::string& words) {
+    const Library library = load_library();
+    OrderedJson json = json_document("covaria-library");
+    json["items"] = OrderedJson::array();
+    for (const LibraryItem& item : library.items)
+        if (has_words(searched_texts(item), words)) json["items"].push_back(item_json(item));
+    json["problems"] = problems_json(library.problems);
+    std::fputs(json_text(json).c_str(), stdout);
+    return library.problems.has_errors() || json["items"].empty() ? exit_bad_input : exit_success;
+}
+
+/// With its set-up, as a project file has it.
+std::string shown_json(const LibraryItem& item, const AssetDescriptor& kind) {
+    OrderedJson json = json_document("covaria-library");
+    json["item"] = item_json(item);
+    JsonWriter setup;
+    write_setup(setup, item.asset.setup, kind.schema);
+    json["item"]["setup"] = OrderedJson::parse(setup.take());
+    return json_text(json);
+}
+
+void show_texts(const LibraryItem& item, const AssetDescriptor* kind) {
+    std::printf("%s (%s%s%s)\n%s\n", item.asset.name.c_str(), item.collection.c_str(), kind ? ": " : "",
+                kind ? kind->title.c_str() : "", item.asset.notes.c_str());
+}
+
+int show_item(const std::string& id, const std::string& picture, bool json) {
     const Library library = load_library();
     for (const LibraryItem& item : library.items) {
         if (item.asset.id != id) continue;
         const AssetDescriptor* kind = find_asset_kind(item.asset.kind);
-        std::printf("%s (%s%s%s)\n%s\n", item.asset.name.c_str(), item.collection.c_str(), kind ? ": " : "",
-                    kind ? kind->title.c_str() : "", item.asset.notes.c_str());
+        if (json && kind)
+            std::fputs(shown_json(item, *kind).c_str(), stdout);
+        else
+            show_texts(item, kind);
         if (picture.empty()) return exit_success;
         if (const auto written = write_asset_picture(item.asset, picture); !written) {
             print_error(written.error());
@@ -55,8 +92,10 @@ int show_item(const std::string& id, const std::string& picture) {
         }
         return exit_success;
     }
-    print_message("there is nothing with the id \"" + id +
-                  "\" in the library; \"covaria library list\" shows the ids");
+    std::vector<std::string> ids;
+    for (const LibraryItem& item : library.items) ids.push_back(item.asset.id);
+    print_message("there is nothing with the id \"" + id + "\" in the library" +
+                  did_you_mean(id, ids).english() + "; \"covaria library list\" shows the ids");
     tell_problems(library);
     return exit_bad_input;
 }
@@ -64,6 +103,7 @@ int show_item(const std::string& id, const std::string& picture) {
 struct LibraryArguments {
     std::vector<std::string> words;
     std::string id, picture;
+    bool json = false;
 };
 
 std::string joined_words(const std::vector<std::string>& words) {
@@ -78,17 +118,23 @@ Command library_command(CLI::App& app) {
     auto arguments = std::make_shared<LibraryArguments>();
     CLI::App* command =
         app.add_subcommand("library", "List and search the instruments and robots of the library");
+    add_examples(*command, {{"library"},
+                            {"library search leica at960"},
+                            {"library show leica-at500"},
+                            {"library show leica-at500 --json"}});
     command->require_subcommand(0, 1);
-    command->add_subcommand("list", "List everything (as without a subcommand)");
+    CLI::App* list = command->add_subcommand("list", "List everything (as without a subcommand)");
     CLI::App* search =
         command->add_subcommand("search", "List what has all the words in name, kind or source");
     search->add_option("WORD", arguments->words, "words, in any order and case")->required();
     CLI::App* show = command->add_subcommand("show", "Show where the figures of one come from");
     show->add_option("ID", arguments->id, "as listed")->required();
     show->add_option("--picture", arguments->picture, "draw its body as well")->type_name("FILE.png");
+    for (CLI::App* one : {command, list, search, show}) add_json_option(*one, arguments->json);
     return {command, [arguments, search, show](const std::stop_token&) {
-                if (show->parsed()) return show_item(arguments->id, arguments->picture);
-                return list_library(search->parsed() ? joined_words(arguments->words) : std::string());
+                if (show->parsed()) return show_item(arguments->id, arguments->picture, arguments->json);
+                const std::string words = search->parsed() ? joined_words(arguments->words) : std::string();
+                return arguments->json ? list_library_json(words) : list_library(words);
             }};
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/application.h"
 #include "app/commands/commands.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
 #include "core/base/file_io.h"
@@ -77,7 +78,8 @@ std::string man_page(const CLI::App& app) {
         troff(app.get_description()) + "\n.SH OPTIONS\n" + options_in_troff(app) + ".SH COMMANDS\n";
     for (const CLI::App* command : subcommands_of(app))
         text += ".SS " + troff(command->get_name()) + "\n" + troff(command->get_description()) + "\n" +
-                options_in_troff(*command);
+                options_in_troff(*command) +
+                (command->get_footer().empty() ? "" : ".P\n" + preformatted(command->get_footer()));
     return text + ".SH NOTES\n" + preformatted(app.get_footer());
 }
 
@@ -109,7 +111,7 @@ std::string bash_completion(const CLI::App& app) {
 std::vector<CommandWords> command_words(const CLI::App& app) {
     std::vector<CommandWords> all;
     for (const CLI::App* command : subcommands_of(app)) {
-        all.push_back({command->get_name(), command->get_description(), {}});
+        all.push_back({command->get_name(), command->get_description(), {}, command->get_footer()});
         for (const CLI::Option* option : command->get_options())
             all.back().options.emplace_back(option_head(*option), option->get_description());
     }
@@ -150,6 +152,8 @@ Command manual_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "manual",
         "Write the manual as HTML or PDF; print the command line as a man page or as a completion for bash");
+    add_examples(*command, {{"manual html -o manual.html"},
+                            {"manual bash-completion -o completion", "to be read by bash"}});
     const std::vector<std::string> forms = {"html", "pdf", "man-page", "bash-completion"};
     auto wanted = std::make_shared<ManualArguments>();
     command->add_option("FORM", wanted->form, "html, pdf, man-page or bash-completion")

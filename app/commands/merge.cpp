@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/commands/run_options.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/merged_run.h"
 #include "app/output_folder.h"
@@ -32,6 +34,7 @@ Result<void> merge(const MergeArguments& arguments, const std::stop_token& stop)
     const auto run = open_shared_run(*request);
     if (!run) return fail(run.error());
     if (auto made = make_output_folder(arguments.outputs.folder); !made) return made;
+    EarlierResults earlier(arguments.outputs.folder);
     const MissingUnits missing{arguments.resume ? MissingUnits::Rule::compute : MissingUnits::Rule::refuse};
     const auto evaluation = merge_units(*run, **folder, missing, stop);
     if (!evaluation) return fail(evaluation.error());
@@ -39,6 +42,7 @@ Result<void> merge(const MergeArguments& arguments, const std::stop_token& stop)
             write_run_outputs(arguments.outputs, *run->opened, *evaluation, !request->analyses.empty(), stop);
         !written)
         return written;
+    earlier.are_replaced();
     return check_complete(*evaluation);
 }
 
@@ -48,6 +52,7 @@ Command merge_command(CLI::App& app) {
     auto arguments = std::make_shared<MergeArguments>();
     CLI::App* command = app.add_subcommand(
         "merge", "Put the parts of a run together; the results have the bits of covaria run");
+    add_examples(*command, {{"merge parts --out out"}});
     command->add_option("PARTS", arguments->parts, "folder of parts (covaria part, covaria-mpi)")
         ->type_name("DIR")
         ->required();
@@ -56,9 +61,7 @@ Command merge_command(CLI::App& app) {
                      "the project file, where it is not at the place it had when the parts were made")
         ->type_name("FILE");
     command->add_flag("--resume", arguments->resume, "compute the units that no part has, and keep them too");
-    command->add_option("--threads", arguments->threads, "number of threads (results do not depend on it)")
-        ->type_name("T")
-        ->check(CLI::Range(0, 1024));
+    add_threads_option(*command, arguments->threads);
     add_output_options(*command, arguments->outputs);
     return {command, [arguments](const std::stop_token& stop) {
                 const auto done = merge(*arguments, stop);

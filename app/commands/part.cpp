@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/run_options.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/output_folder.h"
 #include "app/shared_run.h"
@@ -145,6 +146,10 @@ Command part_command(CLI::App& app) {
     auto arguments = std::make_shared<PartArguments>();
     CLI::App* command = app.add_subcommand(
         "part", "Compute one part of a run that several machines share; covaria merge puts them together");
+    add_examples(*command,
+                 {{"part projects/gum/h1-end-gauge.covaria --part 1/2", "the first half, on one machine"},
+                  {"part projects/gum/h1-end-gauge.covaria --part 2/2",
+                   "the other one; covaria merge puts them together"}});
     add_run_options(*command, arguments->request);
     command->add_option("--part", arguments->part, "which of how many parts: 17/400")->type_name("K/N");
     command

@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/run_options.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/pictures.h"
 #include "app/terminal.h"
@@ -36,7 +37,7 @@ Result<void> take_view(const AnalysisEntry& entry, PictureRequest& picture) {
 }
 
 Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    auto opened = open_project(arguments.request.file, arguments.request.values, arguments.request.analyses);
     if (!opened) return fail(opened.error());
     if ((*opened)->project().analyses.empty())
         return fail(ErrorCode::bad_input, "the project has no analysis to draw");
@@ -67,6 +68,12 @@ Command render_command(CLI::App& app) {
     auto arguments = std::make_shared<RenderArguments>();
     CLI::App* command =
         app.add_subcommand("render", "Evaluate an analysis and draw its scene as PNG (needs no display)");
+    add_examples(*command,
+                 {{"render projects/stewart-platform.covaria --group \"pose 13\" --view top -o top.png"},
+                  {"render projects/lsm-network.covaria --trials 2e4 --width 1600 --height 1000 --dark -o "
+                   "network.png"},
+                  {"render projects/stewart-platform.covaria --trials 2e4 -o scene.gltf",
+                   "the scene itself, for viewers"}});
     add_run_options(*command, arguments->request);
     PictureRequest& picture = arguments->picture;
     command

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/run_options.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/output_folder.h"
 #include "app/report_files.h"
@@ -60,7 +61,7 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
     if (!arguments.output.empty())
         if (auto named = write_into_one_file(arguments.output, files); !named) return named;
     if (auto made = make_output_folder(files.folder); !made) return made;
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    auto opened = open_project(arguments.request.file, arguments.request.values, arguments.request.analyses);
     if (!opened) return fail(opened.error());
     const auto request = request_for(arguments, (**opened).project());
     if (!request) return fail(request.error());
@@ -70,7 +71,7 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
         if (auto compared = compare_with(arguments.before, arguments.request, *evaluation, stop); !compared)
             return compared;
     const ReportSource source{*evaluation->made, evaluation->analyses, evaluation->failed};
-    if (arguments.certificate) say_what_is_missing(source.made.project());
+    if (arguments.certificate) say_what_is_missing(source);
     if (auto written = write_document(document_of(arguments, source), source, files, stop); !written)
         return written;
     return check_complete(*evaluation);
@@ -82,6 +83,12 @@ Command report_command(CLI::App& app) {
     auto arguments = std::make_shared<ReportArguments>();
     CLI::App* command =
         app.add_subcommand("report", "Evaluate a project; write its report as PDF, HTML and Markdown");
+    add_examples(*command,
+                 {{"report projects/gum/h1-end-gauge.covaria -o report.pdf"},
+                  {"report projects/certificate-gauge-block.covaria --certificate -o certificate.pdf"},
+                  {"report projects/gum/h1-end-gauge.covaria --trials 1e5 --format html --without evaluation "
+                   "--out report",
+                   "one format, shorter"}});
     add_run_options(*command, arguments->request);
     command->add_flag("--designs", arguments->request.designs, "search the designs too, for their chapter");
     auto* folder = command->add_option("--out", arguments->files.folder, "folder for the report")

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "app/whole_number.h"
+
 namespace covaria {
 namespace {
 
@@ -15,9 +17,11 @@ VarianceReduction reduction_of(const std::string& key) {
 }  // namespace
 
 void add_method_options(CLI::App& command, RunRequest& request) {
-    auto* trials = command.add_option("--trials", request.trials, "Monte Carlo with this number of trials")
-                       ->type_name("N")
-                       ->check(CLI::Range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
+    auto* trials =
+        command.add_option("--trials", request.trials, "Monte Carlo with this number of trials (1e6)")
+            ->type_name("N")
+            ->check(CLI::Range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
+    takes_whole_number(trials);
     auto* adaptive =
         command.add_flag("--adaptive", request.adaptive, "adaptive Monte Carlo (JCGM 101 7.9, JCGM 102 7.8)");
     auto* first =
@@ -31,10 +35,16 @@ void add_method_options(CLI::App& command, RunRequest& request) {
             "of Monte Carlo: none, control-variate or sobol")
         ->type_name("KIND")
         ->check(CLI::IsMember({"none", "control-variate", "sobol"}));
-    command.add_option("--seed", request.seed, "seed of the random draws")->type_name("S");
-    command.add_option("--threads", request.threads, "number of threads (results do not depend on it)")
-        ->type_name("T")
-        ->check(CLI::Range(0, 1024));
+    takes_whole_number(
+        command.add_option("--seed", request.seed, "seed of the random draws")->type_name("S"));
+    add_threads_option(command, request.threads);
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+    takes_whole_number(
+        command.add_option("--threads", threads, "number of threads (results do not depend on it)")
+            ->type_name("T")
+            ->check(CLI::Range(0, 1024)));
 }
 
 void add_run_options(CLI::App& command, RunRequest& request) {

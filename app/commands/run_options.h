@@ -15,7 +15,9 @@ namespace covaria {
 
 /// Adds how it is evaluated: --trials, --adaptive, --first-order, --variance-reduction, --seed, --threads.
 void add_method_options(CLI::App& command, RunRequest& request);
-/// Those and FILE, --analysis, --set, --no-studies.
+/// --threads alone.
+void add_threads_option(CLI::App& command, int& threads);
+/// The former and FILE, --analysis, --set, --no-studies.
 void add_run_options(CLI::App& command, RunRequest& request);
 
 }  // namespace covaria

@@ -6,9 +6,11 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/run_options.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/shared_run.h"
 #include "app/terminal.h"
+#include "app/whole_number.h"
 
 namespace covaria {
 namespace {
@@ -85,14 +87,17 @@ Command submit_command(CLI::App& app) {
     auto arguments = std::make_shared<SubmitArguments>();
     CLI::App* command =
         app.add_subcommand("submit", "Print the script that computes the parts of a run on several machines");
+    add_examples(*command, {{"submit projects/stewart-platform.covaria --trials 1e9 --slurm --parts 400",
+                             "to be saved, and given to sbatch"},
+                            {"submit projects/stewart-platform.covaria --parallel --parts 16"}});
     add_run_options(*command, arguments->request);
     command->add_flag("--slurm", arguments->slurm, "an array of jobs for Slurm");
     command->add_flag("--parallel", arguments->parallel, "for GNU parallel");
     command->add_flag("--mpi", arguments->mpi, "one job of covaria-mpi");
-    command->add_option("--parts", arguments->parts, "number of parts")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1'000'000))
-        ->capture_default_str();
+    takes_whole_number(command->add_option("--parts", arguments->parts, "number of parts")
+                           ->type_name("N")
+                           ->check(CLI::Range(1, 1'000'000))
+                           ->capture_default_str());
     command->add_option("--parts-folder", arguments->folder, "folder for the parts")
         ->type_name("DIR")
         ->capture_default_str();

@@ -6,8 +6,11 @@
 
 #include "app/application.h"
 #include "app/commands/commands.h"
+#include "app/commands/run_options.h"
 #include "app/evaluation.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
+#include "app/json_output.h"
 #include "app/output_folder.h"
 #include "app/terminal.h"
 #include "core/base/file_io.h"
@@ -21,6 +24,7 @@ namespace {
 struct VerifyArguments {
     std::string out;
     int threads = 0;
+    bool json = false;
 };
 
 Result<std::vector<VerificationCase>> shipped_cases() {
@@ -59,7 +63,7 @@ Result<bool> verify(const VerifyArguments& arguments, const std::stop_token& sto
         passed = passed && one->passed();
         checked.push_back(std::move(*one));
     }
-    std::fputs(verification_text(checked).c_str(), stdout);
+    std::fputs((arguments.json ? verification_json(checked) : verification_text(checked)).c_str(), stdout);
     if (arguments.out.empty()) return passed;
     const auto application = make_application(Platform::offscreen);
     ui::ReportTarget target;
@@ -76,11 +80,14 @@ Command verify_command(CLI::App& app) {
     auto arguments = std::make_shared<VerifyArguments>();
     CLI::App* command = app.add_subcommand(
         "verify", "Evaluate the shipped cases; compare every figure with published and reference values");
+    add_examples(*command,
+                 {{"verify"},
+                  {"verify --out verification", "the table for a quality manual: PDF, HTML and Markdown"},
+                  {"verify --json", "for programs"}});
     command->add_option("--out", arguments->out, "folder for the table as PDF, HTML and Markdown")
         ->type_name("DIR");
-    command->add_option("--threads", arguments->threads, "number of threads (results do not depend on it)")
-        ->type_name("T")
-        ->check(CLI::Range(0, 1024));
+    add_threads_option(*command, arguments->threads);
+    add_json_option(*command, arguments->json);
     return {command, [arguments](const std::stop_token& stop) {
                 const auto passed = verify(*arguments, stop);
                 if (passed) return int(*passed ? exit_success : exit_bad_input);

@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/commands/run_options.h"
 #include "app/evaluation.h"
+#include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
 #include "core/base/version.h"
@@ -83,16 +85,15 @@ Command verify_report_command(CLI::App& app) {
     auto report = std::make_shared<ReportToVerify>();
     CLI::App* command = app.add_subcommand(
         "verify-report", "Evaluate the project that a report (PDF) carries; compare with its results");
-    command->footer(
+    add_examples(
+        *command, {{"verify-report report.pdf"}},
         "A report of covaria report or of the window carries its project, the CSV files of it, and its "
         "results.\n"
         "Exit status 0: they are computed again to the same bits; 1: what differs is listed, or it could not "
         "be "
         "read.");
     command->add_option("FILE", report->file, "report (*.pdf)")->required();
-    command->add_option("--threads", report->threads, "number of threads (results do not depend on it)")
-        ->type_name("T")
-        ->check(CLI::Range(0, 1024));
+    add_threads_option(*command, report->threads);
     return {command, [report](const std::stop_token& stop) -> int {
                 const auto same = verify_report(*report, stop);
                 if (same) return *same ? exit_success : exit_bad_input;

@@ -11,7 +11,9 @@
 #include "app/interrupt.h"
 #include "app/mpi/exchange.h"
 #include "app/output_folder.h"
+#include "app/printed_text.h"
 #include "app/terminal.h"
+#include "app/wrong_usage.h"
 #include "core/base/guarded.h"
 #include "core/base/version.h"
 #include "core/report/result_files.h"
@@ -149,6 +151,7 @@ int run_ranks(const Arguments& arguments, const std::stop_token& stop, bool& oth
 }  // namespace
 
 int main(int argc, char** argv) {
+    show_control_characters();
     CLI::App app(
         "Shares a run of Covaria between the ranks that mpirun starts: rank 0 hands out units and merges\n"
         "them in order, the others compute. The results have the bits of covaria run.",
@@ -162,7 +165,13 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
-        return app.exit(problem) == 0 ? exit_success : exit_wrong_usage;
+        if (problem.get_exit_code() == 0) return app.exit(problem);
+        const std::string wrong = what_does_not_exist(app, argc, argv);
+        if (wrong.empty())
+            app.exit(problem);
+        else
+            std::fprintf(stderr, "%s\n", wrong.c_str());
+        return exit_wrong_usage;
     }
     if (arguments.request.threads == 0) arguments.request.threads = 1;  // a rank is a core
     const Interrupt interrupt;
@@ -172,5 +181,5 @@ int main(int argc, char** argv) {
     const int status = run_ranks(arguments, interrupt.token(), others_wait);
     if (status != exit_success && others_wait) MPI_Abort(MPI_COMM_WORLD, status);
     MPI_Finalize();
-    return status;
+    return all_is_printed() || status != exit_success ? status : exit_bad_input;
 }

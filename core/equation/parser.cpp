@@ -258,7 +258,7 @@ private:
         const Token& token = in_.next();
         if (is_sign(in_.now(), "(")) return call(token);
         if (token.text == "pi") return leaf(Operation::constant, pi, token);
-        if (find_function(token.text))
+        if (find_function(token.text) && is_reserved(token.text))
             return in_.refuse(token.place,
                               tell<"'%1' is a function: its argument follows in parentheses">(token.text));
         if (is_reserved(token.text))

@@ -49,6 +49,7 @@ public:
         blocks.push_back(ParagraphBlock{command.description});
         for (const auto& [name, words] : command.options)
             blocks.push_back(ProseBlock{{{.text = name, .code = true}, {.text = ": " + words}}, "–"});
+        if (!command.examples.empty()) blocks.push_back(CodeBlock{command.examples});
     }
 
     /// Links to what is in the manual go there, those to other files are words.
@@ -109,7 +110,7 @@ Result<ReportDocument> build_manual(const std::vector<CommandWords>& commands) {
                                     "the fields of the models and assets, and the words of the command line "
                                     "of this version; its pictures were "
                                     "drawn by Covaria."},
-                     HeadingBlock{1, "Contents"}, ContentsBlock{2}};
+                     HeadingBlock{1, "Contents"}, ContentsBlock{2, true}};
     const auto add = [&](const std::string& title, const std::string& prefix) {
         manual.part(title);
         for (const HelpPage& page : *pages)
@@ -129,6 +130,7 @@ Result<ReportDocument> build_manual(const std::vector<CommandWords>& commands) {
     manual.part("Examples");
     if (auto added = manual.guide("examples"); !added) return fail(added.error());
     manual.part("Command line");
+    if (auto added = manual.guide("command-line"); !added) return fail(added.error());
     for (const CommandWords& command : commands) manual.command(command);
     add("Glossary", "glossary");
     manual.mend_links();

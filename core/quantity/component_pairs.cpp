@@ -7,7 +7,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "core/math/decompositions.h"
 #include "core/quantity/copula.h"
 #include "core/quantity/isotropic_vector.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 
@@ -111,13 +111,10 @@ std::optional<Error> group_problem(const InputSet& inputs, const std::vector<std
     std::string components;
     for (const std::size_t member : group)
         components += (components.empty() ? "" : ", ") + quoted(inputs, member);
-    std::ostringstream number;
-    number.precision(3);
-    number << smallest;
     return Error{
         ErrorCode::bad_input,
         tell<"the correlations of the components %1 contradict each other: the smallest eigenvalue of "
-             "their correlation matrix is %2, it must not be negative.">(components, number.str())};
+             "their correlation matrix is %2, it must not be negative.">(components, format_short(smallest))};
 }
 
 /// Error if a coordinate of a vector of random direction is correlated: its draws come with the others'.

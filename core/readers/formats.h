@@ -17,5 +17,6 @@ Reader gum_workbench_reader();
 Reader suncal_reader();
 Reader motive_reader();
 Reader robot_calibration_reader();
+Reader urdf_reader();
 
 }  // namespace covaria

@@ -56,7 +56,8 @@ const std::vector<Reader>& reader_registry() {
                                              gum_workbench_reader(),
                                              suncal_reader(),
                                              motive_reader(),
-                                             robot_calibration_reader()};
+                                             robot_calibration_reader(),
+                                             urdf_reader()};
     return readers;
 }
 

@@ -204,10 +204,11 @@ std::string decision_key(const RequirementResult& r) {
 
 DataTable requirements_table(const UncertaintyResult& result,
                              const std::vector<RequirementResult>& verdicts) {
-    DataTable table = table_with(
-        "requirements", "Requirements",
-        {"group", "symbol", "unit", "U", "target", "target_met", "lower_limit", "upper_limit", "guard_band",
-         "decision", "p_conforming", "p_conforming_by", "global_consumer_risk", "global_producer_risk"});
+    DataTable table =
+        table_with("requirements", "Requirements",
+                   {"group", "symbol", "unit", "U", "target", "target_met", "lower_limit", "upper_limit",
+                    "guard_band", "decision", "p_conforming", "p_conforming_by", "global_consumer_risk",
+                    "global_producer_risk", "consumer_risk_if_accepted", "producer_risk_if_rejected"});
     for (const RequirementResult& r : verdicts) {
         const OutputResult& output = result.outputs[r.output];
         const OutputQuantity& q = output.quantity;
@@ -217,6 +218,9 @@ DataTable requirements_table(const UncertaintyResult& result,
             return si ? TableCell(value_in(q.unit, *si)) : TableCell{};
         };
         const auto number = [](bool known, double x) { return known ? TableCell(x) : TableCell{}; };
+        const auto of_prior = [&](double RequirementResult::GlobalRisks::*risk) {
+            return r.global_risks ? TableCell((*r.global_risks).*risk) : TableCell{};
+        };
         table.rows.push_back(
             {q.group, q.symbol, q.unit.text(), interval_in(q.unit, output.expanded_uncertainty),
              r.target_uncertainty ? TableCell(interval_in(q.unit, *r.target_uncertainty)) : TableCell{},
@@ -228,8 +232,10 @@ DataTable requirements_table(const UncertaintyResult& result,
              limited ? TableCell(interval_in(q.unit, r.guard_band)) : TableCell{},
              with_limits ? TableCell(decision_key(r)) : TableCell{}, number(limited, r.conformance),
              limited ? TableCell(distribution_key(r.conformance_by)) : TableCell{},
-             number(r.global_risks.has_value(), r.global_risks ? r.global_risks->consumer : 0.0),
-             number(r.global_risks.has_value(), r.global_risks ? r.global_risks->producer : 0.0)});
+             of_prior(&RequirementResult::GlobalRisks::consumer),
+             of_prior(&RequirementResult::GlobalRisks::producer),
+             of_prior(&RequirementResult::GlobalRisks::consumer_if_accepted),
+             of_prior(&RequirementResult::GlobalRisks::producer_if_rejected)});
     }
     return table;
 }

@@ -75,5 +75,7 @@ Result<CheckedCase> check_case(const VerificationCase& verification,
 ReportDocument verification_report(const std::vector<CheckedCase>& cases);
 /// The same for a terminal: one line a figure.
 std::string verification_text(const std::vector<CheckedCase>& cases);
+/// The same for programs.
+std::string verification_json(const std::vector<CheckedCase>& cases);
 
 }  // namespace covaria

@@ -65,4 +65,28 @@ TEST(ImportUrdf, SaysWhatItDoesNotUnderstand) {
     EXPECT_EQ(run_program({"import-urdf", "a.urdf"}).status, 2);
 }
 
+TEST(ImportUrdf, IsWhatImportDoes) {
+    const fs::path folder = fresh_folder("urdf-import");
+    write_text(folder / "arm.urdf", arm);
+    const std::string file = (folder / "arm.urdf").string(), project = (folder / "arm.covaria").string(),
+                      other = (folder / "other.covaria").string();
+    const Outcome shown = run_program({"import", file});
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    for (const char* words : {"Robot description (URDF)", "2 joints from link base to link tool0",
+                              "joint 1: shoulder", "Nothing was written"})
+        EXPECT_NE(shown.out.find(words), std::string::npos) << words << "\n" << shown.out;
+    ASSERT_EQ(run_program({"import", file, "-o", project}).status, 0);
+    ASSERT_EQ(run_program({"import-urdf", file, "-o", other}).status, 0);
+    EXPECT_EQ(read_text(project), read_text(other));
+    EXPECT_EQ(run_program({"import", file, "-o", project}).status, 1) << "nothing is overwritten";
+    ASSERT_EQ(run_program({"import", file, "-o", project, "--add", "--freeze", "shoulder=30"}).status, 0);
+    const json assets = json::parse(read_text(project)).at("assets");
+    ASSERT_EQ(assets.size(), 2u);
+    EXPECT_EQ(assets[1].at("setup").at("joints").at("rows").size(), 1u);
+    write_text(folder / "bad.urdf", "<robot name=\"x\"></robot>");
+    const Outcome bad = run_program({"import", (folder / "bad.urdf").string()});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_NE(bad.err.find("bad.urdf:1: the file has no moving joint"), std::string::npos) << bad.err;
+}
+
 }  // namespace

@@ -56,6 +56,43 @@ TEST(Installed, BashCompletesCommandsAndOptions) {
         << "a file";
 }
 
+/// What kind of file the desktop takes it for, by what packaging/covaria.xml says. It has no ending.
+std::string kind_of_file(const std::string& content, const fs::path& folder) {
+    write_text(folder / "file", content);
+    const std::string told =
+        printed_by_bash("XDG_DATA_HOME=" + folder.string() + " gio info -a standard::content-type " +
+                            (folder / "file").string(),
+                        folder);
+    const std::string key = "standard::content-type: ";
+    const auto at = told.find(key);
+    if (at == std::string::npos) return told;
+    return told.substr(at + key.size(), told.find('\n', at) - at - key.size());
+}
+
+TEST(Installed, TheDesktopKnowsProjectsByTheirContent) {
+    const fs::path folder = fresh_folder("mime");
+    fs::create_directories(folder / "mime/packages");
+    fs::copy_file(shipped_project("../packaging/covaria.xml"), folder / "mime/packages/covaria.xml");
+    printed_by_bash("update-mime-database " + (folder / "mime").string() + " || true", folder);
+    for (const auto& entry : fs::directory_iterator(shipped_project("")))
+        if (entry.path().extension() == ".covaria")
+            EXPECT_EQ(kind_of_file(read_text(entry.path()), folder), "application/x-covaria") << entry.path();
+    EXPECT_EQ(kind_of_file("{\"format\":\"covaria\",\"schemaVersion\":2}", folder), "application/x-covaria");
+    EXPECT_NE(kind_of_file("{\n  \"format\": \"covaria-results\",\n", folder), "application/x-covaria");
+    EXPECT_NE(kind_of_file("{\"title\": \"other\"}", folder), "application/x-covaria");
+}
+
+TEST(Installed, TheDesktopFileOpensProjectsAndReportsAndTheMetadataAreValid) {
+    const fs::path packaging = shipped_project("../packaging");
+    const std::string entry = read_text(packaging / "covaria.desktop");
+    EXPECT_NE(entry.find("\nMimeType=application/x-covaria;application/pdf;\n"), std::string::npos);
+    EXPECT_NE(entry.find("\nExec=covaria %f\n"), std::string::npos);
+    const fs::path folder = fresh_folder("appstream");
+    const std::string told = printed_by_bash(
+        "appstreamcli validate --no-net " + (packaging / "covaria.metainfo.xml").string(), folder);
+    EXPECT_NE(told.find("successful"), std::string::npos) << told;
+}
+
 /// The program in PREFIX/bin finds PREFIX/share/covaria, wherever that is.
 TEST(Installed, TheProgramTakesTheDataBesideIt) {
     const fs::path prefix = fresh_folder("prefix");

@@ -27,6 +27,20 @@ TEST(Csv, WhatASpreadsheetWouldComputeIsShownInstead) {
     for (const char* text : {"-2.5", "+3", "-1e-9", "a=b", "b-2", "−4", ""}) EXPECT_EQ(csv_text(text), text);
 }
 
+// A German Excel takes a comma for no separator and a semicolon for one, whatever is in quotes.
+TEST(Csv, SoIsWhatWouldBeACellOfItsOwnElsewhere) {
+    EXPECT_EQ(csv_text("a;=1+1"), "a;'=1+1");
+    EXPECT_EQ(csv_text("a; =1;@x,b"), "\"a;' =1;'@x,b\"");
+    EXPECT_EQ(csv_text("a\t=1"), "a\t'=1");
+    EXPECT_EQ(csv_text("a\n+b"), "\"a\n'+b\"");
+    EXPECT_EQ(csv_text("1;-2;+3"), "1;-2;+3") << "numbers compute nothing";
+}
+
+TEST(Csv, ControlCharactersAreShown) {
+    EXPECT_EQ(csv_text("\x1b[2Jno errors\x07\x7f"), "␛[2Jno errors␇␡");
+    EXPECT_EQ(csv_text("two\r\nlines"), "\"two\nlines\"");
+}
+
 TEST(Csv, NumbersHaveFullPrecisionInTheUnitOfTheHead) {
     DataTable table;
     table.columns = {{"u", Unit::of("mm"), true, 2}};
