@@ -1,11 +1,13 @@
 #include "app/printed_text.h"
 
+#include <ext/stdio_sync_filebuf.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -68,11 +70,18 @@ Printer& errors() {
     return printer;
 }
 
+/// What C++ prints goes the same way.
+void print_by(std::ostream& out, FILE* stream) {
+    out.rdbuf(std::make_unique<__gnu_cxx::stdio_sync_filebuf<char>>(stream).release());  // never destroyed
+}
+
 }  // namespace
 
 void show_control_characters() {
     if (FILE* stream = stream_of(output(), isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF)) stdout = stream;
     if (FILE* stream = stream_of(errors(), _IONBF)) stderr = stream;
+    print_by(std::cout, stdout);
+    print_by(std::cerr, stderr);
 }
 
 bool all_is_printed() {

@@ -23,10 +23,9 @@ void check_ids(const std::vector<Entry>& entries, const std::string& place, Prob
         const std::string path = place + "/" + std::to_string(i) + "/id";
         const std::string& id = entries[i].id;
         if (!is_project_id(id))
-            problems.error(path,
-                           tell<"the id %1 must be made of letters, digits, '-' and '_'">(in_quotes(id)));
+            problems.error(path, tell<"its id must be made of letters, digits, '-' and '_'">());
         else if (!known.insert(id).second)
-            problems.error(path, tell<"the id %1 is used twice">(in_quotes(id)));
+            problems.error(path, tell<"another one has the same id">());
     }
 }
 
@@ -109,8 +108,10 @@ std::vector<Message> MadeProject::warnings_of(const std::string& analysis) const
     const auto add = [&](const Problems& problems, const AssetEntry* asset) {
         for (const Problem& problem : problems.items())
             if (problem.severity == Severity::warning)
-                warnings.push_back(asset ? tell<"asset %1: %2">(asset->id, problem.message)
-                                         : problem.message);
+                warnings.push_back(
+                    asset ? tell<"asset %1: %2">(in_quotes(asset->name.empty() ? asset->id : asset->name),
+                                                 problem.message)
+                          : problem.message);
     };
     const auto index = static_cast<std::size_t>(entry - project_->analyses.data());
     for (const std::size_t used : graph_.used_by(graph_.number_of_analysis(index)))

@@ -11,6 +11,7 @@
 #include "core/model/linearised_model.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/edit_fields.h"
+#include "core/project/entry_names.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/references.h"
 #include "core/propagation/engine.h"
@@ -82,10 +83,8 @@ void refuse_idle_edits(const AnalysisEntry& entry, const InputSet& inputs, Probl
 }  // namespace
 
 Message chain_too_long() {
-    return tell<
-        "more than %1 analyses feed each other in a row: let some of them be one analysis, with the "
-        "equations "
-        "of all of them">(deepest_chain);
+    return tell<"more than %1 analyses feed each other in a row: put the equations of some of them into one">(
+        deepest_chain);
 }
 
 namespace {
@@ -101,10 +100,10 @@ public:
         if (!add(entry, own, problems)) return {};
         if (parts_.size() == 1) return own;
         auto chain = std::make_shared<ComposedModel>(std::move(parts_));
-        for (const std::string& id : chain->kept_apart())
+        for (const Message& name : chain->kept_apart())
             problems.warning(analysis_fields().place(&AnalysisEntry::links),
                              tell<"the component %1 is not stated alike (held, or edited) by all analyses of "
-                                  "the chain: they are taken as independent">(in_quotes(id)));
+                                  "the chain: they are taken as independent">(in_quotes(name)));
         InputSet inputs = chain->inputs();
         if (const auto resolved = resolved_correlations(inputs); !resolved)
             problems.error(analysis_fields().place(&AnalysisEntry::links), resolved.error().message);
@@ -152,10 +151,11 @@ private:
         const Unit& from = taken.unit;
         const Unit& to = inputs.quantities[input].unit;
         if (from.dimension() != to.dimension()) {
-            problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
-                           tell<"%1 is %2; %3 of %4 is %5">(
-                               in_quotes(link.input), dimension_words(to), in_quotes(link.output.symbol),
-                               in_quotes(link.output.analysis), dimension_words(from)));
+            problems.error(
+                placed.path + output_reference_fields().place(&OutputReference::symbol),
+                tell<"%1 is %2; %3 of %4 is %5">(
+                    in_quotes(link.input), dimension_words(to), in_quotes(link.output.symbol),
+                    in_quotes(shown_name(project_, link.output.analysis, true)), dimension_words(from)));
             return {};
         }
         const Message objection = taken_objection(
@@ -187,10 +187,9 @@ private:
         const std::string& id = placed.link.output.analysis;
         const AnalysisEntry* entry = project_.find_analysis(id);
         if (!entry) {
-            std::vector<std::string> ids;
-            for (const AnalysisEntry& analysis : project_.analyses) ids.push_back(analysis.id);
-            problems.error(placed.path + output_reference_fields().place(&OutputReference::analysis),
-                           tell<"there is no analysis %1%2">(in_quotes(id), did_you_mean(id, ids)));
+            problems.error(
+                placed.path + output_reference_fields().place(&OutputReference::analysis),
+                tell<"there is no analysis %1%2">(in_quotes(id), did_you_mean_entry(id, project_.analyses)));
             return {};
         }
         if (const auto first = std::find(path_.begin(), path_.end(), id); first != path_.end()) {
@@ -261,8 +260,8 @@ private:
         return parts_.size() - 1;
     }
 
-    static Index output_of(const PlacedLink& placed, const std::vector<OutputQuantity>& outputs,
-                           Problems& problems) {
+    Index output_of(const PlacedLink& placed, const std::vector<OutputQuantity>& outputs,
+                    Problems& problems) const {
         const OutputReference& wanted = placed.link.output;
         std::vector<std::string> known;
         for (std::size_t j = 0; j < outputs.size(); ++j) {
@@ -270,9 +269,10 @@ private:
             known.push_back(words_of(outputs[j].group, outputs[j].symbol));
         }
         const std::string words = words_of(wanted.group, wanted.symbol);
-        problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
-                       tell<"the analysis %1 has no output %2%3">(
-                           in_quotes(wanted.analysis), in_quotes(words), did_you_mean(words, known)));
+        problems.error(
+            placed.path + output_reference_fields().place(&OutputReference::symbol),
+            tell<"the analysis %1 has no output %2%3">(in_quotes(shown_name(project_, wanted.analysis, true)),
+                                                       in_quotes(words), did_you_mean(words, known)));
         return {};
     }
 

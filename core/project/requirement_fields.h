@@ -7,6 +7,7 @@
 
 #include "core/project/json_fields.h"
 #include "core/project/project.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
 

@@ -9,6 +9,7 @@
 #include "core/project/entry_graph.h"
 #include "core/project/json_location.h"
 #include "core/project/kind_lookup.h"
+#include "core/project/links.h"
 #include "core/project/project_id.h"
 #include "core/project/study_fields.h"
 #include "core/project/study_target.h"
@@ -39,7 +40,7 @@ public:
             path_ = analysis_fields().place(&AnalysisEntry::studies, i);
             const std::string& id = analysis_.studies[i].id;
             if (!ids.insert(id).second)
-                problems_.error(path_ + at(&Study::id), tell<"the id %1 is used twice">(in_quotes(id)));
+                problems_.error(path_ + at(&Study::id), tell<"another study has the same id">());
             check(analysis_.studies[i]);
         }
     }
@@ -66,9 +67,8 @@ public:
 private:
     void check(const Study& study) {
         if (!is_project_id(study.id))
-            problems_.error(
-                path_ + at(&Study::id),
-                tell<"the id %1 must be made of letters, digits, '-' and '_'">(in_quotes(study.id)));
+            problems_.error(path_ + at(&Study::id),
+                            tell<"its id must be made of letters, digits, '-' and '_'">());
         if (study.axes.empty() || study.axes.size() > 3)
             problems_.error(path_ + at(&Study::axes),
                             tell<"a study has one to three axes; this one has %1">(study.axes.size()));
@@ -143,6 +143,10 @@ public:
         for (const std::string& id : assets_used_by(project_, analysis_)) {
             const AssetEntry& asset = *project_.find_asset(id);
             if (const SetupSchema* schema = schema_of(asset)) add_setup(id, *schema, asset.setup);
+        }
+        for (const std::string& id : analyses_used_by(project_, analysis_)) {
+            const AnalysisEntry& upstream = *project_.find_analysis(id);
+            if (const SetupSchema* schema = schema_of(upstream)) add_setup(id, *schema, upstream.setup);
         }
         if (inputs_) add_inputs();
         return std::move(choices_);

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "core/base/in_quotes.h"
 #include "core/base/temperature.h"
+#include "core/project/entry_names.h"
 #include "core/project/kind_lookup.h"
+#include "core/project/links.h"
 #include "core/setup/message_text.h"
 #include "core/text/symbol.h"
 
@@ -73,18 +76,34 @@ private:
         return prefix_.empty() ? title : tell<"%1: %2">(prefix_, std::move(title));
     }
 
+    const AnalysisEntry* find_upstream() const {
+        const std::vector<std::string> used = analyses_used_by(project_, analysis_);
+        const bool is_used = std::find(used.begin(), used.end(), axis_.asset) != used.end();
+        return is_used ? project_.find_analysis(axis_.asset) : nullptr;
+    }
+
+    template <class Entry>
+    const SetupSchema* of_entry(const Entry& entry) {
+        setup_ = &entry.setup;
+        prefix_ = entry.name.empty() ? entry.id : entry.name;
+        return schema_of(entry);
+    }
+
     Result<StudyTarget> in_setup() {
         const SetupSchema* schema = schema_of(analysis_);
         setup_ = &analysis_.setup;
         if (!axis_.asset.empty()) {
             const AssetEntry* asset = project_.find_asset(axis_.asset);
-            if (!asset)
-                return fail(ErrorCode::bad_input, tell<"there is no asset %1">(in_quotes(axis_.asset)),
+            const AnalysisEntry* upstream = asset ? nullptr : find_upstream();
+            if (!asset && !upstream)
+                return fail(ErrorCode::bad_input,
+                            tell<"there is no asset %1, and no analysis of this name that this one takes "
+                                 "from%2">(in_quotes(axis_.asset),
+                                           did_you_mean_entry(axis_.asset, project_.assets)),
                             "/asset");
-            schema = schema_of(*asset);
-            setup_ = &asset->setup;
-            target_.asset = static_cast<std::size_t>(asset - project_.assets.data());
-            prefix_ = asset->name.empty() ? asset->id : asset->name;
+            schema = asset ? of_entry(*asset) : of_entry(*upstream);
+            if (asset) target_.asset = static_cast<std::size_t>(asset - project_.assets.data());
+            if (upstream) target_.upstream = static_cast<std::size_t>(upstream - project_.analyses.data());
         }
         if (!schema) return no(tell<"the set-up has no schema">());
         const FieldSpec* field = schema->find(tokens_[1]);
@@ -304,6 +323,15 @@ Message row_words(const SetupTable& table, std::size_t row) {
     for (const SetupCell& cell : table.rows[row])
         if (const auto* text = std::get_if<std::string>(&cell); text && !text->empty()) return *text;
     return tell<"row %1">(row + 1);
+}
+
+const Setup& varied_setup(const StudyTarget& target, std::size_t own, const Project& project) {
+    if (target.asset != StudyTarget::analysis) return project.assets[target.asset].setup;
+    return project.analyses[target.upstream == StudyTarget::analysis ? own : target.upstream].setup;
+}
+
+Setup& varied_setup(const StudyTarget& target, std::size_t own, Project& project) {
+    return const_cast<Setup&>(varied_setup(target, own, std::as_const(project)));
 }
 
 TypesetMessage changed_title(const StudyTarget& target, StudyChange change) {

@@ -259,10 +259,12 @@ bool is_part_of_estimate(const Unit& stated, const Unit& of_quantity) {
 
 Result<double> figure_in_si(double figure, const Unit& stated, const Unit& of_quantity, bool on_scale,
                             std::optional<double> estimate) {
-    if (const Message objection = reading_objection(stated, of_quantity); on_scale && !objection.empty())
-        return refused(objection);
-    if (stated.dimension() == of_quantity.dimension())
-        return on_scale ? stated.to_si(figure) : stated.interval_to_si(figure);
+    if (stated.dimension() == of_quantity.dimension()) {
+        if (!on_scale) return stated.interval_to_si(figure);
+        if (const Message objection = reading_objection(stated, of_quantity); !objection.empty())
+            return refused(objection);
+        return stated.to_si(figure);
+    }
     if (on_scale || !is_part_of_estimate(stated, of_quantity))
         return refused(tell<"%1 is no unit for a quantity in %2">(stated.display(), of_quantity.display()));
     if (const Message objection = part_objection(of_quantity); !objection.empty()) return refused(objection);

@@ -60,6 +60,14 @@ Result<SheetBudget> stated_place(const WorkbookSheet& sheet, const ReadChoice& c
     const int first = sheet.first_column();
     SheetBudget place{&sheet, 0, std::move(*heads), {}};
     for (std::size_t i = 0; i < place.heads.size(); ++i) place.columns.push_back(first + static_cast<int>(i));
+    // Columns that are as their headers say have them in the row that makes a budget.
+    const bool by_heads = std::any_of(place.heads.begin(), place.heads.end(),
+                                      [](const BudgetHead& head) { return !head.understood; });
+    if (const auto found = by_heads ? budget_in(sheet) : std::nullopt) {
+        place.head_row = found->head_row;
+        take_units_of_heads(place);
+        return place;
+    }
     // Rows above the first one with a number in a column of figures are headings.
     for (const auto& [row, cells] : sheet.rows) {
         for (std::size_t i = 0; i < place.heads.size(); ++i) {

@@ -96,6 +96,9 @@ bool SheetResult::take_sums(int row) {
     if (sums == SumRow::factor) k_ = figure->value;
     if (sums == SumRow::combined) u_ = figure;
     if (sums == SumRow::expanded) expanded_ = figure;
+    if (const WorkbookCell* divisor = cells_.cell(row, BudgetColumn::divisor);
+        divisor && divisor->number && sums == SumRow::expanded)
+        k_ = divisor->number;
     return true;
 }
 

@@ -23,13 +23,32 @@ DataTable table_with(const std::string& id, const std::string& title, const std:
     return table;
 }
 
-DataTable budget_file(const UncertaintyResult& result) {
-    std::vector<BudgetPlace> places;
-    for (std::size_t i = 0; i < result.budget.rows.size() && i < result.outputs.size(); ++i)
-        for (const BudgetPlace& place : budget_places(result, i)) places.push_back(place);
+std::size_t outputs_with_budget(const UncertaintyResult& result) {
+    return std::min(result.budget.rows.size(), result.outputs.size());
+}
+
+DataTable budget_at(const UncertaintyResult& result, std::vector<BudgetPlace> places) {
     Table table = budget_table(result, std::move(places));
     for (Column& column : table.columns) column.unit.reset();  // the rows say it
     return data_table(table);
+}
+
+DataTable budget_file(const UncertaintyResult& result) {
+    std::vector<BudgetPlace> places;
+    for (std::size_t i = 0; i < outputs_with_budget(result); ++i)
+        for (const BudgetPlace& place : budget_places(result, i)) places.push_back(place);
+    return budget_at(result, std::move(places));
+}
+
+/// The same as a file, output by output: of hundreds of points all cells together take some gigabytes.
+std::string budget_csv(const UncertaintyResult& result) {
+    const std::string line_end = "\r\n";
+    std::string csv = to_csv(budget_at(result, {}));
+    for (std::size_t i = 0; i < outputs_with_budget(result); ++i) {
+        const std::string one = to_csv(budget_at(result, budget_places(result, i)));
+        csv += one.substr(one.find(line_end) + line_end.size());
+    }
+    return csv;
 }
 
 DataTable links_table(const std::vector<LinkedInput>& linked) {
@@ -223,11 +242,12 @@ DataTable requirements_table(const UncertaintyResult& result,
 
 }  // namespace
 
-void each_result_table(const Project& project, const EvaluatedAnalysis& evaluated,
-                       const std::function<void(DataTable)>& take) {
+namespace {
+
+/// All but results and budget.
+void each_further_table(const Project& project, const EvaluatedAnalysis& evaluated,
+                        const std::function<void(DataTable)>& take) {
     const UncertaintyResult& result = *evaluated.result;
-    take(data_table(results_table(result)));
-    take(budget_file(result));
     if (result.outputs.size() <= most_of_a_matrix) {
         take(matrix_table(result, existing_covariance(result), "covariance", true));
         take(matrix_table(result, correlation_of(result.covariance), "correlation", false));
@@ -255,10 +275,21 @@ void each_result_table(const Project& project, const EvaluatedAnalysis& evaluate
     for (const auto& study : evaluated.studies) take(study_table(*study));
 }
 
+}  // namespace
+
 std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated) {
-    std::vector<DataTable> tables;
-    each_result_table(project, evaluated, [&](DataTable table) { tables.push_back(std::move(table)); });
+    std::vector<DataTable> tables{data_table(results_table(*evaluated.result)),
+                                  budget_file(*evaluated.result)};
+    each_further_table(project, evaluated, [&](DataTable table) { tables.push_back(std::move(table)); });
     return tables;
+}
+
+void each_result_file(const Project& project, const EvaluatedAnalysis& evaluated,
+                      const std::function<void(const std::string&, const std::string&)>& take) {
+    const auto take_table = [&](const DataTable& table) { take(table.id, to_csv(table)); };
+    take_table(data_table(results_table(*evaluated.result)));
+    take("budget", budget_csv(*evaluated.result));
+    each_further_table(project, evaluated, take_table);
 }
 
 std::vector<DataTable> asset_tables(const AssetLibrary& assets) {

@@ -99,7 +99,7 @@ TEST(Automation, WhatIsAskedForIsRunWhateverElseIsWrong) {
         file,
         R"({"format": "covaria", "schemaVersion": 2, "title": "t", "assets": [], "analyses": [)" +
             analysis("good", "y = x", "") + "," + analysis("bad", "y = x +", "") + "," +
-            analysis("user", "y = 2 x", R"(, "links": [{"input": "x", "analysis": "bad", "output": "y"}])") +
+            analysis("user", "y = 2*x", R"(, "links": [{"input": "x", "analysis": "bad", "output": "y"}])") +
             "]}");
     const Outcome good = with("good");
     EXPECT_EQ(good.status, 0) << good.err;

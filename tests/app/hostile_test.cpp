@@ -246,7 +246,7 @@ TEST(Hostile, NoControlCharacterLeavesTheProgram) {
  "notes": "of analysis", "setup": {"equations": ["y = x"], "outputs": {"columns": ["symbol", "name", "unit"],
  "rows": [["y", "the output", "1"]]}, "quantities": {"columns": ["symbol", "name", "unit", "value", "statement",
  "a"], "rows": [["x", "the input", "1", 1, "standard", 0.1]]}}, "options": {"trials": 1000},
- "requirements": [{"name": "the limit", "output": "y", "targetUncertainty": {"value": 1, "unit": "1"}}]}]})json",
+ "requirements": [{"symbol": "y", "targetUncertainty": {"value": 1, "unit": "1"}}]}]})json",
                                      {"the title", "the notes", "the author", "the lab", "the name",
                                       "of analysis", "the output", "the input"}));
     for (const std::vector<std::string>& command :

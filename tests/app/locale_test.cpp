@@ -54,7 +54,8 @@ std::vector<Arguments> commands(const fs::path& folder) {
          in("compare")},
         {"describe", "pose-from-points"},
         {"library"},
-        {"manual", "-o", in("manual.html")},
+        {"manual", "html", "-o", in("manual.html")},
+        {"manual", "man-page"},
         {"validate", gauge}};
     const std::map<std::string, Arguments> written{
         {"dcc", with_certificate({gauge, "--analysis", "table", "--first-order"})},

@@ -62,6 +62,38 @@ QString in_words(const QString& key) {
     return words;
 }
 
+/// Of a member of one of the analysis' lists: "/links/0/analysis".
+QString member_words(const AnalysisEntry& analysis, const QStringList& parts) {
+    if (parts.size() < 2) return {};
+    const auto at = static_cast<std::size_t>(parts[1].toUInt());
+    const auto words = [&](const char* list, const auto& members, const auto& say) {
+        return parts[0] == QLatin1String(list) && at < members.size() ? say(members[at]) : QString();
+    };
+    const auto called = [&](const QString& what, const std::string& name) {
+        return name.empty() ? what + QLatin1Char(' ') + parts[1]
+                            : what + QStringLiteral(" “%1”").arg(to_qt(name));
+    };
+    const auto of_symbol = [](const QString& what, const std::string& symbol) {
+        return what.arg(to_qt(symbol_to_unicode(symbol)));
+    };
+    for (const QString& found :
+         {words(
+              "links", analysis.links,
+              [&](const InputLink& link) { return of_symbol(ProblemsModel::tr("link of %1"), link.input); }),
+          words("inputs", analysis.inputs,
+                [&](const InputEdit& e) { return of_symbol(ProblemsModel::tr("change of %1"), e.symbol); }),
+          words("requirements", analysis.requirements,
+                [&](const Requirement& r) {
+                    return of_symbol(ProblemsModel::tr("requirement on %1"), r.symbol);
+                }),
+          words("studies", analysis.studies,
+                [&](const Study& study) { return called(ProblemsModel::tr("study"), study.name); }),
+          words("designs", analysis.designs,
+                [&](const Design& design) { return called(ProblemsModel::tr("design"), design.name); })})
+        if (!found.isEmpty()) return found;
+    return {};
+}
+
 /// Of a part of an entry: "/setup/quantities/rows/2/value".
 QString part_words(const Project& project, const SetupAddress& address, const std::string& part) {
     QStringList parts = to_qt(part).split('/', Qt::SkipEmptyParts);
@@ -73,6 +105,8 @@ QString part_words(const Project& project, const SetupAddress& address, const st
     if (const auto pair = analysis ? pair_in(*analysis, part) : std::nullopt)
         return ProblemsModel::tr("correlation of %1 and %2")
             .arg(to_qt(symbol_to_unicode(pair->first)), to_qt(symbol_to_unicode(pair->second)));
+    const QString member = analysis ? member_words(*analysis, parts) : QString();
+    if (!member.isEmpty()) return member;
     if (parts.first() != QStringLiteral("setup")) return parts.join(QStringLiteral(" › "));
     parts.removeFirst();
     return field_words(find_schema(project, address), find_setup(project, address), parts);

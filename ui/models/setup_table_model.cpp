@@ -83,6 +83,9 @@ int SetupTableModel::columnCount(const QModelIndex& parent) const {
 QString SetupTableModel::complaint(const CellPosition& at) const {
     if (const auto found = rejected_.find(at); found != rejected_.end()) return found->second.reason;
     if (const auto found = problems_.find(at); found != problems_.end()) return found->second;
+    // What is wrong with a row as a whole is one cell too: where it begins.
+    if (const auto found = problems_.find({at.first, -1}); at.second == 0 && found != problems_.end())
+        return found->second;
     return {};
 }
 

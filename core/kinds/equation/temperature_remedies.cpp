@@ -145,18 +145,19 @@ std::vector<Remedy> remedies_for_part(const StatedEquations& stated, std::size_t
     const double further = component.statement == "mpe" ? component.b.value_or(0.0) / 100.0 : 0.0;
     if (!is_part && further == 0.0) return {};
     const double reading = std::abs(unit.from_si(estimate));
-    const auto in_kelvin = [&](double figure) {
-        return without_tail(is_part ? reading * typed->interval_to_si(figure)
-                                    : typed->interval_to_si(figure));
+    const auto figure = [&](double part) {  // in K, or in the unit in which it is typed
+        return without_tail(is_part ? reading * typed->interval_to_si(part)
+                                    : part + typed->interval_from_si(reading * further));
     };
-    const double a = without_tail(in_kelvin(*component.a) + reading * further);
-    Remedy remedy{
-        tell<"a part of its reading in degC: %1 K">(readable_number(a)),
-        {cell(row, &StatedComponent::a, a), cell(row, &StatedComponent::stated_unit, std::string("K"))}};
-    if (further != 0.0)
-        remedy.values.push_back(cell(row, &StatedComponent::b, std::monostate()));
-    else if (kind->b_has_unit && !kind->b.empty() && component.b)
-        remedy.values.push_back(cell(row, &StatedComponent::b, in_kelvin(*component.b)));
+    const double a = without_tail(figure(*component.a) + (is_part ? reading * further : 0.0));
+    const double in_kelvin = is_part ? a : typed->interval_to_si(a);
+    Remedy remedy{tell<"a part of its reading in degC: %1 K">(readable_number(in_kelvin)),
+                  {cell(row, &StatedComponent::a, a)}};
+    if (further != 0.0) remedy.values.push_back(cell(row, &StatedComponent::b, std::monostate()));
+    if (!is_part) return {remedy};
+    remedy.values.push_back(cell(row, &StatedComponent::stated_unit, std::string("K")));
+    if (kind->b_has_unit && !kind->b.empty() && component.b)
+        remedy.values.push_back(cell(row, &StatedComponent::b, figure(*component.b)));
     return {remedy};
 }
 

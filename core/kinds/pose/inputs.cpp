@@ -252,27 +252,27 @@ Eigen::Isometry3d frame_of(const FrameRule& rule, const std::vector<Eigen::Vecto
 void check_measurable(const PoseSetup& setup, Problems& problems) {
     const auto check = [&](const FrameRule& rule, const UncertaintyRule& uncertainty,
                            const std::vector<Eigen::Vector3d>& points, std::size_t pose,
-                           const std::string& where) {
+                           const auto& place_of) {
         if (!uncertainty.source) return;
         const bool of_analysis = offers<PointOutputSource>(uncertainty.source.asset) != nullptr;
         for (std::size_t i = 0; of_analysis && i < points.size(); ++i)
             if (const std::string name = name_among_all(setup, rule.points[i], pose);
                 !output_of(uncertainty, name, 0))
-                problems.error(
-                    where, tell<"the analysis %1 has no point called '%2'">(uncertainty.source.name, name));
+                problems.error(place_of(i), tell<"the analysis %1 has no point called '%2'">(
+                                                uncertainty.source.name, name));
         const bool world = uncertainty.is_world();
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Message objection = uncertainty.source->objection(world ? points[i] : rule.points[i].local);
             if (!objection.empty())
-                problems.error(where, tell<"point %1 cannot be measured by %2: %3">(
-                                          rule.points[i].name, uncertainty.source.name, objection));
+                problems.error(place_of(i), tell<"point %1 cannot be measured by %2: %3">(
+                                                rule.points[i].name, uncertainty.source.name, objection));
         }
     };
     check(setup.base, setup.base_uncertainty, setup.base_points, 0,
-          frame_fields(Side::base).place(&FrameRule::points));
+          [](std::size_t i) { return frame_fields(Side::base).place(&FrameRule::points, i); });
     for (std::size_t k = 0; k < setup.poses.size(); ++k)
         check(setup.moving, setup.moving_uncertainty, setup.poses[k].points, k + 1,
-              pose_fields().place(&PoseSetup::poses, k));
+              [k](std::size_t) { return pose_fields().place(&PoseSetup::poses, k); });
 }
 
 InputSet pose_inputs(const PoseSetup& setup) {

@@ -117,7 +117,7 @@ struct GeneratedSheet {
         const OutputResult y = first_order(*read).outputs.at(0);
         EXPECT_NEAR(y.estimate, 0.10000304, 1e-14) << what;
         EXPECT_NEAR(y.standard_uncertainty, 1e-9 * std::sqrt(900.0 + 3600.0 + 144.0), 1e-19) << what;
-        EXPECT_NEAR(y.first_order.degrees_of_freedom,
+        EXPECT_NEAR(y.first_order.effective_degrees_of_freedom,
                     4644.0 * 4644.0 / (810000.0 / 12 + 12960000.0 / 4 + 20736.0 / 9), 1e-6)
             << what;
         EXPECT_EQ(all_found(*read).find("FIND OUT WHY"), std::string::npos) << what << "\n"
@@ -216,7 +216,7 @@ TEST(BudgetOutcome, TheResultOfTheSheetIsHeldAgainstOurs) {
     ASSERT_TRUE(read) << read.error().message.english();
     const OutputResult y = first_order(*read).outputs.at(0);
     EXPECT_NEAR(y.standard_uncertainty, 1e-6 * std::sqrt(0.015 * 0.015 + 0.0003 + 0.012 * 0.012), 1e-15);
-    EXPECT_NEAR(y.first_order.degrees_of_freedom,
+    EXPECT_NEAR(y.first_order.effective_degrees_of_freedom,
                 std::pow(0.015 * 0.015 + 0.0003 + 0.012 * 0.012, 2) / (std::pow(0.012, 4) / 4), 1e-6);
     const std::string said = all_found(*read);
     for (const char* words : {"u(y): the file states 0.0258 µm", "U(y), k = 2: the file states 0.052 µm"})
@@ -237,7 +237,8 @@ TEST(BudgetOutcome, ARowOfSumsWithADistributionIsNoQuantity) {
                    {"Expanded uncertainty U", "mm", v(0.3), "normal", v(2), ""}});
     ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_NEAR(first_order(*read).outputs.at(0).standard_uncertainty, 1.5e-4, 1e-18);
-    EXPECT_NE(all_found(*read).find("U(y): the file states 0.3 mm"), std::string::npos) << all_found(*read);
+    EXPECT_NE(all_found(*read).find("U(y), k = 2: the file states 0.3 mm"), std::string::npos)
+        << all_found(*read);
 }
 
 TEST(BudgetOutcome, AnEffectiveAreaAndATotalStationAreQuantities) {

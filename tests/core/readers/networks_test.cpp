@@ -1,4 +1,6 @@
 // Points of networks: GNU Gama with its covariance, Comp3D with its codes.
+#include <cmath>
+
 #include "core/kinds/registries.h"
 #include "tests/core/readers/reading.h"
 
@@ -101,6 +103,22 @@ TEST(ReadGama, TwoDeterminationsOfAPointAreBothKept) {
         EXPECT_EQ(all_found(*read).find("determinations of the same points") != std::string::npos,
                   determinations > 1);
     }
+}
+
+TEST(ReadGama, TheTwoSolutionsOfCharamzasBookAreBothKept) {
+    const auto read = read_with("gama", data("gama-two-determinations.gkf"));
+    ASSERT_TRUE(read) << read.error().message.english();
+    EXPECT_EQ(errors_of(*read), "");
+    ASSERT_EQ(read->assets.size(), 2u);
+    std::size_t found = 0;
+    for (const OutputResult& output : first_order(*read).outputs)
+        for (const double x : {1054612.59853, 1054612.59392})
+            if (std::abs(output.estimate - x) < 1e-6) {
+                ++found;
+                EXPECT_NEAR(output.standard_uncertainty,
+                            std::sqrt(x > 1054612.595 ? 67.589719 : 24.665067) * 1e-3, 1e-9);
+            }
+    EXPECT_EQ(found, 2u);
 }
 
 TEST(ReadGama, ObservationsKeepUnitsDeviationsAndBands) {

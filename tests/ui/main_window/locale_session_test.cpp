@@ -64,14 +64,14 @@ protected:
 };
 
 TEST_F(LocaleSession, EveryFileIsTheSame) {
-    test::locale_folder();
+    covaria::test::locale_folder();
     ASSERT_FALSE(HasFailure());
     open(project_copy(QStringLiteral("chain")));
     window_->runner().run_all();
     wait_until_idle();
     const Files plain = exported_in("C");
     EXPECT_TRUE(plain.contains("budget.xlsx") && plain.contains("report.pdf"));
-    for (const std::string& locale : test::foreign_locales()) {
+    for (const std::string& locale : covaria::test::foreign_locales()) {
         const Files foreign = exported_in(locale + ".UTF-8");
         EXPECT_EQ(foreign.size(), plain.size()) << locale;
         for (const auto& [name, bytes] : plain)

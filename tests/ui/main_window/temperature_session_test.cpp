@@ -3,7 +3,6 @@
 #include <QFile>
 #include <QTableView>
 
-#include "core/project/kind_lookup.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/forms/components_edit.h"
 #include "ui/forms/distribution_edit.h"
@@ -122,29 +121,6 @@ TEST_F(TemperatureSession, AClickOnAWayOutMendsTheProblem) {
         window_->document().undo();
         ASSERT_EQ(problems().size(), 3) << "one step takes the way back";
     }
-}
-
-// "23 degC" typed where the quantity is in K is no difference of 296.15 K.
-TEST_F(TemperatureSession, ATemperatureTypedForADifferenceStaysInItsCell) {
-    open_expansion();
-    window_->document().apply(QStringLiteral("in K"), [](Project& project) {
-        auto& table = std::get<SetupTable>(project.analyses[0].setup.values.at("quantities"));
-        table.rows[1][SetupSchema::column(*schema_of(project.analyses[0])->find("quantities"), "unit")] =
-            std::string("K");
-    });
-    show_tab(QStringLiteral("Set-up"));
-    const auto before = window_->document().project();
-    SpreadsheetView* table = sheet("quantities");
-    auto* model = table->model();
-    int value = -1;
-    for (int column = 0; column < model->columnCount(); ++column)
-        if (model->headerData(column, Qt::Horizontal).toString().contains(QStringLiteral("value")))
-            value = column;
-    ASSERT_GE(value, 0);
-    model->setData(model->index(1, value), QStringLiteral("23 degC"));
-    EXPECT_EQ(window_->document().project(), before) << "nothing was converted";
-    EXPECT_TRUE(problems().join(QLatin1Char('\n')).contains(QStringLiteral("may be a difference")))
-        << problems().join(QLatin1Char('\n')).toStdString();
 }
 
 }  // namespace

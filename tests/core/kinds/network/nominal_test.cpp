@@ -84,5 +84,55 @@ TEST(NetworkNominals, AStationLeftOpenByMoreChangesNothing) {
     }
 }
 
+// Each trial finds such stations anew: what they were drawn to be is metres away.
+TEST(NetworkNominals, MonteCarloFindsStationsThatAreFree) {
+    std::mt19937_64 engine(9);
+    World w = world(engine, 3, 6, 1e3, 2e4);
+    for (std::size_t s = 1; s < w.stated.size(); ++s) w.stated[s].x() += 50.0;
+    Project project = project_of(w);
+    constexpr std::uint64_t trials = 4000;
+    project.analyses.front().options.method = Method::monte_carlo;
+    project.analyses.front().options.trials = trials;
+    Problems problems;
+    const auto prepared = made_analysis(project, project.analyses.front().id, problems);
+    ASSERT_TRUE(prepared);
+    const auto result = run_analysis(*prepared, {});
+    EXPECT_EQ(result->failed_trials, 0u);
+    for (const OutputResult& y : result->outputs) {
+        ASSERT_TRUE(y.monte_carlo);
+        EXPECT_NEAR(y.monte_carlo->standard_uncertainty / y.first_order.standard_uncertainty, 1.0,
+                    4.0 * std::sqrt(0.5 / trials))
+            << y.quantity.name.english();
+        EXPECT_NEAR(y.monte_carlo->mean, y.first_order.estimate,
+                    4.0 * y.first_order.standard_uncertainty / std::sqrt(double(trials)));
+    }
+}
+
+// The derivative of an estimate is that of what it minimises, however stations and residuals bend it.
+TEST(NetworkNominals, SensitivitiesAreTheJacobianWhereStationsAreFound) {
+    std::mt19937_64 engine(3);
+    for (const double u_position : {0.2, 1e3}) {
+        const World w = world(engine, 3, 5, u_position, 20.0 * u_position);
+        Problems problems;
+        const Project project = project_of(w);
+        const auto analysis = made_analysis(project, project.analyses.front().id, problems);
+        ASSERT_TRUE(analysis);
+        std::vector<double> x;
+        for (std::size_t i = 0; i < analysis->inputs.quantities.size(); ++i)
+            x.push_back(estimate_of(analysis->inputs, i));
+        Eigen::MatrixXd exact;  // by the iteration in dual numbers
+        SensitivityRows rows;
+        ASSERT_TRUE(analysis->model->jacobian(x, exact));
+        ASSERT_TRUE(analysis->model->sensitivities(x, rows));
+        for (std::size_t j = 0; j < rows.size(); ++j) {
+            Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(exact.cols());
+            for (const Sensitivity& s : rows[j]) row[static_cast<Eigen::Index>(s.input)] += s.coefficient;
+            const auto of_matrix = exact.row(static_cast<Eigen::Index>(j));
+            EXPECT_LE((row - of_matrix).cwiseAbs().maxCoeff(), 1e-8 * of_matrix.cwiseAbs().maxCoeff())
+                << u_position << ' ' << j;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace covaria::network_nominal_test
