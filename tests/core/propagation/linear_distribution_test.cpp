@@ -79,6 +79,16 @@ TEST(LinearDistribution, StepsAreNeverTakenForADensity) {
     }
 }
 
+/// The characteristic function of a thousand values falls as if there were a density.
+TEST(LinearDistribution, ALongSampleAloneHasNoExactQuantile) {
+    Discrete sample;
+    for (int i = 0; i < 1000; ++i) {
+        sample.values.push_back(std::fmod(0.7548776662466927 * i, 1.0));
+        sample.probabilities.push_back(1e-3);
+    }
+    EXPECT_FALSE(LinearDistribution({term(Distribution::of(sample))}).quantile(0.975));
+}
+
 TEST(LinearDistribution, NormalTermsAndSingleTermsAreExact) {
     const LinearDistribution normal({term(Distribution::normal(3.0)), term(Distribution::normal(2.0), -2.0)});
     EXPECT_DOUBLE_EQ(*normal.quantile(0.975), 5.0 * normal_quantile(0.975));
