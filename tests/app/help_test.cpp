@@ -185,6 +185,9 @@ TEST(Help, MistypedCommandsAndOptionsAreGuessed) {
         EXPECT_NE(wrong.err.find(said), std::string::npos) << said << "\n" << wrong.err;
         EXPECT_EQ(wrong.out, "");
     }
+    const Outcome letter = run_program({"run", gauge, "-x"});
+    EXPECT_NE(letter.err.find("covaria run has no option '-x'"), std::string::npos) << letter.err;
+    EXPECT_EQ(letter.err.find("did you mean"), std::string::npos) << letter.err;
     // What is right is not guessed at.
     EXPECT_NE(run_program({"run"}).err.find("FILE is required"), std::string::npos);
     EXPECT_NE(run_program({"run", gauge, "--trials", "-5"}).err.find("'-5' is not a whole number"),
