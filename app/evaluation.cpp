@@ -1,11 +1,18 @@
 #include "app/evaluation.h"
 
+#include <charconv>
+#include <optional>
+#include <set>
+#include <string_view>
+
 #include "app/terminal.h"
 #include "core/base/guarded.h"
 #include "core/design/design.h"
+#include "core/made/certificate_gaps.h"
 #include "core/made/load_project.h"
 #include "core/project/project_file.h"
 #include "core/project/set_values.h"
+#include "core/report/certificate_warnings.h"
 #include "core/result/representation.h"
 #include "core/study/study.h"
 
@@ -57,6 +64,59 @@ std::string words_of(const FailedAnalysis& failed) {
     const std::string name = failed.name.empty() ? "" : " (" + failed.name + ")";
     return (failed.study.empty() ? "analysis " + failed.id : "study " + failed.id + "/" + failed.study) +
            name + ": " + failed.cause.english();
+}
+
+/// "/analyses/3/..." is of the entry 3 behind `place`; nothing: of no entry there.
+std::optional<std::size_t> entry_of(const std::string& path, std::string_view place) {
+    if (!path.starts_with(place)) return std::nullopt;
+    std::size_t index = 0;
+    const char* end = path.data() + path.size();
+    const auto [after, status] = std::from_chars(path.data() + place.size(), end, index);
+    if (status != std::errc{} || (after != end && *after != '/')) return std::nullopt;
+    return index;
+}
+
+/// Whether the analyses are made of what the problem is about; of all entries where none is named.
+class Concern {
+public:
+    Concern(const MadeProject& made, const std::vector<std::string>& analyses) : graph_(made.graph()) {
+        const Project& project = made.project();
+        const auto first = project.analyses.data();
+        for (const std::string& id : analyses) {
+            const AnalysisEntry* entry = project.find_analysis(id);
+            if (!entry) continue;  // which is said later
+            const std::size_t number = graph_.number_of_analysis(static_cast<std::size_t>(entry - first));
+            used_.insert(number);
+            const auto used = graph_.used_by(number);
+            used_.insert(used.begin(), used.end());
+        }
+        assets_ = project.assets.size();
+        analyses_ = project.analyses.size();
+    }
+
+    bool has(const Problem& problem) const {
+        if (used_.empty()) return true;
+        if (const auto asset = entry_of(problem.path, "/assets/"))
+            return *asset >= assets_ || used_.contains(*asset);
+        if (const auto analysis = entry_of(problem.path, "/analyses/"))
+            return *analysis >= analyses_ || used_.contains(graph_.number_of_analysis(*analysis));
+        return true;
+    }
+
+private:
+    const EntryGraph& graph_;
+    std::set<std::size_t> used_;
+    std::size_t assets_ = 0, analyses_ = 0;
+};
+
+/// Of the errors of a project that was read, those that keep the analyses from being evaluated.
+Problems errors_of(const LoadedProject& loaded, const std::vector<std::string>& analyses) {
+    Problems errors;
+    if (!loaded.made) return loaded.problems;
+    const Concern concern(*loaded.made, analyses);
+    for (const Problem& problem : loaded.problems.items())
+        if (problem.severity == Severity::error && concern.has(problem)) errors.add(problem);
+    return errors;
 }
 
 /// Evaluates analysis after analysis and keeps what failed.
@@ -172,18 +232,29 @@ private:
 
 }  // namespace
 
-Result<MadeProject::Pointer> open_project(const std::string& file, const std::vector<std::string>& values) {
+Result<MadeProject::Pointer> open_project(const std::string& file, const std::vector<std::string>& values,
+                                          const std::vector<std::string>& analyses) {
     const auto places = values_at(values);
     if (!places) return fail(places.error());
     LoadedProject loaded = load_project(file, *places);
     print_problems(loaded.problems);
-    if (loaded.problems.has_errors())
+    if (errors_of(loaded, analyses).has_errors())
         return fail(ErrorCode::bad_input, file + ": the project has errors; nothing was computed");
+    if (loaded.problems.has_errors())
+        print_message("the errors are of other analyses: they keep nothing from being evaluated here");
     return loaded.made;
 }
 
-void say_what_is_missing(const Project& project) {
-    Problems missing = missing_in(project.certificate);
+Result<Problems> errors_of_project(const std::string& file, const std::vector<std::string>& values,
+                                   const std::vector<std::string>& analyses) {
+    const auto places = values_at(values);
+    if (!places) return fail(places.error());
+    return errors_of(load_project(file, *places), analyses);
+}
+
+void say_what_is_missing(const ReportSource& source) {
+    Problems missing = missing_in(source.made, ids_of(source.analyses));
+    missing.take(improbable_results(source), "");
     for (Problem& problem : missing.items()) problem.severity = Severity::warning;
     print_problems(missing);
 }

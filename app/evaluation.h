@@ -29,12 +29,18 @@ struct RunRequest {
         {};  ///< "/assets/0/setup/temperature=23.5": the file is read as if they stood there
 };
 
-/// Prints every problem; an error of the project becomes Error{bad_input}. `values`: see RunRequest.
+/// Prints every problem; an error of the project becomes Error{bad_input}. `values`, `analyses`: see
+/// RunRequest. Where analyses are named, what is wrong with others and with what only those use keeps nothing
+/// from being evaluated.
 Result<MadeProject::Pointer> open_project(const std::string& file,
-                                          const std::vector<std::string>& values = {});
+                                          const std::vector<std::string>& values = {},
+                                          const std::vector<std::string>& analyses = {});
+/// The errors that `open_project` would stop at, without a word.
+Result<Problems> errors_of_project(const std::string& file, const std::vector<std::string>& values,
+                                   const std::vector<std::string>& analyses);
 
 /// Warns of what a certificate must say and the project does not.
-void say_what_is_missing(const Project& project);
+void say_what_is_missing(const ReportSource& source);
 
 /// Where the units of analyses and studies are shared with other processes.
 class UnitStores {

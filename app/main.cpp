@@ -5,6 +5,7 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
+#include "app/printed_text.h"
 #include "app/terminal.h"
 #include "app/window.h"
 #include "app/wrong_usage.h"
@@ -37,6 +38,7 @@ const char* const footer =
 
 int main(int argc, char** argv) {
     using namespace covaria;
+    show_control_characters();
     CLI::App app(description, "covaria");
     app.footer(footer);
     app.set_version_flag("--version", std::string("covaria ") + version());
@@ -52,7 +54,10 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
-        if (problem.get_exit_code() == 0) return app.exit(problem);  // help was asked for, or the version
+        if (problem.get_exit_code() == 0) {  // help was asked for, or the version
+            app.exit(problem);
+            return all_is_printed() ? exit_success : exit_bad_input;
+        }
         const std::string wrong = what_does_not_exist(app, argc, argv);
         if (wrong.empty())
             app.exit(problem);
@@ -68,7 +73,7 @@ int main(int argc, char** argv) {
             if (command.parser->parsed()) return command.run(interrupt.token());
         return exit_wrong_usage;
     });
-    if (status) return *status;
-    print_error(status.error());
-    return exit_bad_input;
+    if (!status) print_error(status.error());
+    const bool printed = all_is_printed();
+    return status && (printed || *status != exit_success) ? *status : exit_bad_input;
 }

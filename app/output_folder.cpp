@@ -17,4 +17,14 @@ Result<void> make_output_folder(const std::filesystem::path& folder) {
     return {};
 }
 
+EarlierResults::EarlierResults(const std::filesystem::path& folder) : kept_(folder / "results.before.json") {
+    std::error_code none;
+    std::filesystem::rename(folder / "results.json", kept_, none);
+}
+
+void EarlierResults::are_replaced() {
+    std::error_code none;
+    std::filesystem::remove(kept_, none);
+}
+
 }  // namespace covaria

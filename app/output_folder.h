@@ -11,4 +11,16 @@ namespace covaria {
 /// words.
 Result<void> make_output_folder(const std::filesystem::path& folder);
 
+/// results.json of an earlier run, out of the way while a run is going on: what it leaves when it fails, or
+/// is killed, must not look like its own. It goes when the run has written its results, and stays as
+/// results.before.json else.
+class EarlierResults {
+public:
+    explicit EarlierResults(const std::filesystem::path& folder);
+    void are_replaced();
+
+private:
+    std::filesystem::path kept_;
+};
+
 }  // namespace covaria

@@ -32,25 +32,36 @@ std::string line_of(const OutputResult& output, const UncertaintyResult& result)
     return line;
 }
 
+std::string empty_line(const NamedRun& run, const std::string& analysis, const std::string& problem) {
+    return csv_text(run.name) + "," + csv_text(analysis) + ",,,,,,,,,,,," + csv_text(run.folder) + "," +
+           csv_text(problem) + "\r\n";
+}
+
 }  // namespace
 
 std::string result_lines_head() {
-    return "name,analysis,group,symbol,unit,estimate,u,U,k,p,low,high,met\r\n";
+    return "name,analysis,group,symbol,unit,estimate,u,U,k,p,low,high,met,folder,problem\r\n";
 }
 
-std::string result_lines(const std::string& name, const Project& project,
-                         const std::vector<EvaluatedAnalysis>& analyses) {
+std::string result_lines(const NamedRun& run, const Project& project, const Evaluation& evaluation) {
     std::string lines;
-    for (const EvaluatedAnalysis& one : analyses) {
+    for (const EvaluatedAnalysis& one : evaluation.analyses) {
         const auto verdicts = judge(*one.result, *project.find_analysis(one.analysis->id));
         for (std::size_t i = 0; i < one.result->outputs.size(); ++i) {
             const OutputResult& output = one.result->outputs[i];
             if (output.quantity.role != OutputRole::measurand) continue;
-            lines += csv_text(name) + "," + csv_text(one.analysis->id) + "," + line_of(output, *one.result) +
-                     "," + met_word(verdicts, i) + "\r\n";
+            lines += csv_text(run.name) + "," + csv_text(one.analysis->id) + "," +
+                     line_of(output, *one.result) + "," + met_word(verdicts, i) + "," + csv_text(run.folder) +
+                     ",\r\n";
         }
     }
+    for (const FailedAnalysis& failed : evaluation.failed)
+        if (failed.study.empty()) lines += empty_line(run, failed.id, failed.cause.english());
     return lines;
+}
+
+std::string line_without_results(const NamedRun& run, const std::string& problem) {
+    return empty_line(run, "", problem);
 }
 
 }  // namespace covaria

@@ -27,6 +27,7 @@ Result<void> write_documents(const RunOutputs& outputs, const ReportSource& sour
     const auto write = [&](DocumentKind kind, const char* name) {
         ReportFiles files{outputs.folder};
         files.name = name;
+        files.formats = outputs.formats;
         return write_document(build_document(kind, source.made, source.analyses, source.failed, chosen,
                                              ui::document_language(source.made.project())),
                               source, files, stop);
@@ -34,7 +35,7 @@ Result<void> write_documents(const RunOutputs& outputs, const ReportSource& sour
     if (outputs.report)
         if (auto written = write(DocumentKind::report, "report"); !written) return written;
     if (!outputs.certificate) return {};
-    say_what_is_missing(source.made.project());
+    say_what_is_missing(source);
     return write(DocumentKind::certificate, "certificate");
 }
 
@@ -48,6 +49,12 @@ void add_output_options(CLI::App& command, RunOutputs& outputs) {
     command.add_flag("--certificate", outputs.certificate,
                      "write a calibration certificate too (PDF, HTML, Markdown): the project's section "
                      "\"certificate\" and the results");
+    command
+        .add_option("--format", outputs.formats,
+                    "of report and certificate: pdf, html or markdown (may be repeated; all without it)")
+        ->type_name("FORMAT")
+        ->check(CLI::IsMember({"pdf", "html", "markdown"}))
+        ->allow_extra_args(false);
     command.add_flag("--pictures", outputs.pictures, "write pictures of every analysis too (PNG)");
 }
 

@@ -3,6 +3,7 @@
 
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "app/evaluation.h"
 
@@ -17,6 +18,7 @@ struct RunOutputs {
     bool report = false;
     bool certificate = false;
     bool pictures = false;
+    std::vector<std::string> formats = {};  ///< of report and certificate: "pdf"; empty = all
 };
 
 /// Adds --out, --report, --certificate, --pictures. `outputs` must outlive the parser.

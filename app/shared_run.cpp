@@ -40,7 +40,7 @@ PartRequest SharedRun::part_request() const {
 }
 
 Result<SharedRun> open_shared_run(const RunRequest& request) {
-    auto opened = open_project(request.file, request.values);
+    auto opened = open_project(request.file, request.values, request.analyses);
     if (!opened) return fail(opened.error());
     SharedRun run{request, *opened, requested(*opened, request), {}};
     const auto ids = requested_analyses((*opened)->project(), request);

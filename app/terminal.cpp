@@ -4,10 +4,20 @@
 
 #include <cstdio>
 
+#include "core/base/printable.h"
+#include "core/text/numbers.h"
+
 namespace covaria {
 namespace {
 
 bool progress_shown = false;
+
+/// In place of what is on it. Past the stream, which shows control characters.
+void put_on_line(const std::string& words) {
+    const std::string text = "\r\x1b[K" + printable(words);
+    std::fflush(stderr);
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+}
 
 std::string place(const std::string& file, int line, const std::string& path) {
     std::string text;
@@ -20,7 +30,7 @@ std::string place(const std::string& file, int line, const std::string& path) {
 
 void end_progress_line() {
     if (!progress_shown) return;
-    std::fputs("\r\x1b[K", stderr);
+    put_on_line({});
     progress_shown = false;
 }
 
@@ -49,8 +59,7 @@ std::function<void(const Progress&)> progress_line(const std::string& what) {
     return [what](const Progress& p) {
         const double done =
             p.trials_planned > 0 ? 100.0 * double(p.trials_done) / double(p.trials_planned) : 0;
-        char percent[16];
-        std::snprintf(percent, sizeof percent, "%3.0f %%", done);
+        const std::string percent = format_decimals(done, 0) + " %";
         show_progress(what + ": " +
                       (p.trials_planned > 0 ? percent : std::to_string(p.trials_done) + " trials"));
     };
@@ -59,8 +68,7 @@ std::function<void(const Progress&)> progress_line(const std::string& what) {
 void show_progress(const std::string& words) {
     if (!isatty(STDERR_FILENO)) return;
     progress_shown = true;
-    std::fprintf(stderr, "\r\x1b[K%s", words.c_str());
-    std::fflush(stderr);
+    put_on_line(words);
 }
 
 }  // namespace covaria

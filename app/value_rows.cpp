@@ -16,8 +16,9 @@ Error at_line(const std::filesystem::path& file, int line, const Message& messag
     return {ErrorCode::bad_input, message, {}, file.string(), line};
 }
 
-ValueRow row_of(const CsvRow& row, const std::vector<std::string>& heads, std::size_t name_column) {
-    ValueRow made{row.cells[name_column], {}};
+ValueRow row_of(const CsvRow& row, std::size_t number, const std::vector<std::string>& heads,
+                std::size_t name_column) {
+    ValueRow made{row.cells[name_column], number, row.line, {}};
     for (std::size_t column = 0; column < heads.size(); ++column)
         if (gives_values(heads[column]) && !row.cells[column].empty())
             made.values.push_back(heads[column] + "=" + row.cells[column]);
@@ -45,7 +46,7 @@ Result<std::vector<ValueRow>> read_value_rows(const std::filesystem::path& file)
         if (row.cells.size() > heads.size())
             return fail(at_line(file, row.line, "the row has more cells than the head"));
         row.cells.resize(heads.size());
-        rows.push_back(row_of(row, heads, static_cast<std::size_t>(name - heads.begin())));
+        rows.push_back(row_of(row, i, heads, static_cast<std::size_t>(name - heads.begin())));
     }
     return rows;
 }

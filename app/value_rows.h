@@ -11,6 +11,8 @@ namespace covaria {
 
 struct ValueRow {
     std::string name;                 ///< what the row calls its run: a serial number
+    std::size_t number = 0;           ///< of the row, below the head, from 1
+    int line = 0;                     ///< of the file
     std::vector<std::string> values;  ///< as `--set` takes them
 };
 

@@ -24,22 +24,47 @@ install_missing_packages() {
     $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
 }
 
-# Reads ninja's lines "[done/all seconds] what": on a terminal one line that says how far it is and how long it will
-# take, elsewhere a line every tenth; all of it into the file that is named.
-show_progress() {
-    awk -v log_file="$1" -v terminal="$([ -t 2 ] && echo 1 || echo 0)" '
-        { print > log_file; fflush(log_file) }
-        match($0, /^\[[0-9]+\/[0-9]+ +[0-9.]+\]/) {
-            split(substr($0, 2, RLENGTH - 2), part, /[\/ ]+/)
-            finished = part[1]; all = part[2]; seconds = part[3]
-            left = finished > 0 ? seconds / finished * (all - finished) : 0
-            text = sprintf("covaria: %d of %d steps, %d:%02d so far, about %d:%02d left", finished, all,
-                           seconds / 60, seconds % 60, left / 60, left % 60)
-            if (terminal) printf "\r%s   ", text > "/dev/stderr"
-            else if (all >= 10 && int(10 * finished / all) > tenth) { tenth = int(10 * finished / all); print text > "/dev/stderr" }
-            shown = 1
-        }
-        END { if (terminal && shown) print "" > "/dev/stderr" }'
+# Seconds that a step took in a build from bare (scripts/build-times.txt, written by `scripts/build-times`), by the last
+# word of what ninja calls it; two seconds where that is not known.
+declare -A step_seconds=()
+read_step_seconds() {
+    local seconds name
+    while read -r seconds name; do step_seconds[$name]=$seconds; done <"$root/scripts/build-times.txt"
+}
+
+# Hundredths of a second for each of ninja's lines "[done/all seconds] name" that it is given, added up.
+weight_of() {
+    local line all=0 seconds
+    while IFS= read -r line; do
+        [[ $line =~ ^\[[0-9]+/[0-9]+ ]] || continue
+        seconds=${step_seconds[${line##* }]:-2.00}
+        all=$((all + 10#${seconds/./}))
+    done
+    echo "$all"
+}
+
+# Reads ninja's lines as they come: on a terminal one line that says how far it is and how long it will take, elsewhere a
+# line every tenth; all of it into the file that is named. WEIGHT: of all steps, as weight_of says.
+show_progress() {  # LOG WEIGHT
+    local line weight=0 tenth=0 all=$2 left text began=$SECONDS passed
+    : >"$1"
+    while IFS= read -r line; do
+        printf '%s\n' "$line" >>"$1"
+        [[ $line =~ ^\[[0-9]+/[0-9]+ ]] || continue
+        weight=$((weight + $(weight_of <<<"$line")))
+        passed=$((SECONDS - began))
+        [ "$weight" -lt "$all" ] || all=$weight
+        left=$((passed * (all - weight) / (weight > 0 ? weight : 1)))
+        printf -v text 'covaria: %d %% built, %d:%02d so far, about %d:%02d left' \
+            $((100 * weight / all)) $((passed / 60)) $((passed % 60)) $((left / 60)) $((left % 60))
+        if [ -t 2 ]; then
+            printf '\r%s   ' "$text" >&2
+        elif [ $((10 * weight / all)) -gt "$tenth" ] && [ "$passed" -ge 2 ]; then
+            tenth=$((10 * weight / all))
+            printf '%s\n' "$text" >&2
+        fi
+    done
+    if [ -t 2 ] && [ "$weight" -gt 0 ]; then echo >&2; fi
 }
 
 # prepare TARGET ...: everything needed to run those targets.
@@ -52,6 +77,9 @@ prepare() {
         cmake --preset "$preset" >"$build/configure.log" 2>&1 || { cat "$build/configure.log" >&2; exit 1; }
     fi
     say "building ($preset)"
-    NINJA_STATUS='[%f/%t %e] ' cmake --build --preset "$preset" --target "$@" 2>&1 | show_progress "$build/build.log" ||
+    read_step_seconds
+    local weight
+    weight=$(ninja -C "$build" -n "$@" | weight_of)
+    NINJA_STATUS='[%f/%t %e] ' cmake --build --preset "$preset" --target "$@" 2>&1 | show_progress "$build/build.log" "$weight" ||
         { grep -E -A 20 'error|FAILED' "$build/build.log" | head -n 60 >&2; say "the build failed; all of it is in $build/build.log"; exit 1; }
 }

@@ -50,8 +50,8 @@ TestCase target_case(const std::string& name, const OutputResult& output, const 
 TestCase tolerance_case(const std::string& name, const RequirementResult& verdict) {
     TestCase made{name + ", tolerance", verdict.not_judged.english()};
     if (made.failure.empty() && verdict.decision != RequirementResult::Decision::accept)
-        made.failure = "rejected by " + decision_rule(verdict.guard_factor) +
-                       "; probability of conformance " + format_significant(verdict.conformance, 4);
+        made.failure = "rejected by " + decision_rule(verdict) + "; probability of conformance " +
+                       format_significant(verdict.conformance, 4);
     return made;
 }
 
@@ -119,7 +119,7 @@ bool print_cases(const std::vector<TestSuite>& suites) {
 }
 
 Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop) {
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    auto opened = open_project(arguments.request.file, arguments.request.values, arguments.request.analyses);
     if (!opened) return fail(opened.error());
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());

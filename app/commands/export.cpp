@@ -54,7 +54,7 @@ Result<void> check_nothing_missing(const Writer& writer, const Project& project)
 Result<void> export_results(ExportArguments& arguments, const std::stop_token& stop) {
     const auto writer = chosen_writer(arguments.writer);
     if (!writer) return fail(writer.error());
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    auto opened = open_project(arguments.request.file, arguments.request.values, arguments.request.analyses);
     if (!opened) return fail(opened.error());
     if (auto checked = check_nothing_missing(**writer, (*opened)->project()); !checked) return checked;
     const std::filesystem::path file(arguments.output);

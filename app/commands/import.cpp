@@ -10,8 +10,8 @@
 #include "app/extended_project.h"
 #include "app/frozen_joints.h"
 #include "app/terminal.h"
-#include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
+#include "core/made/import_reading.h"
 #include "core/made/load_project.h"
 #include "core/readers/proposal_text.h"
 #include "core/readers/readers.h"
@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 
 struct FileImport {
     std::string file, reader, sheet, output;
-    std::vector<std::string> columns, units;
+    std::vector<std::string> columns, units, cells;
+    std::vector<int> rows_left_out;
     std::string tip;
     std::vector<std::string> frozen;
     bool list = false, add = false;
@@ -68,7 +69,14 @@ Result<ReadChoice> choice_of(const FileImport& request) {
                       .columns = request.columns,
                       .sheet = request.sheet,
                       .chosen = !request.reader.empty(),
+                      .rows_left_out = {request.rows_left_out.begin(), request.rows_left_out.end()},
                       .robot = {}};
+    for (const std::string& cell : request.cells) {
+        const std::size_t sign = cell.find('=');
+        if (sign == std::string::npos || sign == 0)
+            return fail(ErrorCode::usage, "--cell " + cell + ": it must be PLACE=TEXT, such as D7=mm");
+        choice.cells.insert_or_assign(cell.substr(0, sign), cell.substr(sign + 1));
+    }
     auto robot = urdf_choice(request.tip, request.frozen);
     if (!robot) return fail(robot.error());
     choice.robot = *std::move(robot);
@@ -123,11 +131,14 @@ Result<void> import_file(const FileImport& request) {
     text = text_for_readers(std::move(*text));
     const auto reader = chosen_reader(request, *text);
     if (!reader) return fail(reader.error());
-    auto guarded_read = guarded([&] { return (*reader)->read(*text, *choice); });
-    if (!guarded_read) return with_file(guarded_read.error(), request.file);
-    auto proposals = std::move(*guarded_read);
+    if (!(*reader)->mends_cells && !(choice->cells.empty() && choice->rows_left_out.empty()))
+        return fail(ErrorCode::usage, "--cell and --leave-out are for workbooks (*.xlsx)");
+    auto proposals = read_proposals(**reader, *text, *choice);
     if (!proposals && proposals.error().code == ErrorCode::usage)
         proposals.error().message += " (--columns NAME,NAME,..., --sheet NAME or --as READER)";
+    else if (!proposals && (*reader)->mends_cells && proposals.error().line > 0)
+        proposals.error().message +=
+            " (--cell PLACE=TEXT reads a cell as TEXT, --leave-out ROW leaves a row out)";
     if (!proposals) return with_file(proposals.error(), request.file);
     if (auto checked = check_stated_units(*choice, *proposals); !checked)
         return with_file(checked.error(), request.file);
@@ -168,11 +179,20 @@ Command import_command(CLI::App& app) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_option("--sheet", request->sheet, "sheet of a workbook")->type_name("NAME");
+    command->add_option("--cell", request->cells, "read a cell of a workbook as TEXT: D7=mm; may be repeated")
+        ->type_name("PLACE=TEXT")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        ->add_option("--leave-out", request->rows_left_out, "leave out a row of a workbook; may be repeated")
+        ->type_name("ROW")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command
         ->add_option(
             "--columns", request->columns,
             "what stands in each column of a table of points: name,x,y,z,u_x,u_y,u_z,-; of a budget: "
-            "quantity,value,unit,U,divisor,c,-")
+            "quantity,value,unit,U,divisor,c,-; ? is as its head says")
         ->type_name("NAMES")
         ->delimiter(',')
         ->expected(1)

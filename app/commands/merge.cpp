@@ -34,6 +34,7 @@ Result<void> merge(const MergeArguments& arguments, const std::stop_token& stop)
     const auto run = open_shared_run(*request);
     if (!run) return fail(run.error());
     if (auto made = make_output_folder(arguments.outputs.folder); !made) return made;
+    EarlierResults earlier(arguments.outputs.folder);
     const MissingUnits missing{arguments.resume ? MissingUnits::Rule::compute : MissingUnits::Rule::refuse};
     const auto evaluation = merge_units(*run, **folder, missing, stop);
     if (!evaluation) return fail(evaluation.error());
@@ -41,6 +42,7 @@ Result<void> merge(const MergeArguments& arguments, const std::stop_token& stop)
             write_run_outputs(arguments.outputs, *run->opened, *evaluation, !request->analyses.empty(), stop);
         !written)
         return written;
+    earlier.are_replaced();
     return check_complete(*evaluation);
 }
 

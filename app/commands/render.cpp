@@ -37,7 +37,7 @@ Result<void> take_view(const AnalysisEntry& entry, PictureRequest& picture) {
 }
 
 Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    auto opened = open_project(arguments.request.file, arguments.request.values, arguments.request.analyses);
     if (!opened) return fail(opened.error());
     if ((*opened)->project().analyses.empty())
         return fail(ErrorCode::bad_input, "the project has no analysis to draw");

@@ -61,7 +61,7 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
     if (!arguments.output.empty())
         if (auto named = write_into_one_file(arguments.output, files); !named) return named;
     if (auto made = make_output_folder(files.folder); !made) return made;
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    auto opened = open_project(arguments.request.file, arguments.request.values, arguments.request.analyses);
     if (!opened) return fail(opened.error());
     const auto request = request_for(arguments, (**opened).project());
     if (!request) return fail(request.error());
@@ -71,7 +71,7 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
         if (auto compared = compare_with(arguments.before, arguments.request, *evaluation, stop); !compared)
             return compared;
     const ReportSource source{*evaluation->made, evaluation->analyses, evaluation->failed};
-    if (arguments.certificate) say_what_is_missing(source.made.project());
+    if (arguments.certificate) say_what_is_missing(source);
     if (auto written = write_document(document_of(arguments, source), source, files, stop); !written)
         return written;
     return check_complete(*evaluation);

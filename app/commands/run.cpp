@@ -25,38 +25,83 @@ struct RunArguments {
     RunOutputs outputs;
 };
 
-/// Evaluates one project and writes everything that was asked for. `lines`: its result lines are added, under
-/// `name`.
-Result<void> run_one(const RunArguments& arguments, const std::stop_token& stop, const std::string& name,
+/// Evaluates one project and writes everything that was asked for. Its result lines are added.
+Result<void> run_one(const RunArguments& arguments, const std::stop_token& stop, const NamedRun& named,
                      std::string& lines) {
     if (auto made = make_output_folder(arguments.outputs.folder); !made) return made;
-    auto opened = open_project(arguments.request.file, arguments.request.values);
+    EarlierResults earlier(arguments.outputs.folder);
+    const RunRequest& request = arguments.request;
+    auto opened = open_project(request.file, request.values, request.analyses);
     if (!opened) return fail(opened.error());
-    auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
+    auto evaluation = evaluate_analyses(*opened, request, stop);
     if (!evaluation) return fail(evaluation.error());
-    if (auto written = write_run_outputs(arguments.outputs, **opened, *evaluation,
-                                         !arguments.request.analyses.empty(), stop);
+    lines += result_lines(named, (*opened)->project(), *evaluation);
+    if (auto written =
+            write_run_outputs(arguments.outputs, **opened, *evaluation, !request.analyses.empty(), stop);
         !written)
         return written;
-    lines += result_lines(name, (*opened)->project(), evaluation->analyses);
+    earlier.are_replaced();
     return check_complete(*evaluation);
 }
 
-/// A run for each row of the table, in a folder of its name; all result lines in results.csv. A row that
-/// fails is said and does not keep the others from being run.
+/// "blocks.csv:18: row 17 (0815)"
+std::string place_of(const RunArguments& arguments, const ValueRow& row) {
+    return arguments.set_from + ":" + std::to_string(row.line) + ": row " + std::to_string(row.number) +
+           " (" + row.name + ")";
+}
+
+RunArguments with_values_of(const ValueRow& row, RunArguments arguments) {
+    arguments.request.values.insert(arguments.request.values.end(), row.values.begin(), row.values.end());
+    return arguments;
+}
+
+/// What is wrong with each row, before the first is run; empty: nothing.
+std::vector<std::string> wrong_rows(const RunArguments& arguments, const std::vector<ValueRow>& rows,
+                                    const std::stop_token& stop) {
+    std::vector<std::string> wrong;
+    for (const ValueRow& row : rows) {
+        if (stop.stop_requested()) break;
+        const RunRequest request = with_values_of(row, arguments).request;
+        const auto errors = errors_of_project(request.file, request.values, request.analyses);
+        std::string& words = wrong.emplace_back();
+        if (!errors) words = errors.error().message.english();
+        if (errors && errors->has_errors()) {
+            const Problem& first = errors->items().front();
+            words = (first.path.empty() ? "" : first.path + ": ") + first.message.english();
+        }
+        if (!words.empty()) print_message(place_of(arguments, row) + ": " + words);
+    }
+    wrong.resize(rows.size());
+    return wrong;
+}
+
+/// A run for each row of the table, in a folder of its name; all result lines in results.csv. The table is
+/// checked first. A row that fails is said and does not keep the others from being run.
 Result<void> run_rows(const RunArguments& arguments, const std::stop_token& stop) {
     const auto rows = read_value_rows(arguments.set_from);
     if (!rows) return fail(rows.error());
+    if (auto made = make_output_folder(arguments.outputs.folder); !made) return made;
+    const std::vector<std::string> wrong = wrong_rows(arguments, *rows, stop);
     std::string lines = result_lines_head();
     FileNames folders;
     std::size_t failed = 0;
-    for (const ValueRow& row : *rows) {
-        RunArguments one = arguments;
-        one.outputs.folder += "/" + folders.unique(file_name_part(row.name), "");
-        one.request.values.insert(one.request.values.end(), row.values.begin(), row.values.end());
-        const auto done = run_one(one, stop, row.name, lines);
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+        const ValueRow& row = (*rows)[i];
+        const NamedRun named{row.name, folders.unique(file_name_part(row.name), "")};
+        RunArguments one = with_values_of(row, arguments);
+        one.outputs.folder += "/" + named.folder;
+        if (!wrong[i].empty()) {
+            EarlierResults(one.outputs.folder);
+            lines += line_without_results({row.name, ""}, wrong[i]);
+            ++failed;
+            continue;
+        }
+        std::string own;
+        const auto done = run_one(one, stop, named, own);
         if (!done && done.error().code == ErrorCode::cancelled) return done;
-        if (!done) print_error(done.error());
+        if (!done) print_message(place_of(arguments, row) + ": " + done.error().message.english());
+        if (!done && own.empty()) own = line_without_results(named, done.error().message.english());
+        lines += own;
         failed += !done;
     }
     if (auto written = write_file_atomically(arguments.outputs.folder + "/results.csv", lines); !written)
@@ -69,7 +114,7 @@ Result<void> run_rows(const RunArguments& arguments, const std::stop_token& stop
 Result<void> run(const RunArguments& arguments, const std::stop_token& stop) {
     if (!arguments.set_from.empty()) return run_rows(arguments, stop);
     std::string lines;
-    return run_one(arguments, stop, "", lines);
+    return run_one(arguments, stop, {}, lines);
 }
 
 }  // namespace

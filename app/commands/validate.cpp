@@ -8,6 +8,7 @@
 #include "app/exit_status.h"
 #include "app/json_output.h"
 #include "app/terminal.h"
+#include "core/made/certificate_gaps.h"
 #include "core/made/load_project.h"
 
 namespace covaria {
@@ -39,7 +40,7 @@ int validate(const ValidateArguments& arguments) {
     if (arguments.certificate && loaded.made) {
         for (Problem& problem : loaded.problems.items())
             if (problem.path.starts_with("/certificate/")) problem.severity = Severity::error;
-        loaded.problems.take(missing_in(loaded.project.certificate), "");
+        loaded.problems.take(missing_in(*loaded.made, certified_ids(loaded.project)), "");
     }
     if (arguments.json) {
         std::fputs(validation_json(arguments.file, loaded).c_str(), stdout);

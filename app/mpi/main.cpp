@@ -11,6 +11,7 @@
 #include "app/interrupt.h"
 #include "app/mpi/exchange.h"
 #include "app/output_folder.h"
+#include "app/printed_text.h"
 #include "app/terminal.h"
 #include "app/wrong_usage.h"
 #include "core/base/guarded.h"
@@ -150,6 +151,7 @@ int run_ranks(const Arguments& arguments, const std::stop_token& stop, bool& oth
 }  // namespace
 
 int main(int argc, char** argv) {
+    show_control_characters();
     CLI::App app(
         "Shares a run of Covaria between the ranks that mpirun starts: rank 0 hands out units and merges\n"
         "them in order, the others compute. The results have the bits of covaria run.",
@@ -179,5 +181,5 @@ int main(int argc, char** argv) {
     const int status = run_ranks(arguments, interrupt.token(), others_wait);
     if (status != exit_success && others_wait) MPI_Abort(MPI_COMM_WORLD, status);
     MPI_Finalize();
-    return status;
+    return all_is_printed() || status != exit_success ? status : exit_bad_input;
 }

@@ -121,6 +121,8 @@ void say_parts_of_project(TextList& list) {
         list.say("Figure of a requirement", field.title);
         list.say(std::string("Help on ") + field.title, field.help);
     }
+    for (const GuardRuleChoice& known : guard_rules())
+        list.say("How a guard band is chosen", known.choice.title);
     for (const CertificateSection& section : certificate_sections()) {
         list.say("Heading of fields of a certificate", section.title);
         for (const CertificateField& field : section.fields) {
@@ -128,6 +130,8 @@ void say_parts_of_project(TextList& list) {
             list.say(std::string("Help on ") + field.title, field.help);
         }
     }
+    for (const CertificateSite& site : certificate_sites())
+        list.say("Whose place a calibration was performed at", site.words);
     for (const DesignObjective objective :
          {DesignObjective::largest, DesignObjective::mean, DesignObjective::root_mean_square})
         for (const bool targets : {true, false})

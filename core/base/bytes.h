@@ -61,6 +61,8 @@ public:
         if (size > 0) std::memcpy(values.data(), from, static_cast<std::size_t>(size) * sizeof(T));
     }
     bool is_short() const { return short_; }
+    /// What was read cannot be: as if it were not there.
+    void refuse() { short_ = true; }
     /// Everything was there, and nothing is left.
     bool complete() const { return !short_ && bytes_.empty(); }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <tl/expected.hpp>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/base/message.h"
@@ -41,6 +42,16 @@ inline tl::unexpected<Error> fail(Error error) {
 
 enum class Severity { warning, error };
 
+/// A way out of a problem that a person can take with one click: what it is, and what is to stand where.
+struct Remedy {
+    struct Value {
+        std::string place;  ///< JSON pointer, relative as the path of its problem
+        std::variant<std::monostate, double, std::string> value;  ///< nothing: it becomes empty
+    };
+    Message words;  ///< "a difference: t in K"
+    std::vector<Value> values;
+};
+
 /// One finding of a check (of a project, a set-up, an asset). Checks collect all of them instead of stopping
 /// at the first.
 struct Problem {
@@ -49,6 +60,14 @@ struct Problem {
     Message message = {};
     std::string file = {};
     int line = 0;
+    std::vector<Remedy> remedies = {};  ///< to choose from
+
+    /// It was found in a part that lives at `prefix` ("/analyses/0/setup").
+    void move_below(const std::string& prefix) {
+        path = prefix + path;
+        for (Remedy& remedy : remedies)
+            for (Remedy::Value& value : remedy.values) value.place = prefix + value.place;
+    }
 };
 
 /// Collects problems; the prefix of the place being checked is put before each path.
@@ -61,13 +80,13 @@ public:
         add(Severity::warning, std::move(path), std::move(message));
     }
     void add(Severity severity, std::string path, Message message) {
-        items_.push_back({severity, std::move(path), std::move(message), {}, 0});
+        items_.push_back({severity, std::move(path), std::move(message), {}, 0, {}});
     }
     void add(Problem problem) { items_.push_back(std::move(problem)); }
     /// Takes over the problems of a part that lives at `prefix` ("/analyses/0/setup").
     void take(const Problems& part, const std::string& prefix) {
         for (Problem p : part.items_) {
-            p.path = prefix + p.path;
+            p.move_below(prefix);
             items_.push_back(std::move(p));
         }
     }

@@ -11,8 +11,11 @@
 #include <charconv>
 #include <csignal>
 #include <mutex>
+#include <optional>
 #include <string_view>
 #include <vector>
+
+#include "core/base/file_mode.h"
 
 namespace covaria {
 
@@ -128,14 +131,15 @@ Result<void> write_in_place(const fs::path& file, const std::string& bytes) {
     return {};
 }
 
-Result<void> fill_temporary(const fs::path& temporary, const fs::path& file, const std::string& bytes) {
-    Descriptor out(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+Result<void> fill_temporary(const fs::path& temporary, const fs::path& file, const std::string& bytes,
+                            std::optional<mode_t> mode) {
+    Descriptor out(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode.value_or(0666)));
     if (out.get() < 0)
         return io_failure(
             file, tell<"a file cannot be created in its folder '%1'">(temporary.parent_path().string()),
             errno);
     struct stat old = {};
-    if (::stat(file.c_str(), &old) == 0 && ::fchmod(out.get(), old.st_mode & 07777) != 0)
+    if (!mode && ::stat(file.c_str(), &old) == 0 && ::fchmod(out.get(), old.st_mode & 07777) != 0)
         return io_failure(file, tell<"the permissions of the old file cannot be kept">(), errno);
     if (const int number = write_all(out.get(), bytes))
         return io_failure(file, tell<"writing failed">(), number);
@@ -151,10 +155,10 @@ void flush_folder(const fs::path& folder) {
     if (directory.get() >= 0) ::fsync(directory.get());
 }
 
-Result<void> replace_file(const fs::path& file, const std::string& bytes) {
+Result<void> replace_file(const fs::path& file, const std::string& bytes, std::optional<mode_t> mode) {
     const fs::path temporary = temporary_name(file);
     Unfinished::all().add(temporary);
-    Result<void> filled = fill_temporary(temporary, file, bytes);
+    Result<void> filled = fill_temporary(temporary, file, bytes, mode);
     if (filled && ::rename(temporary.c_str(), file.c_str()) != 0)
         filled = io_failure(file, tell<"the new file cannot take its place">(), errno);
     if (!filled) ::unlink(temporary.c_str());
@@ -220,6 +224,11 @@ Result<std::string> read_file(const fs::path& file) {
     return text;
 }
 
+Result<void> write_file_with_mode(const fs::path& file, const std::string& bytes, unsigned mode) {
+    std::error_code ignored;
+    return replace_file(fs::absolute(file, ignored), bytes, static_cast<mode_t>(mode));
+}
+
 Result<void> write_file_atomically(const fs::path& file, const std::string& bytes) {
     std::error_code ignored;
     fs::path target = fs::absolute(file, ignored);
@@ -230,7 +239,7 @@ Result<void> write_file_atomically(const fs::path& file, const std::string& byte
     if (fs::is_directory(target, ignored)) return io_failure(file, tell<"it is a folder">(), EISDIR);
     if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored))
         return write_in_place(target, bytes);
-    return replace_file(target, bytes);
+    return replace_file(target, bytes, std::nullopt);
 }
 
 void remove_leftovers(const fs::path& folder) {

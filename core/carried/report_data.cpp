@@ -6,6 +6,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/file_names.h"
+#include "core/base/own_folder.h"
 #include "core/project/certificate_logo.h"
 #include "core/project/csv_table.h"
 #include "core/project/kind_lookup.h"
@@ -49,7 +50,8 @@ private:
             const std::string name = fs::path(table.csv_file).lexically_normal().generic_string();
             const fs::path file = project.directory / name;
             auto bytes = read_file(file);
-            if (is_ours(name) || !bytes || !is_as_read(file, table, field)) {
+            if (is_ours(name) || !bytes || is_led_out_of(project.directory, name) ||
+                !is_as_read(file, table, field)) {
                 table.csv_file.clear();
                 table.csv_columns.clear();
             } else if (taken_.insert(name).second) {
@@ -91,6 +93,7 @@ private:
             for (const NamedFile& named : named_files(project, *schema, asset.setup)) {
                 const fs::path path = fs::path(named.name).lexically_normal();
                 if (path.is_absolute() || *path.begin() == ".." || is_ours(path.generic_string())) continue;
+                if (is_led_out_of(project.directory, path)) continue;
                 auto bytes = read_file(named.path);
                 if (!bytes || bytes_carried + bytes->size() > largest_meshes) continue;
                 if (!taken_.insert(path.generic_string()).second) continue;

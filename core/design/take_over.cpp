@@ -37,10 +37,9 @@ private:
         const double value = result_.values[i].chosen;
         if (!target->in_setup()) return take_input(*target, axis, value);
         AnalysisEntry& analysis = entry();
-        const bool own = target->asset == StudyTarget::analysis;
-        Setup& setup = own ? analysis.setup : project_.assets[target->asset].setup;
-        give_default(own ? schema_of(analysis) : schema_of(project_.assets[target->asset]), target->key,
-                     setup);
+        const auto own = static_cast<std::size_t>(&analysis - project_.analyses.data());
+        Setup& setup = varied_setup(*target, own, project_);
+        give_default(schema_of(*target, own, project_), target->key, setup);
         if (auto* table = std::get_if<SetupTable>(&setup.values.at(target->key))) embed(*table);
         const Setup base = setup;
         vary_setup(*target, axis, value, base, setup);

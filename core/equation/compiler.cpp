@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/in_quotes.h"
 #include "core/equation/derivative.h"
 #include "core/equation/emitter.h"
 
@@ -111,20 +112,72 @@ Message unknown_symbol(const std::string& name) {
         "'%1' is neither defined nor one of the quantities: give it a row in the table of quantities">(name);
 }
 
-/// Of temperatures: sums, and differences that are wanted in degC.
-Message output_objection(const WantedOutput& wanted, const Kind& kind) {
-    const std::string name = "'" + wanted.name + "'";
-    if (const Message sum = sum_objection({kind, std::nullopt, name}); !sum.empty()) return sum;
-    if (!wanted.unit || !wanted.unit->has_offset() || !kind.zeros || kind.zeros->count == 1.0) return {};
-    return kind.zeros->count == 0.0
-               ? tell<"%1 is a difference of temperatures: its unit is K, not %2">(name, wanted.unit->text())
-               : tell<"%1 is a multiple of a temperature: its unit is K, not %2">(name, wanted.unit->text());
+/// Of temperatures: differences that are wanted in degC.
+Message difference_objection(const WantedOutput& wanted, const Kind& kind) {
+    if (!wanted.unit || !wanted.unit->has_offset() || !kind.is_difference()) return {};
+    return tell<"%1 is a difference of temperatures: its unit is K, not %2">(in_quotes(wanted.name),
+                                                                             wanted.unit->text());
+}
+
+TemperatureKind temperature_of(const Kind& kind) {
+    return kind.is_celsius()      ? TemperatureKind::reading
+           : kind.is_difference() ? TemperatureKind::difference
+                                  : TemperatureKind::by_unit;
+}
+
+/// Which temperature in degC is a factor of the value of each node.
+class ReadingsOfNodes {
+public:
+    explicit ReadingsOfNodes(const ParsedText& parsed)
+        : parsed_(parsed), reading_(parsed.nodes.size(), nothing) {}
+
+    /// Behind its operands; `kind_of` says of what kind a node is.
+    template <class KindOf>
+    void note(std::size_t node, const Kind& kind, const KindOf& kind_of) {
+        const bool is_multiple = kind.has_celsius() && !kind.is_celsius();
+        if (kind.readings == 0.0 && !is_multiple) return;
+        const Node& of = parsed_.nodes[node];
+        const bool is_sum = of.operation == Operation::add || of.operation == Operation::subtract;
+        for (const int operand : {of.a, of.b, of.c}) {
+            if (operand < 0 || reading_[node] >= 0) continue;
+            const int below = reading_[static_cast<std::size_t>(operand)];
+            reading_[node] = below >= 0 || is_sum || !kind_of(operand).is_celsius() ? below : operand;
+        }
+        if (of.operation != Operation::symbol) return;
+        if (const auto defined = defined_.find(of.text); defined != defined_.end())
+            reading_[node] = defined->second;
+    }
+    void define(const std::string& name, int root) {
+        defined_[name] = reading_[static_cast<std::size_t>(root)];
+    }
+
+    /// The node itself where no other is known.
+    const Node& of(int node) const {
+        const int reading = reading_[static_cast<std::size_t>(node)];
+        return parsed_.nodes[static_cast<std::size_t>(reading >= 0 ? reading : node)];
+    }
+
+private:
+    static constexpr int nothing = -1;
+    const ParsedText& parsed_;
+    std::vector<int> reading_;
+    std::map<std::string, int, std::less<>> defined_;
+};
+
+/// As the text of an equation has it: "t", "20 [degC]"; of longer expressions a letter stands for them.
+std::string written(const Node& node) {
+    if (node.operation == Operation::symbol) return node.text;
+    return node.operation == Operation::constant ? node.text + " [" + node.unit.text() + "]" : "t";
 }
 
 class Compiler {
 public:
     Compiler(const ParsedText& parsed, std::span<const KnownSymbol> symbols, TextProblems& problems)
-        : parsed_(parsed), symbols_(symbols), problems_(problems), emitter_(compiled_.program) {
+        : parsed_(parsed),
+          symbols_(symbols),
+          problems_(problems),
+          emitter_(compiled_.program),
+          readings_(parsed) {
         for (std::size_t i = 0; i < symbols.size(); ++i) quantity_[symbols[i].name] = i;
     }
 
@@ -151,16 +204,39 @@ private:
     }
     int& at(int node) { return registers_[static_cast<std::size_t>(node)]; }
 
+    /// Of each temperature once, with all its places: they are mended together.
+    void refuse_reading(int index) {
+        const Operand used = operand(index);
+        if (const Message sum = sum_objection(used); !sum.empty())
+            return refuse(parsed_.nodes[static_cast<std::size_t>(index)].place, sum);
+        const Node& reading = readings_.of(index);
+        const bool is_multiple = used.kind.has_celsius() && !used.kind.is_celsius();
+        const std::string text = written(reading);
+        const auto [known, is_new] = refused_readings_.try_emplace(text, problems_.size());
+        if (is_new)
+            refuse(reading.place,
+                   is_multiple ? multiple_objection(used.text) : factor_objection(text_of(reading), text));
+        if (known->second >= problems_.size()) return;
+        problems_[known->second].reading = text;
+        problems_[known->second].readings.push_back(reading.place);
+    }
+
     void nodes(std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) registers_[i] = node(parsed_.nodes[i]);
+        for (std::size_t i = first; i < last; ++i) {
+            registers_[i] = node(parsed_.nodes[i]);
+            readings_.note(i, emitter_.kind(registers_[i]),
+                           [&](int operand) { return emitter_.kind(at(operand)); });
+        }
     }
 
     void definition(const Statement& s) {
         nodes(s.first_node, s.last_node);
-        const Definition& d = s.defined.front();
-        if (emitter_.kind(at(d.root)).condition)
-            refuse(d.place, tell<"'%1' would be a condition: a definition must give a number">(d.name));
-        defined_[d.name] = at(d.root);
+        for (const Definition& d : s.defined) {  // the parts of a complex number are two
+            if (emitter_.kind(at(d.root)).condition)
+                refuse(d.place, tell<"'%1' would be a condition: a definition must give a number">(d.name));
+            defined_[d.name] = at(d.root);
+            readings_.define(d.name, d.root);
+        }
     }
 
     void system(const Statement& s) {
@@ -188,7 +264,9 @@ private:
         emitter_.set_place(r.place);
         const Operand left = operand(r.left), right = operand(r.right);
         const KindOfResult result = kind_of(Operation::subtract, left, right, {});
-        if (!result.objection.empty())
+        if (const auto misused = misused_reading(Operation::equal, left, right, {}))
+            refuse_reading(*misused == 0 ? r.left : r.right);
+        else if (!result.objection.empty())
             refuse(r.place, tell<"%1 is %2, %3 is %4: they cannot be equal">(
                                 left.text, kind_words(left.kind), right.text, kind_words(right.kind)));
         else if (const Message objection = zeros_objection(left, right); !objection.empty())
@@ -222,11 +300,15 @@ private:
     int node(const Node& node) {
         if (node.operation == Operation::constant) return constant(node);
         if (node.operation == Operation::symbol) return symbol(node);
-        KindOfResult result = kind_of(node.operation, operand(node.a), operand(node.b), operand(node.c));
-        if (!result.objection.empty()) {
+        const Operand a = operand(node.a), b = operand(node.b), c = operand(node.c);
+        KindOfResult result = kind_of(node.operation, a, b, c);
+        const auto misused = misused_reading(node.operation, a, b, c);
+        if (misused)
+            refuse_reading(std::array{node.a, node.b, node.c}[*misused]);
+        else if (!result.objection.empty())
             refuse(node.sign, result.objection);
+        if (misused || !result.objection.empty())
             result.kind = is_condition(node.operation) ? Kind::of_condition() : any_kind();
-        }
         emitter_.set_place(node.place);
         const auto reg = [&](int i) { return i < 0 ? -1 : at(i); };
         const int made =
@@ -259,17 +341,21 @@ private:
         const auto defined = defined_.find(wanted.name);
         if (defined == defined_.end()) return refuse({}, tell<"no equation defines '%1'">(wanted.name));
         const Kind& kind = emitter_.kind(defined->second);
-        const Place place = parsed_.find(wanted.name)->place;
+        const Definition& definition = *parsed_.find(wanted.name);
+        const Place place = definition.place;
         const std::string coherent = coherent_unit(kind);
         if (wanted.unit && !kind.same_dimension(Kind::of(*wanted.unit)))
             refuse(place, tell<"'%1' is to be given in %2, but is %3">(wanted.name, wanted.unit->text(),
                                                                        kind_words(kind)));
-        const Message meaning = output_objection(wanted, kind);
-        if (!meaning.empty()) refuse(place, meaning);
+        if (kind.readings != 0.0 || (kind.has_celsius() && !kind.is_celsius()))
+            refuse_reading(definition.root);
+        else if (const Message meaning = difference_objection(wanted, kind); !meaning.empty())
+            refuse(place, meaning);
         if (!wanted.unit && coherent.empty())
             refuse(place, tell<"'%1' is %2, which has no unit of its own">(wanted.name, kind_words(kind)));
         compiled_.program.outputs.push_back(defined->second);
-        compiled_.output_units.push_back(wanted.unit ? *wanted.unit : unit_of_inputs(kind, coherent));
+        const Unit unit = wanted.unit ? *wanted.unit : unit_of_inputs(kind, coherent);
+        compiled_.outputs.push_back({unit, temperature_of(kind), kind.on_circle && is_circle_unit(unit)});
     }
 
     /// Temperatures keep the coherent unit: one in degC may be a difference.
@@ -290,8 +376,10 @@ private:
     std::map<std::string, std::size_t, std::less<>> quantity_;
     std::map<std::string, int, std::less<>> defined_;
     std::set<std::string> unknown_;
-    std::vector<int> registers_;   ///< of the nodes
-    std::vector<bool> in_branch_;  ///< of the nodes
+    ReadingsOfNodes readings_;
+    std::map<std::string, std::size_t> refused_readings_;  ///< as written, with their problems
+    std::vector<int> registers_;                           ///< of the nodes
+    std::vector<bool> in_branch_;                          ///< of the nodes
 };
 
 }  // namespace

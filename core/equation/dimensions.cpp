@@ -75,6 +75,49 @@ std::optional<CelsiusZeros> multiplied(std::optional<CelsiusZeros> zeros, double
     return zeros;
 }
 
+bool is_multiple(const Kind& kind) {
+    return kind.has_celsius() && !kind.is_celsius();
+}
+
+/// The power in which temperatures in degC are factors of a value that stands in a product.
+double as_factor(const Kind& kind) {
+    return kind.readings + (kind.has_celsius() ? 1.0 : 0.0);
+}
+
+double readings_of(Operation operation, const Operand& a, const Operand& b, const Kind& result) {
+    double power = 0.0;
+    if (result.any || result.zeros) return 0.0;  // what is known of its zeros says all
+    if (operation == O::multiply) power = as_factor(a.kind) + as_factor(b.kind);
+    if (operation == O::divide) power = as_factor(a.kind) - as_factor(b.kind);
+    if (operation == O::power && b.constant) power = as_factor(a.kind) * *b.constant;
+    if (operation == O::square_root) power = as_factor(a.kind) / 2.0;
+    if (operation == O::cube_root) power = as_factor(a.kind) / 3.0;
+    if (operation == O::negate || operation == O::absolute) power = a.kind.readings;
+    return equal(power, 0.0) ? 0.0 : power;
+}
+
+/// Turns may be added to what the result is made of: it is the same then, but for turns.
+bool stays_on_circle(Operation operation, const Operand& a, const Operand& b, const Operand& c) {
+    const auto fits = [](const Operand& o) { return o.kind.on_circle || (o.constant && o.kind.is_number()); };
+    const auto whole = [](const Operand& o) {
+        return o.constant && o.kind.is_number() && equal(*o.constant, std::round(*o.constant));
+    };
+    switch (operation) {
+        case O::add:
+        case O::subtract:
+            return fits(a) && fits(b) && (a.kind.on_circle || b.kind.on_circle);
+        case O::negate:
+            return a.kind.on_circle;
+        case O::multiply:
+            return (a.kind.on_circle && whole(b)) || (b.kind.on_circle && whole(a));
+        case O::select:
+            return fits(b) && fits(c) && (b.kind.on_circle || c.kind.on_circle);
+        default:
+            return operation == O::arc_sine || operation == O::arc_cosine || operation == O::arc_tangent ||
+                   operation == O::arc_tangent_2;
+    }
+}
+
 KindOfResult of_sum(const Operand& a, const Operand& b, double sign) {
     KindOfResult result =
         alike(a, b, sign > 0.0 ? tell<"they cannot be added">() : tell<"they cannot be subtracted">());
@@ -182,12 +225,32 @@ KindOfResult of_condition(Operation operation, const Operand& a, const Operand& 
     return {Kind::of_condition()};
 }
 
+KindOfResult kind_by_operands(Operation operation, const Operand& a, const Operand& b, const Operand& c) {
+    if (is_condition(operation)) return of_condition(operation, a, b);
+    if (operation == O::select) {
+        if (!a.kind.condition)
+            return refused(tell<"%1 is not a condition: write a comparison, as in if(x > 0, x, 0)">(a.text));
+        if (b.kind.condition || c.kind.condition)
+            return refused(tell<"both values of 'if' must be numbers, not conditions">());
+        return alike_to_the_zero(b, c, tell<"both values of 'if' must be of one kind">());
+    }
+    for (const Operand* operand : {&a, &b})
+        if (operand->kind.condition)
+            return refused(tell<"%1 is a condition: use it as the first argument of if(...)">(operand->text));
+    const bool one = operands_of(operation) == 1;
+    KindOfResult result = one ? of_function(operation, a) : of_arithmetic(operation, a, b);
+    if ((one || operation == O::power) && result.objection.empty() && !result.kind.zeros)
+        result.objection = sum_objection(a);
+    return result;
+}
+
 }  // namespace
 
 Kind Kind::of(const Unit& unit) {
     Kind kind;
     for (std::size_t i = 0; i < kind.exponents.size(); ++i) kind.exponents[i] = unit.dimension().exponents[i];
     if (unit.has_offset()) kind.zeros = CelsiusZeros{1.0, false};
+    kind.on_circle = is_circle_unit(unit);
     return kind;
 }
 
@@ -243,6 +306,18 @@ Message kind_words(const Kind& kind) {
     return tell<"measured in %1">((unit.empty() ? product_words(kind) : unit));
 }
 
+bool is_circle_unit(const Unit& unit) {
+    return unit.dimension() == Unit::of("rad").dimension() && !(unit == Unit::of("rev"));
+}
+
+bool CelsiusZeros::is_reading() const {
+    return equal(count, 1.0);
+}
+
+bool CelsiusZeros::is_difference() const {
+    return equal(count, 0.0);
+}
+
 bool CelsiusZeros::is_meaningful() const {
     return !of_a_sum || equal(count, 0.0) || equal(count, 1.0);
 }
@@ -268,22 +343,45 @@ Message sum_objection(const Operand& a) {
         "by the number of temperatures for their mean">(a.text);
 }
 
-KindOfResult kind_of(Operation operation, const Operand& a, const Operand& b, const Operand& c) {
-    if (is_condition(operation)) return of_condition(operation, a, b);
-    if (operation == O::select) {
-        if (!a.kind.condition)
-            return refused(tell<"%1 is not a condition: write a comparison, as in if(x > 0, x, 0)">(a.text));
-        if (b.kind.condition || c.kind.condition)
-            return refused(tell<"both values of 'if' must be numbers, not conditions">());
-        return alike_to_the_zero(b, c, tell<"both values of 'if' must be of one kind">());
+std::optional<std::size_t> misused_reading(Operation operation, const Operand& a, const Operand& b,
+                                           const Operand& c) {
+    const std::array<const Kind*, 3> kinds{&a.kind, &b.kind, &c.kind};
+    const auto first = [&](const auto& is_misused) -> std::optional<std::size_t> {
+        for (std::size_t i = 0; i < kinds.size(); ++i)
+            if (is_misused(*kinds[i])) return i;
+        return {};
+    };
+    const auto factor = [](const Kind& kind) { return kind.readings != 0.0; };
+    switch (operation) {
+        case O::multiply:
+        case O::divide:
+        case O::negate:
+        case O::square_root:
+        case O::cube_root:
+            return {};
+        case O::add:
+        case O::subtract:
+            return first(factor);
+        case O::absolute:
+            return a.kind.has_celsius() ? std::optional<std::size_t>(0) : std::nullopt;
+        case O::power:
+            if (as_factor(b.kind) != 0.0) return 1;
+            return as_factor(a.kind) != 0.0 && !b.constant ? std::optional<std::size_t>(0) : std::nullopt;
+        case O::minimum:
+        case O::maximum:
+        case O::select:
+            return first([&](const Kind& kind) { return factor(kind) || is_multiple(kind); });
+        default:
+            if (is_comparison(operation))
+                return first([&](const Kind& kind) { return factor(kind) || is_multiple(kind); });
+            return first([](const Kind& kind) { return as_factor(kind) != 0.0; });
     }
-    for (const Operand* operand : {&a, &b})
-        if (operand->kind.condition)
-            return refused(tell<"%1 is a condition: use it as the first argument of if(...)">(operand->text));
-    const bool one = operands_of(operation) == 1;
-    KindOfResult result = one ? of_function(operation, a) : of_arithmetic(operation, a, b);
-    if ((one || operation == O::power) && result.objection.empty() && !result.kind.zeros)
-        result.objection = sum_objection(a);
+}
+
+KindOfResult kind_of(Operation operation, const Operand& a, const Operand& b, const Operand& c) {
+    KindOfResult result = kind_by_operands(operation, a, b, c);
+    result.kind.readings = readings_of(operation, a, b, result.kind);
+    result.kind.on_circle = stays_on_circle(operation, a, b, c);
     return result;
 }
 

@@ -17,6 +17,8 @@ struct CelsiusZeros {
     double count = 0.0;
     bool of_a_sum = false;  ///< such temperatures have been added
     bool is_meaningful() const;
+    bool is_reading() const;     ///< one
+    bool is_difference() const;  ///< none
     bool operator==(const CelsiusZeros&) const = default;
 };
 
@@ -26,6 +28,11 @@ struct Kind {
     bool condition = false;
     bool any = false;                        ///< the literal 0 fits every dimension
     std::optional<CelsiusZeros> zeros = {};  ///< empty: not known (in K), or no temperature
+    /// The power in which temperatures in degC are factors of the value: 1 in R*t, 0 in t_1/t_2. Only what
+    /// has none means something by itself.
+    double readings = 0.0;
+    /// An angle that is the same after a full turn: one that was read, of an inverse function, a sum of such.
+    bool on_circle = false;
 
     static Kind of(const Unit& unit);
     static Kind of_condition();
@@ -34,8 +41,10 @@ struct Kind {
     bool same_dimension(const Kind& other) const;
     Kind raised(double exponent) const;
     Kind times(const Kind& other, double exponent_of_other) const;
-    bool is_celsius() const { return zeros && zeros->count == 1.0; }
-    bool is_difference() const { return zeros && zeros->count == 0.0; }
+    bool is_celsius() const { return zeros && zeros->is_reading(); }
+    bool is_difference() const { return zeros && zeros->is_difference(); }
+    /// A temperature in degC, or a multiple of one, or a sum: not a difference.
+    bool has_celsius() const { return zeros && !zeros->is_difference(); }
 };
 
 /// The coherent SI unit: "m", "N", "kg*m^2"; empty if an exponent is not whole.
@@ -49,11 +58,18 @@ struct Operand {
     Message text;                    ///< for messages: 'theta'
 };
 
+/// Whether angles in this unit are on a circle: those in rev are counts of turns.
+bool is_circle_unit(const Unit& unit);
+
 /// Kind of the result; or what is wrong, in words.
 struct KindOfResult {
     Kind kind;
     Message objection = {};
 };
+/// The operand (0, 1, 2) in which a temperature in degC would be taken in kelvin, or a multiple of one as if
+/// it were a temperature.
+std::optional<std::size_t> misused_reading(Operation operation, const Operand& a, const Operand& b,
+                                           const Operand& c);
 KindOfResult kind_of(Operation operation, const Operand& a, const Operand& b, const Operand& c);
 /// Why two operands of one dimension cannot be equal, compared or chosen between: one a temperature in degC,
 /// the other a difference or the number 0. Empty if they can.

@@ -19,11 +19,13 @@ int Emitter::new_register(const Kind& kind, std::optional<double> value) {
 }
 
 int Emitter::constant(double value, const Kind& kind) {
-    std::array<double, 10> key{};
+    std::array<double, 12> key{};
     std::copy(kind.exponents.begin(), kind.exponents.end(), key.begin());
     key[8] = (kind.any ? 1.0 : 0.0) + (kind.condition ? 2.0 : 0.0) + (std::signbit(value) ? 4.0 : 0.0);
     if (std::isnan(value)) key[8] += 8.0;
     if (kind.zeros) key[8] += kind.zeros->of_a_sum ? 32.0 : 16.0, key[9] = kind.zeros->count;
+    key[10] = kind.readings;
+    key[11] = kind.on_circle ? 1.0 : 0.0;
     const auto [known, is_new] = constants_.try_emplace({std::isnan(value) ? 0.0 : value, key}, 0);
     if (is_new) {
         known->second = new_register(kind, value);

@@ -44,7 +44,7 @@ private:
     Program& program_;
     std::vector<Kind> kinds_;
     std::vector<std::optional<double>> values_;
-    std::map<std::pair<double, std::array<double, 10>>, int> constants_;
+    std::map<std::pair<double, std::array<double, 12>>, int> constants_;
     std::map<std::size_t, int> inputs_;
     Known known_, known_in_system_;
     Place place_;

@@ -23,7 +23,6 @@ struct Registers {
 template <class Real>
 class Newton {
 public:
-    static constexpr std::size_t largest = 6;  ///< unknowns
     static constexpr int most_steps = 100;
 
     Newton(const NewtonSystem& system, const Registers<Real>& registers)
@@ -44,8 +43,9 @@ public:
 
 private:
     using Mask = mask_of<Real>;
-    using Vector = std::array<Real, largest>;
-    using Matrix = std::array<Vector, largest>;
+    using Vector = std::array<Real, most_unknowns>;
+    template <std::size_t most>
+    using Rows = std::array<std::array<Real, most>, most>;
 
     std::size_t n() const { return system_.size(); }
     Real& unknown(std::size_t k, std::size_t i) { return registers_.at(system_.unknowns[k])[i]; }
@@ -85,7 +85,9 @@ private:
         const Real worst(std::numeric_limits<double>::max());
         const Mask better = (now <= norm(i)) || (small_steps(i) > Real(0.5));
         const Mask good = better && (now <= worst);  // NaN compares as false
-        const Vector newton = newton_step(i);
+        Vector newton;
+        constexpr std::size_t usual = 6;  // the others do not pay for what a large system needs
+        n() <= usual ? newton_step<usual>(i, newton) : newton_step<most_unknowns>(i, newton);
         Mask tiny = good;
         for (std::size_t k = 0; k < n(); ++k) tiny = tiny && is_tiny(newton[k], k, i);
         for (std::size_t k = 0; k < n(); ++k) {
@@ -114,9 +116,10 @@ private:
     }
 
     /// -J^-1 r by elimination with row exchange, lane by lane.
-    Vector newton_step(std::size_t i) {
-        Matrix a;
-        Vector b;
+    template <std::size_t most>
+    void newton_step(std::size_t i, Vector& x) {
+        Rows<most> a;
+        std::array<Real, most> b;
         for (std::size_t r = 0; r < n(); ++r) {
             for (std::size_t c = 0; c < n(); ++c) {
                 const int at = system_.jacobian[r * n() + c];
@@ -125,16 +128,15 @@ private:
             b[r] = -registers_.at(system_.residuals[r])[i];
         }
         for (std::size_t c = 0; c + 1 < n(); ++c) eliminate(a, b, c);
-        Vector x;
         for (std::size_t r = n(); r-- > 0;) {
             Real sum = b[r];
             for (std::size_t c = r + 1; c < n(); ++c) sum = sum - a[r][c] * x[c];
             x[r] = sum / a[r][r];
         }
-        return x;
     }
 
-    void eliminate(Matrix& a, Vector& b, std::size_t c) {
+    template <class Matrix, class Right>
+    void eliminate(Matrix& a, Right& b, std::size_t c) {
         for (std::size_t r = c + 1; r < n(); ++r) {
             const Mask exchange = absolute(a[r][c]) > absolute(a[c][c]);
             for (std::size_t k = c; k < n(); ++k) swap_where(exchange, a[r][k], a[c][k]);

@@ -40,7 +40,13 @@ const std::vector<FunctionInfo>& functions() {
                                                  {"min", O::minimum, 2, any_number},
                                                  {"max", O::maximum, 2, any_number},
                                                  {"pow", O::power, 2, 2},
-                                                 {"if", O::select, 3, 3}};
+                                                 {"if", O::select, 3, 3},
+                                                 {"complex", O::complex_number, 2, 2, true},
+                                                 {"polar", O::polar_number, 2, 2, true},
+                                                 {"re", O::real_part, 1, 1, true},
+                                                 {"im", O::imaginary_part, 1, 1, true},
+                                                 {"conj", O::conjugate, 1, 1, true},
+                                                 {"arg", O::argument, 1, 1, true}};
     return table;
 }
 
@@ -59,7 +65,9 @@ std::vector<std::string> function_names() {
 
 bool is_reserved(std::string_view name) {
     static constexpr std::array<std::string_view, 5> words{"pi", "and", "or", "not", "solve"};
-    return find_function(name) || std::find(words.begin(), words.end(), name) != words.end();
+    const FunctionInfo* function = find_function(name);
+    return (function && !function->may_be_a_name) ||
+           std::find(words.begin(), words.end(), name) != words.end();
 }
 
 bool is_comparison(Operation operation) {
@@ -78,6 +86,7 @@ int operands_of(Operation operation) {
     using O = Operation;
     if (operation <= O::unknown) return 0;
     if (operation == O::select) return 3;
+    if (operation >= O::real_part) return 1;
     if (operation == O::negate || operation == O::integer_power || operation == O::logical_not) return 1;
     return operation >= O::square_root && operation <= O::sign ? 1 : 2;
 }

@@ -54,6 +54,13 @@ enum class Operation : std::uint8_t {
     hypotenuse,
     minimum,
     maximum,
+    // Of complex numbers, which are gone before anything is compiled (complex_numbers.h).
+    complex_number,  ///< of real and imaginary part
+    polar_number,    ///< of modulus and argument
+    real_part,
+    imaginary_part,
+    conjugate,
+    argument,
 };
 inline constexpr std::size_t operations = static_cast<std::size_t>(Operation::maximum) + 1;
 
@@ -62,6 +69,8 @@ struct FunctionInfo {
     Operation operation;
     std::size_t fewest;  ///< arguments
     std::size_t most;    ///< more than two: from left to right
+    /// A function only where a parenthesis follows: `re` may be the name of a quantity.
+    bool may_be_a_name = false;
 };
 
 /// Functions that equations may call.
@@ -69,7 +78,8 @@ const std::vector<FunctionInfo>& functions();
 const FunctionInfo* find_function(std::string_view name);
 std::vector<std::string> function_names();
 
-/// A name that no quantity or definition may have: a function, "pi", "if", "and", "or", "not", "solve".
+/// A name that no quantity or definition may have: a function (but for those that may be names), "pi", "if",
+/// "and", "or", "not", "solve".
 bool is_reserved(std::string_view name);
 
 bool is_comparison(Operation operation);

@@ -258,7 +258,7 @@ private:
         const Token& token = in_.next();
         if (is_sign(in_.now(), "(")) return call(token);
         if (token.text == "pi") return leaf(Operation::constant, pi, token);
-        if (find_function(token.text))
+        if (find_function(token.text) && is_reserved(token.text))
             return in_.refuse(token.place,
                               tell<"'%1' is a function: its argument follows in parentheses">(token.text));
         if (is_reserved(token.text))
@@ -401,8 +401,11 @@ private:
         if (!in_.failed() && made.equations.size() != made.defined.size())
             in_.refuse(place, tell<"%1 unknowns need as many equations; there are %2">(
                                   made.defined.size(), made.equations.size()));
-        if (!in_.failed() && made.defined.size() > 6)
-            in_.refuse(place, tell<"at most six unknowns can be solved together">());
+        if (!in_.failed() && made.defined.size() > most_unknowns)
+            in_.refuse(place, tell<"%1 unknowns are too many to be solved together: the time for each trial "
+                                   "grows with the cube of their number, so the limit is %2; solve what does "
+                                   "not depend on the rest in systems of its own">(made.defined.size(),
+                                                                                   most_unknowns));
     }
 
     void residual(Statement& made) {

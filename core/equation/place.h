@@ -22,6 +22,10 @@ Place joined(const Place& first, const Place& last);
 struct TextProblem {
     Place place;
     Message message;  ///< without the place
+    /// Where it is about temperatures in degC of one name: how the text has them ("t"), and each of their
+    /// places.
+    std::string reading = {};
+    std::vector<Place> readings = {};
 };
 using TextProblems = std::vector<TextProblem>;
 

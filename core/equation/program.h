@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/temperature.h"
 #include "core/base/unit.h"
 #include "core/equation/operations.h"
 #include "core/equation/parser.h"
@@ -69,10 +70,15 @@ struct WantedOutput {
     std::optional<Unit> unit;
 };
 
+struct CompiledOutput {
+    Unit unit = {};  ///< as wanted, else of the first quantity of that dimension, else coherent
+    TemperatureKind temperature = TemperatureKind::by_unit;
+    bool on_circle = false;  ///< an angle that is the same after a full turn
+};
+
 struct Compiled {
     Program program;
-    std::vector<Unit>
-        output_units;  ///< as wanted, else of the first quantity of that dimension, else coherent
+    std::vector<CompiledOutput> outputs;
 };
 
 /// Orders the statements, checks the dimensions and compiles. Plane angle counts as a number here (the radian

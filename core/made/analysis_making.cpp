@@ -138,7 +138,7 @@ void AnalysisMaking::make_model() {
     ++counts_.models;
     Problems& problems = made_->of_model;
     check_setup(descriptor_->schema, entry_.setup, problems);
-    making::refuse_circles(references_, problems);
+    making::refuse_circles(project_.project(), references_, problems);
     making::check_uses(project_.project(), references_, made_->uses, problems);
     if (problems.has_errors()) return;
     std::shared_ptr<const MeasurementModel> model = making::made_or_problem("", problems, [&] {

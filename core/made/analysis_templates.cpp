@@ -106,6 +106,15 @@ public:
         return {std::move(merged_), id};
     }
 
+    /// Ids of the part's assets that are in it.
+    std::set<std::string> merge_and_name_assets() {
+        add_analysis(part_.analyses.back());
+        std::set<std::string> named;
+        for (const auto& [id, anew] : ids_)
+            if (part_.find_asset(id)) named.insert(id);
+        return named;
+    }
+
 private:
     std::string fresh(const std::string& wanted) {
         std::string id = free_id(wanted, [&](const std::string& known) { return taken_.contains(known); });
@@ -185,7 +194,9 @@ bool has_value(const Project& project, const std::string& analysis, const MadePr
 }
 
 /// Which assets of the project stand in the place of the template's: all of the same sort, one for one, where
-/// the analysis then has a value; else one after the other each with which it has one.
+/// the analysis then has a value; else one after the other each with which it has one. Where none has one,
+/// one stands there all the same: an analysis that uses another robot than the project's looks right and is
+/// not, one that says what the project's robot lacks can be mended.
 class StandInSearch {
 public:
     StandInSearch(const Project& project, const Project& part)
@@ -202,6 +213,8 @@ public:
         chosen_.clear();
         // What refers to others first: with it, those are not needed.
         for (auto asset = part_.assets.rbegin(); asset != part_.assets.rend(); ++asset) choose_for(*asset);
+        for (auto asset = part_.assets.rbegin(); asset != part_.assets.rend(); ++asset)
+            if (!chosen_.contains(asset->id) && comes_with_the_analysis(asset->id)) take_any_for(*asset);
         return chosen_;
     }
 
@@ -223,6 +236,19 @@ private:
                 return;
             }
         }
+    }
+
+    void take_any_for(const AssetEntry& asset) {
+        for (const AssetEntry& own : project_.assets)
+            if (is_free(own, asset)) {
+                chosen_[asset.id] = {own.id};
+                return;
+            }
+    }
+
+    /// What stand-ins refer to is not needed.
+    bool comes_with_the_analysis(const std::string& id) const {
+        return TemplateMerge(project_, part_, chosen_).merge_and_name_assets().contains(id);
     }
 
     bool works(const StandIns& stand_ins) const {

@@ -31,9 +31,10 @@ const AnalysisTemplate* template_of(const std::string& model);
 Result<Project> template_project(const AnalysisTemplate& wanted, const DocumentLanguage& in = {});
 
 /// `project` with the template's analysis at the end. In place of the template's assets stand those of the
-/// project of the same kind, one for one, as far as the analysis then has a value; one that nothing uses and
-/// that was given no place takes that of the template's, where it has a value only from there. The others
-/// come with the analysis. Designs and studies name assets: with them nothing is put in another's place.
+/// project of the same kind, one for one; those with which the analysis has a value before others, but also
+/// where it has none: what is wrong with them is then said of it. One that nothing uses and that was given no
+/// place takes that of the template's, where it has a value only from there. What the project has none of
+/// comes with the analysis. Designs and studies name assets: with them nothing is put in another's place.
 /// Gives the id of the analysis.
 Result<std::string> add_template(Project& project, const AnalysisTemplate& wanted,
                                  const DocumentLanguage& in = {});

@@ -1,11 +1,14 @@
 // The parts of a made project put together.
 #include "core/made/made_project.h"
 
+#include <algorithm>
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/made/certificate_gaps.h"
 #include "core/made/project_making.h"
 #include "core/project/certificate_logo.h"
+#include "core/project/links.h"
 #include "core/project/project_id.h"
 #include "core/setup/message_text.h"
 
@@ -20,11 +23,14 @@ void check_ids(const std::vector<Entry>& entries, const std::string& place, Prob
         const std::string path = place + "/" + std::to_string(i) + "/id";
         const std::string& id = entries[i].id;
         if (!is_project_id(id))
-            problems.error(path,
-                           tell<"the id %1 must be made of letters, digits, '-' and '_'">(in_quotes(id)));
+            problems.error(path, tell<"its id must be made of letters, digits, '-' and '_'">());
         else if (!known.insert(id).second)
-            problems.error(path, tell<"the id %1 is used twice">(in_quotes(id)));
+            problems.error(path, tell<"another one has the same id">());
     }
+}
+
+bool is_of_long_chain(const Problem& problem) {
+    return problem.message == chain_too_long();
 }
 
 }  // namespace
@@ -63,14 +69,20 @@ Problems MadeProject::problems() const {
     check_ids(project_->analyses, "/analyses", all);
     check_certificate(project_->certificate, all);
     check_certificate_logo(*project_, all);
+    check_accredited_probability(*project_, all);
     std::vector<std::string> analyses;
     for (const AnalysisEntry& analysis : project_->analyses) analyses.push_back(analysis.id);
     check_report_contents(project_->report, analyses, all);
     for (const std::size_t entry : graph_.order())  // causes before what follows from them
         if (graph_.is_asset(entry)) all.take(entries_[entry]->problems, "/assets/" + std::to_string(entry));
+    bool said_too_long = false;
     for (std::size_t i = 0; i < project_->analyses.size(); ++i) {
         const std::string place = "/analyses/" + std::to_string(i);
-        all.take(made_analysis(i).problems, place);
+        Problems own = made_analysis(i).problems;
+        if (said_too_long)  // once: every further analysis of the chain has the same to say
+            std::erase_if(own.items(), is_of_long_chain);
+        said_too_long = said_too_long || std::ranges::any_of(own.items(), is_of_long_chain);
+        all.take(own, place);
         all.take(made_analysis(i).of_studies, place);
     }
     return all;
@@ -96,8 +108,10 @@ std::vector<Message> MadeProject::warnings_of(const std::string& analysis) const
     const auto add = [&](const Problems& problems, const AssetEntry* asset) {
         for (const Problem& problem : problems.items())
             if (problem.severity == Severity::warning)
-                warnings.push_back(asset ? tell<"asset %1: %2">(asset->id, problem.message)
-                                         : problem.message);
+                warnings.push_back(
+                    asset ? tell<"asset %1: %2">(in_quotes(asset->name.empty() ? asset->id : asset->name),
+                                                 problem.message)
+                          : problem.message);
     };
     const auto index = static_cast<std::size_t>(entry - project_->analyses.data());
     for (const std::size_t used : graph_.used_by(graph_.number_of_analysis(index)))

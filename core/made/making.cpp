@@ -5,6 +5,7 @@
 
 #include "core/kinds/registries.h"
 #include "core/made/made_project.h"
+#include "core/project/entry_names.h"
 #include "core/setup/message_text.h"
 
 namespace covaria::making {
@@ -17,10 +18,11 @@ std::string path_in_setup(const EntryReference& reference) {
     return reference.path.substr(setup.size());
 }
 
-Message words_of(const EntryReference& reference) {
+Message words_of(const EntryReference& reference, const Project& project) {
     const Message title = Message::declared(reference.title);
-    return reference.to_analysis ? tell<"'%1' refers to the analysis '%2'">(title, reference.id)
-                                 : tell<"'%1' refers to the asset '%2'">(title, reference.id);
+    const std::string name = shown_name(project, reference.id, reference.to_analysis);
+    return reference.to_analysis ? tell<"'%1' refers to the analysis '%2'">(title, name)
+                                 : tell<"'%1' refers to the asset '%2'">(title, name);
 }
 
 bool fits(const std::vector<std::string>& offered, const std::vector<std::string>& wanted) {
@@ -38,26 +40,27 @@ bool is_same(const std::shared_ptr<const MadeEntry>& use, const std::shared_ptr<
 }
 
 void check_use(const EntryReference& reference, const AnalysisEntry& entry, const MadeAnalysis& used,
-               Problems& problems) {
+               const Project& project, Problems& problems) {
     const ModelDescriptor* model = find_model(entry.model);
     if (!model || model->capabilities.empty() || !fits(model->capabilities, reference.capabilities))
-        return problems.error(
-            path_in_setup(reference),
-            tell<"%1, which does not offer %2">(words_of(reference), listed(reference.capabilities)));
+        return problems.error(path_in_setup(reference),
+                              tell<"%1, which does not offer %2">(words_of(reference, project),
+                                                                  listed(reference.capabilities)));
     if (!used.model)
-        problems.error(path_in_setup(reference),
-                       tell<"the analysis '%1' has errors of its own: %2">(
-                           reference.id, first_error(used.of_own, tell<"it cannot be made">())));
+        problems.error(path_in_setup(reference), tell<"the analysis '%1' has errors of its own: %2">(
+                                                     shown_name(project, reference.id, true),
+                                                     first_error(used.of_own, tell<"it cannot be made">())));
 }
 
-void check_use(const EntryReference& reference, const AssetLibrary::Entry& used, Problems& problems) {
+void check_use(const EntryReference& reference, const AssetLibrary::Entry& used, const Project& project,
+               Problems& problems) {
     if (!used.asset)
         return problems.error(path_in_setup(reference),
-                              tell<"%1, which has errors of its own">(words_of(reference)));
+                              tell<"%1, which has errors of its own">(words_of(reference, project)));
     if (!fits(used.descriptor->capabilities, reference.capabilities))
-        problems.error(path_in_setup(reference),
-                       tell<"%1, which is of the kind '%2' and does not offer %3">(
-                           words_of(reference), used.descriptor->title, listed(reference.capabilities)));
+        problems.error(path_in_setup(reference), tell<"%1, which is of the kind '%2' and does not offer %3">(
+                                                     words_of(reference, project), used.descriptor->title,
+                                                     listed(reference.capabilities)));
 }
 
 }  // namespace
@@ -66,13 +69,18 @@ bool stay(const Uses& uses, const Uses& before) {
     return std::equal(uses.begin(), uses.end(), before.begin(), before.end(), is_same);
 }
 
-void refuse_circles(const std::vector<EntryReference>& references, Problems& problems) {
+void refuse_circles(const Project& project, const std::vector<EntryReference>& references,
+                    Problems& problems) {
+    const auto name = [&](const std::string& id) {
+        return in_quotes(shown_name(project, id, !project.find_asset(id)));
+    };
     for (const EntryReference& reference : references) {
         if (reference.circle.empty()) continue;
         std::string way;
-        for (const std::string& id : reference.circle) way += id + " → ";
-        problems.error(path_in_setup(reference), tell<"%1, which refers back to this one: %2%3">(
-                                                     words_of(reference), way, reference.circle.front()));
+        for (const std::string& id : reference.circle) way += name(id) + " → ";
+        problems.error(path_in_setup(reference),
+                       tell<"%1, which refers back to this one: %2%3">(words_of(reference, project), way,
+                                                                       name(reference.circle.front())));
     }
 }
 
@@ -81,23 +89,23 @@ void check_uses(const Project& project, const std::vector<EntryReference>& refer
     for (std::size_t i = 0; i < references.size(); ++i) {
         if (!references[i].circle.empty()) continue;
         if (const auto* used = dynamic_cast<const MadeAsset*>(uses[i].get())) {
-            check_use(references[i], used->made, problems);
+            check_use(references[i], used->made, project, problems);
             continue;
         }
         if (const auto* used = dynamic_cast<const MadeAnalysis*>(uses[i].get())) {
-            check_use(references[i], *project.find_analysis(references[i].id), *used, problems);
+            check_use(references[i], *project.find_analysis(references[i].id), *used, project, problems);
             continue;
         }
         if (references[i].to_analysis) {
-            problems.error(path_in_setup(references[i]),
-                           tell<"%1: only analyses take something from analyses">(words_of(references[i])));
+            problems.error(
+                path_in_setup(references[i]),
+                tell<"%1: only analyses take something from analyses">(words_of(references[i], project)));
             continue;
         }
-        std::vector<std::string> ids;
-        for (const AssetEntry& asset : project.assets) ids.push_back(asset.id);
         problems.error(
             path_in_setup(references[i]),
-            tell<"%1, which does not exist%2">(words_of(references[i]), did_you_mean(references[i].id, ids)));
+            tell<"%1, which does not exist%2">(words_of(references[i], project),
+                                               did_you_mean_entry(references[i].id, project.assets)));
     }
 }
 

@@ -17,7 +17,8 @@ using Uses = std::vector<std::shared_ptr<const MadeEntry>>;
 bool stay(const Uses& uses, const Uses& before);
 
 /// Adds references that lead back to the entry, with their way, to the problems of its set-up.
-void refuse_circles(const std::vector<EntryReference>& references, Problems& problems);
+void refuse_circles(const Project& project, const std::vector<EntryReference>& references,
+                    Problems& problems);
 /// Adds references to what does not exist, has errors of its own, or does not offer what is wanted.
 void check_uses(const Project& project, const std::vector<EntryReference>& references, const Uses& uses,
                 Problems& problems);

@@ -24,7 +24,7 @@ std::shared_ptr<const Asset> create(const Project& project, const AssetEntry& en
     const AssetDescriptor& kind = *made.made.descriptor;
     check_setup(kind.schema, entry.setup, problems);
     if (problems.has_errors()) return nullptr;
-    making::refuse_circles(references, problems);
+    making::refuse_circles(project, references, problems);
     if (problems.has_errors()) return nullptr;
     making::check_uses(project, references, made.uses, problems);
     if (problems.has_errors()) return nullptr;

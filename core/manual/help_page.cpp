@@ -85,13 +85,10 @@ public:
         for (const CertificateSection& section : certificate_sections()) {
             heading(2, in_.say_declared(section.title), anchor_words(section.title));
             for (const CertificateField& field : section.fields) {
-                const std::string clause =
-                    !*field.clause
-                        ? in_.say(words::optional)
-                        : in_.say(field.required ? words::required_by : words::asked_for_by, {field.clause});
-                ProseBlock block = stated(field.title, field.key, clause, field.help);
+                ProseBlock block = stated(field.title, field.key, clause_words(field), field.help);
                 block.anchor = field_anchor(page_, anchor_words(pointer_of(field)));
                 blocks_.push_back(std::move(block));
+                if (field.kind == CertificateText::site) choices(sites());
             }
         }
     }
@@ -109,6 +106,20 @@ public:
     }
 
 private:
+    std::string clause_words(const CertificateField& field) const {
+        if (!*field.clause) return in_.say(words::optional);
+        return in_.say(field.required                  ? words::required_by
+                       : field.required_for_conformity ? words::required_for_conformity
+                                                       : words::asked_for_by,
+                       {field.clause});
+    }
+
+    static std::vector<Choice> sites() {
+        std::vector<Choice> all;
+        for (const CertificateSite& site : certificate_sites()) all.push_back({site.key, site.words});
+        return all;
+    }
+
     /// "number, mm, [0, 1), default 3 mm, optional".
     std::string facts_of(FieldKind kind, const Unit& unit, const Range& range, const SetupValue& preset,
                          bool optional) const {

@@ -22,5 +22,6 @@ inline const Phrase default_value{"default %1"};
 inline const Phrase choices{"Choices: "};
 inline const Phrase required_by{"required by %1"};
 inline const Phrase asked_for_by{"asked for by %1"};
+inline const Phrase required_for_conformity{"required by %1 where conformity is stated"};
 
 }  // namespace covaria::help_words

@@ -110,7 +110,7 @@ Result<ReportDocument> build_manual(const std::vector<CommandWords>& commands) {
                                     "the fields of the models and assets, and the words of the command line "
                                     "of this version; its pictures were "
                                     "drawn by Covaria."},
-                     HeadingBlock{1, "Contents"}, ContentsBlock{2}};
+                     HeadingBlock{1, "Contents"}, ContentsBlock{2, true}};
     const auto add = [&](const std::string& title, const std::string& prefix) {
         manual.part(title);
         for (const HelpPage& page : *pages)

@@ -82,7 +82,7 @@ private:
                 name_analysis(p, inputs().components[known->second]);
                 return known->second;
             }
-            merged_.kept_apart.push_back(own.id);
+            merged_.kept_apart.push_back(own.name);
             key = parts_[p].id + ":" + key;
         }
         UncertaintyComponent component = own;

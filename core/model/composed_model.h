@@ -30,7 +30,7 @@ struct ChainInputs {
     /// [part][input]: index in `inputs`, or npos for what is linked.
     std::vector<std::vector<std::size_t>> quantities;
     /// Components of one identity that two parts state differently (one holds it): they are independent here.
-    std::vector<std::string> kept_apart;
+    std::vector<Message> kept_apart;  ///< names of components
 };
 
 /// Those of the last part come first and keep ids and symbols; those of an upstream part get its id. What
@@ -60,7 +60,7 @@ public:
     std::vector<PlotSpecification> figures() const override { return last().model->figures(); }
 
     const std::vector<ChainPart>& parts() const { return parts_; }
-    const std::vector<std::string>& kept_apart() const { return merged_.kept_apart; }
+    const std::vector<Message>& kept_apart() const { return merged_.kept_apart; }
 
 private:
     /// Where an input of a part is found: a quantity of the chain, or a row of upstream outputs.

@@ -45,14 +45,14 @@ struct Bound<Offered<C>> {
     static void read(Offered<C>& member, const SetupValue& value, FieldReading& reading) {
         Bound<Referred>::read(member, value, reading);
         member.source = offers<C>(member.asset);
-        if (!member.source) reading.problems.error(reading.place, lacking(member.id));
+        if (!member.source) reading.problems.error(reading.place, lacking(member.name));
     }
     /// What is said of an asset that does not offer it: C::lacking, where C has words of its own.
-    static Message lacking(const std::string& id) {
+    static Message lacking(const std::string& name) {
         if constexpr (requires { C::lacking; })
-            return in_quotes(id) + " " + Message::declared(C::lacking);
+            return in_quotes(name) + " " + Message::declared(C::lacking);
         else
-            return tell<"'%1' does not offer '%2'">(id, capability);
+            return tell<"'%1' does not offer '%2'">(name, capability);
     }
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/base/temperature.h"
 #include "core/base/unit.h"
 
 namespace covaria {
@@ -20,6 +21,7 @@ struct OutputQuantity {
     std::string group = {};   ///< "pose 7"; one joint coverage region per group of measurands
     OutputRole role = OutputRole::measurand;
     bool periodic = false;  ///< an angle on the circle (period 2 pi): unwrapped to the estimate
+    TemperatureKind temperature = TemperatureKind::by_unit;
 };
 
 }  // namespace covaria

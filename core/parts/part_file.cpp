@@ -75,7 +75,8 @@ tl::unexpected<Error> foreign(const std::filesystem::path& file, const std::stri
 Result<void> write_part(const std::filesystem::path& file, const Part& part, const ProgramIdentity& by) {
     ByteWriter writer;
     writer.put_all(std::span<const char>(format_line));
-    writer.put_all(std::span<const char>(head_of(part, by).dump() + "\n"));
+    writer.put_all(
+        std::span<const char>(head_of(part, by).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"));
     for (const PartSection& section : part.sections)
         for (const std::string& partial : section.partials) writer.put_list(partial);
     std::string bytes = writer.take();

@@ -1,5 +1,6 @@
 #include "core/pdf/pdf_archive.h"
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <qpdf/QPDF.hh>
@@ -12,6 +13,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/utf8.h"
+#include "core/pdf/pdf_navigation.h"
 
 namespace covaria {
 
@@ -55,6 +57,13 @@ std::string in_xml(const std::string& text) {
     return out;
 }
 
+/// A list of one in XMP; nothing without it.
+std::string in_list(const std::string& element, const std::string& list, const std::string& text) {
+    if (text.empty()) return {};
+    return "   <" + element + "><" + list + "><rdf:li>" + in_xml(text) + "</rdf:li></" + list + "></" +
+           element + ">\n";
+}
+
 std::string xmp_of(const PdfProperties& properties, const std::string& producer) {
     return "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
            "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n"
@@ -63,9 +72,9 @@ std::string xmp_of(const PdfProperties& properties, const std::string& producer)
            "    xmlns:xmp=\"http://ns.adobe.com/xap/1.0/\" xmlns:pdf=\"http://ns.adobe.com/pdf/1.3/\"\n"
            "    xmlns:pdfaid=\"http://www.aiim.org/pdfa/ns/id/\">\n"
            "   <dc:title><rdf:Alt><rdf:li xml:lang=\"x-default\">" +
-           in_xml(properties.title) +
-           "</rdf:li></rdf:Alt></dc:title>\n"
-           "   <xmp:CreatorTool>" +
+           in_xml(properties.title) + "</rdf:li></rdf:Alt></dc:title>\n" +
+           in_list("dc:creator", "rdf:Seq", properties.author) +
+           in_list("dc:language", "rdf:Bag", properties.language) + "   <xmp:CreatorTool>" +
            in_xml(properties.creator) +
            "</xmp:CreatorTool>\n"
            "   <pdf:Producer>" +
@@ -77,6 +86,13 @@ std::string xmp_of(const PdfProperties& properties, const std::string& producer)
            " </rdf:RDF>\n"
            "</x:xmpmeta>\n"
            "<?xpacket end=\"w\"?>\n";
+}
+
+/// As RFC 3066 writes it: "zh-CN".
+std::string language_tag(const std::string& code) {
+    std::string tag = plain_text(code);
+    std::replace(tag.begin(), tag.end(), '_', '-');
+    return tag;
 }
 
 const char* relationship_of(AttachedAs as) {
@@ -93,13 +109,16 @@ const char* relationship_of(AttachedAs as) {
 
 /// Properties and metadata say the same, and nothing of when.
 void set_properties(QPDF& pdf, PdfProperties properties) {
-    properties = {plain_text(properties.title), plain_text(properties.creator)};
+    properties = {plain_text(properties.title), plain_text(properties.creator), plain_text(properties.author),
+                  language_tag(properties.language)};
     QPDFObjectHandle before = pdf.getTrailer().getKey("/Info");
     std::string producer = "Qt";
     if (before.isDictionary() && before.getKey("/Producer").isString())
         producer = plain_text(before.getKey("/Producer").getUTF8Value());
     QPDFObjectHandle info = QPDFObjectHandle::newDictionary();
     info.replaceKey("/Title", QPDFObjectHandle::newUnicodeString(properties.title));
+    if (!properties.author.empty())
+        info.replaceKey("/Author", QPDFObjectHandle::newUnicodeString(properties.author));
     info.replaceKey("/Creator", QPDFObjectHandle::newUnicodeString(properties.creator));
     info.replaceKey("/Producer", QPDFObjectHandle::newUnicodeString(producer));
     pdf.getTrailer().removeKey("/ID");  // a random one; the new one is of the content
@@ -109,6 +128,11 @@ void set_properties(QPDF& pdf, PdfProperties properties) {
     xmp.getDict().replaceKey("/Subtype", QPDFObjectHandle::newName("/XML"));
     xmp.setFilterOnWrite(false);  // programs look for it in the bytes
     pdf.getRoot().replaceKey("/Metadata", xmp);
+    if (!properties.language.empty())
+        pdf.getRoot().replaceKey("/Lang", QPDFObjectHandle::newString(properties.language));
+    QPDFObjectHandle view = QPDFObjectHandle::newDictionary();
+    view.replaceKey("/DisplayDocTitle", QPDFObjectHandle::newBool(true));
+    pdf.getRoot().replaceKey("/ViewerPreferences", view);
 }
 
 /// Part 1 asks for CIDSet; part 3 does without, and only a complete one would be right (6.2.11.4.2).
@@ -198,13 +222,14 @@ void open(QPDF& pdf, const std::string& bytes) {
 }  // namespace
 
 Result<std::string> archived_pdf(const std::string& bytes, const PdfProperties& properties,
-                                 const std::vector<AttachedFile>& files) {
+                                 const std::vector<AttachedFile>& files, const PdfNavigation& navigation) {
     return with_pdf("the PDF could not be made an archive", [&]() -> Result<std::string> {
         QPDF pdf;
         open(pdf, bytes);
         set_properties(pdf, properties);
         remove_cid_sets(pdf);
         attach(pdf, files);
+        add_navigation(pdf, navigation);
         QPDFWriter writer(pdf);
         writer.setOutputMemory();
         writer.setMinimumPDFVersion("1.7");

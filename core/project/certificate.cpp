@@ -32,8 +32,11 @@ std::vector<CertificateField> fields_of_laboratory() {
             {"laboratory", "logo", "Logo",
              "A PNG or JPEG file beside the project, up to 2 MB: at the head of the first page.", &C::logo,
              CertificateText::picture},
+            {"", "site", "Site of calibration",
+             "Whose place it was done at; empty: in the laboratory, or elsewhere where a place is stated.",
+             &C::site, CertificateText::site, "7.8.2.1 c"},
             {"", "place", "Place of calibration",
-             "Where it was done if not in the laboratory: at the customer, in the field.", &C::place, lines,
+             "Where it was done if not in the laboratory: the customer's hall, the field.", &C::place, lines,
              "7.8.2.1 c"}};
 }
 
@@ -80,6 +83,9 @@ std::vector<CertificateField> fields_of_calibration() {
              "7.8.4.1 c", true},
             {"", "adjustment", "Adjustment or repair", "Results before and after it.", &C::adjustment, lines,
              "7.8.4.1 d"},
+            {"", "specification", "Specification",
+             "To which a statement of conformity refers: the standard or drawing, with its edition.",
+             &C::specification, lines, "7.8.6.2 b", false, nullptr, true},
             {"", "remarks", "Remarks", "Opinions and interpretations are marked as such (7.8.7).",
              &C::remarks, lines}};
 }
@@ -108,6 +114,19 @@ std::string codes_of_languages() {
     for (const CertificateLanguage& one : certificate_languages())
         codes += (codes.empty() ? "" : ", ") + std::string(one.code);
     return codes;
+}
+
+const CertificateSite* find_site(const std::string& key) {
+    for (const CertificateSite& one : certificate_sites())
+        if (key == one.key) return &one;
+    return nullptr;
+}
+
+std::string keys_of_sites() {
+    std::string keys;
+    for (const CertificateSite& one : certificate_sites())
+        keys += (keys.empty() ? "" : ", ") + std::string(one.key);
+    return keys;
 }
 
 std::optional<Days> date_of(std::string_view text) {
@@ -169,6 +188,20 @@ const std::vector<CertificateLanguage>& certificate_languages() {
     return all;
 }
 
+const std::vector<CertificateSite>& certificate_sites() {
+    static const std::vector<CertificateSite> all{{"laboratory", "in the laboratory"},
+                                                  {"customer", "at the customer"},
+                                                  {"laboratoryBranch", "in a branch of the laboratory"},
+                                                  {"customerBranch", "in a branch of the customer"},
+                                                  {"other", "elsewhere"}};
+    return all;
+}
+
+const CertificateSite& site_of(const Certificate& certificate) {
+    if (const CertificateSite* chosen = find_site(certificate.site)) return *chosen;
+    return is_blank(certificate.place) ? certificate_sites().front() : certificate_sites().back();
+}
+
 const std::vector<CertificateField>& certificate_fields() {
     static const std::vector<CertificateField> fields = [] {
         std::vector<CertificateField> all;
@@ -194,8 +227,10 @@ bool is_blank(const std::string& text) {
     return text.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
-bool is_missing(const CertificateField& field, const Certificate& certificate) {
-    return field.required && is_blank(certificate.*field.member) &&
+bool is_missing(const CertificateField& field, const Certificate& certificate, Conformity conformity) {
+    const bool required =
+        field.required || (field.required_for_conformity && conformity == Conformity::stated);
+    return required && is_blank(certificate.*field.member) &&
            (!field.or_else || is_blank(certificate.*field.or_else));
 }
 
@@ -204,6 +239,9 @@ Message complaint_about(const CertificateField& field, const std::string& text) 
         return tell<"'%1' must be two capital letters, such as DE; it is '%2'">(std::string(field.key), text);
     if (field.kind == CertificateText::language && !text.empty() && !is_language(text))
         return tell<"'%1' must be one of %2; it is '%3'">(std::string(field.key), codes_of_languages(), text);
+    if (field.kind == CertificateText::site && !text.empty() && !find_site(text))
+        return tell<"'%1' must be one of %2; it is '%3'">(Message::declared(field.title), keys_of_sites(),
+                                                          text);
     const bool interval = field.kind == CertificateText::dates;
     const bool dated = interval || field.kind == CertificateText::date;
     if (!dated || text.empty() || period_of(text, field.kind)) return Message{};
@@ -224,10 +262,10 @@ void check_certificate(const Certificate& certificate, Problems& problems) {
                 tell<"the certificate cannot have been issued before the calibration">(), problems);
 }
 
-Problems missing_in(const Certificate& certificate) {
+Problems missing_in(const Certificate& certificate, Conformity conformity) {
     Problems missing;
     for (const CertificateField& field : certificate_fields()) {
-        if (!is_missing(field, certificate)) continue;
+        if (!is_missing(field, certificate, conformity)) continue;
         const Message other =
             field.or_else ? tell<" (or %1)">(certificate_field(field.or_else).key) : Message();
         missing.error(pointer_of(field), tell<"'%1'%2 must be stated (ISO/IEC 17025 %3)">(
@@ -236,8 +274,8 @@ Problems missing_in(const Certificate& certificate) {
     return missing;
 }
 
-Problems missing_in_digital(const Certificate& certificate) {
-    Problems missing = missing_in(certificate);
+Problems missing_in_digital(const Certificate& certificate, Conformity conformity) {
+    Problems missing = missing_in(certificate, conformity);
     const CertificateField& country = certificate_field(&Certificate::country);
     if (is_blank(certificate.country))
         missing.error(pointer_of(country), tell<"'%1' must be stated (Digital Calibration Certificate)">(

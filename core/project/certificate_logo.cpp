@@ -1,6 +1,7 @@
 #include "core/project/certificate_logo.h"
 
 #include "core/base/file_io.h"
+#include "core/base/own_folder.h"
 
 namespace covaria {
 namespace {
@@ -19,6 +20,10 @@ Result<LogoPicture> certificate_logo(const Project& project) {
     const std::string& name = project.certificate.logo;
     if (is_blank(name)) return LogoPicture{};
     const std::filesystem::path file = project.directory / std::filesystem::path(name);
+    if (is_led_out_of(project.directory, name))
+        return fail(
+            ErrorCode::bad_input,
+            tell<"%1 is a link that leads out of the project's folder: put the picture itself there">(name));
     std::error_code error;
     if (const auto size = std::filesystem::file_size(file, error); !error && size > largest_logo)
         return fail(ErrorCode::bad_input, tell<"%1 has more than 2 MB, too much for a logo">(name));

@@ -20,16 +20,16 @@ double rounded_to_15_digits(double value) {
 }
 
 /// Parameters without a unit stay: degrees of freedom, those of a lognormal distribution (of the number in
-/// SI), and the probabilities of a discrete one, whose list has the values first.
+/// SI), and the probabilities of those with lists, which have the values or edges first.
 template <class Convert>
 std::vector<double> converted_parameters(const ComponentEdit& edit, Convert convert) {
     std::vector<double> parameters = edit.parameters;
     const DistributionKindInfo* kind = find_distribution_kind(edit.distribution);
     if (!kind) return parameters;
-    const bool discrete = kind->parameters.empty();
+    const bool lists = kind->parameters.empty();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const bool has_unit = discrete ? i < parameters.size() / 2
-                                       : i < kind->parameters.size() && kind->parameters[i].has_unit;
+        const bool has_unit = lists ? i < first_list_size(parameters.size())
+                                    : i < kind->parameters.size() && kind->parameters[i].has_unit;
         if (has_unit) parameters[i] = convert(parameters[i]);
     }
     return parameters;

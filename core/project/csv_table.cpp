@@ -62,7 +62,7 @@ private:
         if (text.empty()) return {};
         if (column.kind == FieldKind::number || column.kind == FieldKind::integer) {
             if (const auto number = csv_number(text, decimal_comma_)) return *number;
-            report(line, tell<"column '%1': '%2' is not a number">(column.key, text));
+            report(line, not_a_number(column, text));
             return {};
         }
         if (column.kind == FieldKind::flag) {
@@ -71,6 +71,14 @@ private:
             return {};
         }
         return column.kind == FieldKind::choice ? choice_key(column, text) : text;
+    }
+
+    Message not_a_number(const ColumnSpec& column, const std::string& text) const {
+        const Message words = tell<"column '%1': '%2' is not a number">(column.key, text);
+        if (!csv_number(text, !decimal_comma_)) return words;
+        std::string right = text;
+        std::replace(right.begin(), right.end(), decimal_comma_ ? '.' : ',', decimal_comma_ ? ',' : '.');
+        return tell<"%1; in this file write %2">(words, right);
     }
 
     // A file of wrong cells must not become a memory of messages: the last one counts the rest.

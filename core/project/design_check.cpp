@@ -5,10 +5,13 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
+#include "core/base/own_folder.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/csv_table.h"
 #include "core/project/design_fields.h"
 #include "core/project/entry_graph.h"
+#include "core/project/entry_names.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/project_id.h"
 #include "core/setup/message_text.h"
@@ -31,7 +34,8 @@ TablePlace place_of_table(const Project& project, const AnalysisEntry& analysis,
         const AssetEntry* asset = project.find_asset(choice.asset);
         if (!asset) {
             problems.error(choice_fields().place(&DesignChoice::asset),
-                           tell<"there is no asset %1">(in_quotes(choice.asset)));
+                           tell<"there is no asset %1%2">(in_quotes(choice.asset),
+                                                          did_you_mean_entry(choice.asset, project.assets)));
             return place;
         }
         place.schema = schema_of(*asset);
@@ -52,6 +56,10 @@ TablePlace place_of_table(const Project& project, const AnalysisEntry& analysis,
 /// The candidates of the CSV file in the units of the table, behind its rows.
 void add_candidates(const Project& project, const FieldSpec& field, const std::string& file,
                     DesignTable& table, Problems& problems) {
+    if (is_led_out_of(project.directory, file))
+        return problems.error(choice_fields().place(&DesignChoice::candidates),
+                              tell<"the file of candidates '%1' is a link that leads out of the project's "
+                                   "folder: put the file itself there">(file));
     CsvTable csv = table_from_csv_file(project.directory / file, field);
     for (const Problem& problem : csv.problems.items()) {
         Problem placed = problem;
@@ -90,8 +98,7 @@ public:
     void check(const Design& design, const std::string& path) {
         path_ = path;
         if (!is_project_id(design.id))
-            error(at(&Design::id),
-                  tell<"the id %1 must be made of letters, digits, '-' and '_'">(in_quotes(design.id)));
+            error(at(&Design::id), tell<"its id must be made of letters, digits, '-' and '_'">());
         if (design.variables.empty() && !design.choose && design.reductions.empty())
             error("", tell<"a design needs 'variables', a table to 'choose' from, or 'reductions'">());
         if (!design.reductions.empty() && (design.choose || !design.variables.empty()))
@@ -141,6 +148,8 @@ private:
         const std::string below = at(&Design::reductions, i);
         const auto target = find_study_target(project_, analysis_, inputs_, reduction.number);
         if (!target) error(below + target.error().path, target.error().message);
+        if (target && !part_objection(target->scale).empty())
+            error(below + reduced_number_fields().place(&StudyAxis::target), part_objection(target->scale));
         if (!(reduction.number.from > 0.0) || !(reduction.number.from < 1.0))
             error(below + reduced_number_fields().place(&StudyAxis::from),
                   tell<"the smallest factor is between 0 and 1">());
@@ -291,8 +300,7 @@ void check_designs(const Project& project, const AnalysisEntry& analysis, const 
     for (std::size_t i = 0; i < analysis.designs.size(); ++i) {
         const std::string path = analysis_fields().place(&AnalysisEntry::designs, i);
         if (!ids.insert(analysis.designs[i].id).second)
-            problems.error(path + at(&Design::id),
-                           tell<"the id %1 is used twice">(in_quotes(analysis.designs[i].id)));
+            problems.error(path + at(&Design::id), tell<"another design has the same id">());
         check.check(analysis.designs[i], path);
     }
 }

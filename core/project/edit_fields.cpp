@@ -1,6 +1,5 @@
 #include "core/project/edit_fields.h"
 
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -10,7 +9,7 @@ namespace {
 
 using Style = JsonWriter::Style;
 
-constexpr std::array<const char*, 2> discrete_keys{"values", "probabilities"};
+constexpr const char* probabilities_key = "probabilities";
 
 std::vector<std::string> distribution_keys() {
     std::vector<std::string> keys;
@@ -23,8 +22,8 @@ double infinite_parameter(std::string_view key) {
     return key == "low" ? -infinity : infinity;
 }
 
-void read_lists(ObjectReader& reader, std::vector<double>& parameters) {
-    for (const char* key : discrete_keys) {
+void read_lists(ObjectReader& reader, const DistributionKindInfo& kind, std::vector<double>& parameters) {
+    for (const std::string& key : {std::string(kind.list), std::string(probabilities_key)}) {
         const Json* list = reader.list(key, true);
         for (std::size_t i = 0; list && i < list->size(); ++i) {
             if ((*list)[i].is_number())
@@ -39,7 +38,7 @@ std::vector<double> read_parameters(const Json& value, const DistributionKindInf
                                     const std::string& path, Problems& problems) {
     std::vector<double> parameters;
     ObjectReader reader(value, path, tell<"the parameters of '%1'">(kind.key), problems);
-    if (kind.parameters.empty()) read_lists(reader, parameters);
+    if (kind.parameters.empty()) read_lists(reader, kind, parameters);
     for (const DistributionParameterInfo& parameter : kind.parameters) {
         const std::string key(parameter.key);
         const bool infinite = reader.has(key) && value.at(key).is_null();
@@ -60,8 +59,9 @@ void write_parameters(JsonWriter& out, const ComponentEdit& component) {
     const std::span<const double> numbers(component.parameters);
     out.begin_object(Style::one_line);
     if (kind && kind->parameters.empty()) {
-        write_number_list(out, discrete_keys[0], numbers.first(numbers.size() / 2));
-        write_number_list(out, discrete_keys[1], numbers.subspan(numbers.size() / 2));
+        const std::size_t first = first_list_size(numbers.size());
+        write_number_list(out, std::string(kind->list).c_str(), numbers.first(first));
+        write_number_list(out, probabilities_key, numbers.subspan(first));
     } else if (kind && kind->parameters.size() == numbers.size()) {
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             const std::string_view key = kind->parameters[i].key;

@@ -226,7 +226,7 @@ void apply_correlation(InputSet& inputs, const CorrelationEdit& edit, const std:
                                       tell<"%1 and %2 have the component %3 in common, which correlates "
                                            "them; state the correlation of other components instead">(
                                           in_quotes(edit.first), in_quotes(edit.second),
-                                          in_quotes(inputs.components[a.component].id)));
+                                          in_quotes(inputs.components[a.component].name)));
     // The covariance of the totals is then the coefficient times their standard uncertainties.
     for (const Share& a : first)
         for (const Share& b : second)

@@ -6,10 +6,12 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
 #include "core/model/composed_model.h"
 #include "core/model/linearised_model.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/edit_fields.h"
+#include "core/project/entry_names.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/references.h"
 #include "core/propagation/engine.h"
@@ -78,12 +80,14 @@ void refuse_idle_edits(const AnalysisEntry& entry, const InputSet& inputs, Probl
     }
 }
 
-Message objection_to(const std::string& id, const Problems& found) {
-    for (const Problem& problem : found.items())
-        if (problem.severity == Severity::error)
-            return tell<"the analysis %1 has errors of its own: %2">(in_quotes(id), problem.message);
-    return tell<"the analysis %1 has no value at its estimates">(in_quotes(id));
+}  // namespace
+
+Message chain_too_long() {
+    return tell<"more than %1 analyses feed each other in a row: put the equations of some of them into one">(
+        deepest_chain);
 }
+
+namespace {
 
 /// Puts the parts of a chain in order, upstream first, each analysis once.
 class ChainMaker {
@@ -96,10 +100,10 @@ public:
         if (!add(entry, own, problems)) return {};
         if (parts_.size() == 1) return own;
         auto chain = std::make_shared<ComposedModel>(std::move(parts_));
-        for (const std::string& id : chain->kept_apart())
+        for (const Message& name : chain->kept_apart())
             problems.warning(analysis_fields().place(&AnalysisEntry::links),
                              tell<"the component %1 is not stated alike (held, or edited) by all analyses of "
-                                  "the chain: they are taken as independent">(in_quotes(id)));
+                                  "the chain: they are taken as independent">(in_quotes(name)));
         InputSet inputs = chain->inputs();
         if (const auto resolved = resolved_correlations(inputs); !resolved)
             problems.error(analysis_fields().place(&AnalysisEntry::links), resolved.error().message);
@@ -143,39 +147,62 @@ private:
         if (!part) return {};
         const Index output = output_of(placed, parts_[*part].model->outputs(), problems);
         if (!output) return {};
-        const Unit& from = parts_[*part].model->outputs()[*output].unit;
+        const OutputQuantity& taken = parts_[*part].model->outputs()[*output];
+        const Unit& from = taken.unit;
         const Unit& to = inputs.quantities[input].unit;
         if (from.dimension() != to.dimension()) {
+            problems.error(
+                placed.path + output_reference_fields().place(&OutputReference::symbol),
+                tell<"%1 is %2; %3 of %4 is %5">(
+                    in_quotes(link.input), dimension_words(to), in_quotes(link.output.symbol),
+                    in_quotes(shown_name(project_, link.output.analysis, true)), dimension_words(from)));
+            return {};
+        }
+        const Message objection = taken_objection(
+            {tell<"%1 of %2">(in_quotes(taken.symbol), in_quotes(name_of(link.output.analysis))), from,
+             taken.temperature},
+            {in_quotes(link.input), to});
+        if (!objection.empty()) {
             problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
-                           tell<"%1 is %2; %3 of %4 is %5">(
-                               in_quotes(link.input), dimension_words(to), in_quotes(link.output.symbol),
-                               in_quotes(link.output.analysis), dimension_words(from)));
+                           objection);
+            add_remedy(inputs.quantities[input], is_reading(from, taken.temperature), problems);
             return {};
         }
         return ModelLink{input, *part, *output};
+    }
+
+    /// The quantity becomes what is taken for it, where the set-up states its unit.
+    void add_remedy(const InputQuantity& quantity, bool as_temperature, Problems& problems) const {
+        const AnalysisEntry* entry = project_.find_analysis(path_.back());
+        const SetupSchema* schema = entry ? schema_of(*entry) : nullptr;
+        if (!schema || !schema->find(&FieldSpec::states_quantities) || quantity.source.empty()) return;
+        const std::string unit = as_temperature ? "degC" : "K";
+        problems.items().back().remedies = {{as_temperature
+                                                 ? tell<"a temperature: %1 in degC">(quantity.symbol)
+                                                 : tell<"a difference: %1 in K">(quantity.symbol),
+                                             {{"/setup" + quantity.source + "/unit", unit}}}};
     }
 
     Index upstream(const PlacedLink& placed, Problems& problems) {
         const std::string& id = placed.link.output.analysis;
         const AnalysisEntry* entry = project_.find_analysis(id);
         if (!entry) {
-            std::vector<std::string> ids;
-            for (const AnalysisEntry& analysis : project_.analyses) ids.push_back(analysis.id);
-            problems.error(placed.path + output_reference_fields().place(&OutputReference::analysis),
-                           tell<"there is no analysis %1%2">(in_quotes(id), did_you_mean(id, ids)));
+            problems.error(
+                placed.path + output_reference_fields().place(&OutputReference::analysis),
+                tell<"there is no analysis %1%2">(in_quotes(id), did_you_mean_entry(id, project_.analyses)));
             return {};
         }
         if (const auto first = std::find(path_.begin(), path_.end(), id); first != path_.end()) {
             std::string circle;
-            for (auto step = first; step != path_.end(); ++step) circle += *step + " ← ";
-            problems.error(
-                placed.path + output_reference_fields().place(&OutputReference::analysis),
-                tell<"the analysis %1 would be made of itself: %2%3">(in_quotes(path_.back()), circle, id));
+            for (auto step = first; step != path_.end(); ++step) circle += name_of(*step) + " ← ";
+            problems.error(placed.path + output_reference_fields().place(&OutputReference::analysis),
+                           of_chain(tell<"the analysis %1 would be made of itself: %2%3">(
+                               in_quotes(name_of(path_.back())), circle, name_of(*entry))));
             return {};
         }
         if (path_.size() >= deepest_chain) {
             problems.error(placed.path + output_reference_fields().place(&OutputReference::analysis),
-                           tell<"more than %1 analyses feed each other in a row">(deepest_chain));
+                           of_chain(chain_too_long()));
             return {};
         }
         const auto key = std::make_pair(id, placed.link.linearised);
@@ -184,8 +211,34 @@ private:
         const Index made = placed.link.linearised ? add_linearised(*entry, found) : add_whole(*entry, found);
         if (!made)
             problems.error(placed.path + output_reference_fields().place(&OutputReference::analysis),
-                           objection_to(id, found));
+                           objection_to(*entry, found));
         return known_[key] = made;
+    }
+
+    /// What is wrong further up in the chain is said by the words that say it there.
+    Message objection_to(const AnalysisEntry& entry, const Problems& found) {
+        for (const Problem& problem : found.items()) {
+            if (problem.severity != Severity::error) continue;
+            if (std::ranges::find(said_of_chain_, problem.message) != said_of_chain_.end())
+                return problem.message;
+            return of_chain(tell<"the analysis %1 has errors of its own: %2">(in_quotes(name_of(entry)),
+                                                                              problem.message));
+        }
+        return of_chain(tell<"the analysis %1 has no value at its estimates">(in_quotes(name_of(entry))));
+    }
+
+    Message of_chain(Message message) {
+        said_of_chain_.push_back(message);
+        return message;
+    }
+
+    /// As the window's tree has it.
+    static std::string name_of(const AnalysisEntry& entry) {
+        return entry.name.empty() ? entry.id : entry.name;
+    }
+    std::string name_of(const std::string& id) const {
+        const AnalysisEntry* entry = project_.find_analysis(id);
+        return entry ? name_of(*entry) : id;
     }
 
     Index add_whole(const AnalysisEntry& entry, Problems& problems) {
@@ -197,8 +250,9 @@ private:
     Index add_linearised(const AnalysisEntry& entry, Problems& problems) {
         ModelOfAnalysis own = make_own_(entry, problems);
         if (!own.model || problems.has_errors()) return {};
-        const ModelOfAnalysis chain =
-            ChainMaker(project_, make_own_, path_).make(entry, std::move(own), problems);
+        ChainMaker maker(project_, make_own_, path_);
+        const ModelOfAnalysis chain = maker.make(entry, std::move(own), problems);
+        said_of_chain_.insert(said_of_chain_.end(), maker.said_of_chain_.begin(), maker.said_of_chain_.end());
         if (!chain.model) return {};
         auto model = linearised(chain.model, chain.inputs);
         if (!model) return {};
@@ -206,8 +260,8 @@ private:
         return parts_.size() - 1;
     }
 
-    static Index output_of(const PlacedLink& placed, const std::vector<OutputQuantity>& outputs,
-                           Problems& problems) {
+    Index output_of(const PlacedLink& placed, const std::vector<OutputQuantity>& outputs,
+                    Problems& problems) const {
         const OutputReference& wanted = placed.link.output;
         std::vector<std::string> known;
         for (std::size_t j = 0; j < outputs.size(); ++j) {
@@ -215,15 +269,17 @@ private:
             known.push_back(words_of(outputs[j].group, outputs[j].symbol));
         }
         const std::string words = words_of(wanted.group, wanted.symbol);
-        problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
-                       tell<"the analysis %1 has no output %2%3">(
-                           in_quotes(wanted.analysis), in_quotes(words), did_you_mean(words, known)));
+        problems.error(
+            placed.path + output_reference_fields().place(&OutputReference::symbol),
+            tell<"the analysis %1 has no output %2%3">(in_quotes(shown_name(project_, wanted.analysis, true)),
+                                                       in_quotes(words), did_you_mean(words, known)));
         return {};
     }
 
     const Project& project_;
     const MakeOwnModel& make_own_;
-    std::vector<std::string> path_;  ///< from the analysis that is made to the one in work
+    std::vector<Message> said_of_chain_;  ///< what needs no words of who has it
+    std::vector<std::string> path_;       ///< from the analysis that is made to the one in work
     std::map<std::pair<std::string, bool>, Index> known_;
     std::vector<ChainPart> parts_;
 };

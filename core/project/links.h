@@ -33,6 +33,9 @@ struct LinkedPoint {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
+/// What is said of a chain of more analyses than are made into one.
+Message chain_too_long();
+
 /// What an analysis takes from others.
 struct LinkedQuantities {
     std::vector<LinkedInput> inputs = {};  ///< in the order of the links

@@ -12,6 +12,11 @@ const std::vector<Method> always{Method::first_order, Method::monte_carlo, Metho
 const std::vector<Method> with_trials{Method::monte_carlo, Method::adaptive};
 const std::vector<Method> if_adaptive{Method::adaptive};
 
+/// A run of more would not end on all machines of a laboratory.
+constexpr double most_trials = 1e12;
+/// Of trials for each component or contributor: these know u to some 2e-5 of it.
+constexpr double most_of_a_comparison = 1e9;
+
 template <class E>
 OptionField choice(const char* key, const char* title, const char* help, E O::*member,
                    std::vector<Method> methods, const std::vector<ChoiceOf<E>>& choices) {
@@ -51,27 +56,31 @@ OptionField variance_reduction_field() {
 }
 
 std::vector<OptionField> common_fields() {
-    return {
-        method_field(),
-        {"trials", "Trials", "Of the method monte-carlo.", &O::trials, {Method::monte_carlo}, {.low = 2.0}},
-        {"seed", "Seed", "0 to 18446744073709551615, as text.", SeedOption{&O::seed}, with_trials},
-        variance_reduction_field(),
-        {"coverageProbability",
-         "Coverage probability",
-         "Of the expanded uncertainty, of intervals and regions.",
-         &O::coverage_probability,
-         always,
-         {.low = 0.0, .high = 1.0, .low_open = true},
-         true},
-        {"coverageFactor",
-         "Coverage factor",
-         "A fixed k for U = k u; absent: U by the effective degrees of freedom (law of propagation), or "
-         "half of the coverage interval (Monte Carlo).",
-         &O::coverage_factor,
-         always,
-         {.low = 0.0, .low_open = true}},
-        {"secondOrder", "Second-order terms",
-         "Terms of second order of the law of propagation (JCGM 100 5.1.2).", &O::second_order, always}};
+    return {method_field(),
+            {"trials",
+             "Trials",
+             "Of the method monte-carlo.",
+             &O::trials,
+             {Method::monte_carlo},
+             {.low = 2.0, .high = most_trials}},
+            {"seed", "Seed", "0 to 18446744073709551615, as text.", SeedOption{&O::seed}, with_trials},
+            variance_reduction_field(),
+            {"coverageProbability",
+             "Coverage probability",
+             "Of the expanded uncertainty, of intervals and regions.",
+             &O::coverage_probability,
+             always,
+             {.low = 0.0, .high = 1.0, .low_open = true},
+             true},
+            {"coverageFactor",
+             "Coverage factor",
+             "A fixed k for U = k u; absent: U by the effective degrees of freedom (law of propagation), or "
+             "half of the coverage interval (Monte Carlo).",
+             &O::coverage_factor,
+             always,
+             {.low = 0.0, .low_open = true}},
+            {"secondOrder", "Second-order terms",
+             "Terms of second order of the law of propagation (JCGM 100 5.1.2).", &O::second_order, always}};
 }
 
 std::vector<OptionField> trial_fields() {
@@ -80,7 +89,7 @@ std::vector<OptionField> trial_fields() {
              "Of Monte Carlo with all components but one kept constant, for each component; 0: none.",
              &O::one_at_a_time_trials,
              with_trials,
-             {.low = 0.0},
+             {.low = 0.0, .high = most_of_a_comparison},
              false,
              {},
              true},
@@ -89,7 +98,7 @@ std::vector<OptionField> trial_fields() {
              "Of Monte Carlo without each contributor, and of it alone; 0: none.",
              &O::contributor_trials,
              with_trials,
-             {.low = 0.0},
+             {.low = 0.0, .high = most_of_a_comparison},
              false,
              {},
              true},
@@ -98,7 +107,7 @@ std::vector<OptionField> trial_fields() {
              "Pairs of trials for Sobol indices; 0: none.",
              &O::sobol_trials,
              with_trials,
-             {.low = 0.0},
+             {.low = 0.0, .high = most_of_a_comparison},
              false,
              {},
              true}};
@@ -128,7 +137,7 @@ std::vector<OptionField> adaptive_fields() {
              "At which an adaptive run stops in any case.",
              &O::maximum_trials,
              if_adaptive,
-             {.low = 2.0}}};
+             {.low = 2.0, .high = most_trials}}};
 }
 
 }  // namespace

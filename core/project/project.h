@@ -16,6 +16,7 @@
 #include "core/propagation/options.h"
 #include "core/quantity/distribution.h"
 #include "core/quantity/input_quantity.h"
+#include "core/result/guard_rule.h"
 #include "core/setup/setup.h"
 
 namespace covaria {
@@ -73,6 +74,8 @@ struct Requirement {
     double guard_factor = 1.0;  ///< guard bands of this times U inside the tolerance; 0: simple acceptance
     /// What is known before the measurement: normal; for the global risks of a decision rule.
     std::optional<Quantity> prior_mean = {}, prior_standard_deviation = {};
+    GuardRule guard_rule = GuardRule::factor;
+    double target_risk = 0.02;  ///< of the rules that are made for one
     bool operator==(const Requirement&) const = default;
 };
 

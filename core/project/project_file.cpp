@@ -9,6 +9,7 @@
 #include "core/base/in_quotes.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/certificate_json.h"
+#include "core/project/entry_names.h"
 #include "core/project/json_location.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/migration.h"
@@ -39,6 +40,9 @@ Result<Json> parse_json(const std::string& text) {
                           {},
                           {},
                           line});
+    } catch (const Json::out_of_range&) {
+        return fail(ErrorCode::bad_input,
+                    tell<"a number here is larger than any that can be computed with (1.8e308)">());
     }
 }
 
@@ -97,9 +101,9 @@ private:
                     of_state.path_of("other"),
                     tell<"it must be an analysis of the kept state and have a name (otherName)">());
             if (find_kept(project.kept, analysis))
-                context_.problems.error(
-                    of_state.path_of("analysis"),
-                    tell<"two states of the analysis %1 are kept; one can be">(in_quotes(analysis)));
+                context_.problems.error(of_state.path_of("analysis"),
+                                        tell<"two states of the analysis %1 are kept; one can be">(
+                                            in_quotes(shown_name(project, analysis, true))));
             else
                 project.kept.push_back(state_of_other(state, other, other_name, analysis, at));
         }

@@ -3,14 +3,17 @@
 
 #include <array>
 #include <variant>
+#include <vector>
 
 #include "core/project/json_fields.h"
 #include "core/project/project.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
 
 struct RequirementField {
-    using Member = std::variant<std::optional<Quantity> Requirement::*, double Requirement::*>;
+    using Member =
+        std::variant<std::optional<Quantity> Requirement::*, double Requirement::*, GuardRule Requirement::*>;
     const char* key;    ///< in the project file
     const char* title;  ///< for people
     const char* help;
@@ -18,8 +21,18 @@ struct RequirementField {
     bool is_interval = false;  ///< a difference of temperatures, not a temperature
 };
 
-/// What the field holds, guard factors as a quantity of the unit 1; and the other way: nullopt is the
-/// default.
+inline bool is_choice(const RequirementField& field) {
+    return std::holds_alternative<GuardRule Requirement::*>(field.member);
+}
+/// What a guard rule is called in files and by people.
+struct GuardRuleChoice {
+    GuardRule rule;
+    Choice choice;
+};
+const std::vector<GuardRuleChoice>& guard_rules();
+
+/// What the field holds, that is no choice, guard factors as a quantity of the unit 1; and the other way:
+/// nullopt is the default.
 std::optional<Quantity> value_of(const Requirement& requirement, const RequirementField& field);
 void set_value(Requirement& requirement, const RequirementField& field, const std::optional<Quantity>& value);
 
@@ -28,7 +41,7 @@ inline bool is_number(const RequirementField& field) {
 }
 
 /// In the order of the project file.
-const std::array<RequirementField, 6>& requirement_fields();
+const std::array<RequirementField, 8>& requirement_fields();
 
 /// A requirement in project files: the output that it is for, and its figures.
 const JsonFields<Requirement>& requirement_object();

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/base/utf8.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
@@ -126,6 +127,10 @@ Result<void> set_certificate(Json& document, const std::vector<std::string>& nam
 }
 
 Result<void> set(Json& document, const ValueAt& asked) {
+    for (const std::string& text : {asked.pointer, asked.value})
+        if (valid_utf8(text) != text.size())
+            return fail(ErrorCode::bad_input, tell<"the value or its place is no text in UTF-8">(),
+                        asked.pointer.substr(0, valid_utf8(asked.pointer)));
     const std::vector<std::string> names = names_of(asked.pointer);
     if (names.size() > 1 && names.front() == "certificate") return set_certificate(document, names, asked);
     Walk walk(document);

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "core/base/in_quotes.h"
+#include "core/base/own_folder.h"
 #include "core/project/csv_table.h"
 #include "core/project/json_location.h"
 #include "core/project/setup_json.h"
@@ -143,6 +144,11 @@ private:
             return refuse(
                 tell<"the CSV file '%1' of %2 must be named relative to the project's folder and lie in it">(
                     name, title()),
+                "/csv");
+        if (is_led_out_of(context_.directory, relative))
+            return refuse(
+                tell<"the CSV file '%1' of %2 is a link that leads out of the project's folder: put "
+                     "the file itself there">(name, title()),
                 "/csv");
         const fs::path file = context_.directory / relative;
         std::error_code ignored;

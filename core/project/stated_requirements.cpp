@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/requirement_fields.h"
 #include "core/setup/message_text.h"
@@ -23,6 +24,8 @@ public:
 
     void read(OutputRequirement& made) {
         made.guard_factor = typed_.guard_factor;
+        made.guard_rule = typed_.guard_rule;
+        made.target_risk = typed_.target_risk;
         made.target_uncertainty = interval(&Requirement::target_uncertainty, tell<"target uncertainty">());
         made.lower_limit = value(&Requirement::lower_limit, tell<"lower limit">());
         made.upper_limit = value(&Requirement::upper_limit, tell<"upper limit">());
@@ -57,7 +60,9 @@ private:
     std::optional<double> value(Figure figure, const Message& what) {
         const std::optional<Quantity>& typed = typed_.*figure;
         if (!typed) return std::nullopt;
-        const Message objection = unit_objection(title(what), *typed, output_.unit);
+        // A temperature has its limits in degC also where it is given in K.
+        const Unit scale = is_reading(output_.unit, output_.temperature) ? Unit::of("degC") : output_.unit;
+        const Message objection = unit_objection(title(what), *typed, scale);
         if (!objection.empty()) problems_.error(place(figure), objection);
         return typed->si();
     }
@@ -70,12 +75,32 @@ private:
             problems_.error(place(&Requirement::guard_factor),
                             tell<"the guard factor of %1 must lie between -10 and 10; 1 is a guard band of "
                                  "U, 0 simple acceptance">(output_.symbol));
+        check_rule(made);
         if (made.prior_mean.has_value() != made.prior_standard_deviation.has_value())
             problems_.error(
                 path_, tell<"the prior of %1 needs both a mean and a standard deviation">(output_.symbol));
         if (made.prior_mean && !made.lower_limit && !made.upper_limit)
             problems_.error(
                 path_, tell<"the prior of %1 is of use only with a tolerance: give a limit">(output_.symbol));
+    }
+
+    void check_rule(const OutputRequirement& made) {
+        const auto refuse = [&](const Message& why) {
+            problems_.error(place(&Requirement::guard_rule), why);
+        };
+        if (is_of_ratio(made.guard_rule) && !(made.lower_limit && made.upper_limit))
+            refuse(
+                tell<"the guard band of %1 follows from the ratio of tolerance and U: give both limits, or "
+                     "choose a guard factor">(output_.symbol));
+        if (is_of_prior(made.guard_rule) && !made.prior_mean)
+            refuse(
+                tell<"the guard band of %1 is made for a global risk: give the prior, or choose a specific "
+                     "risk">(output_.symbol));
+        if (has_target_risk(made.guard_rule) && !made.lower_limit && !made.upper_limit)
+            refuse(tell<"the guard band of %1 needs a tolerance: give a limit">(output_.symbol));
+        if (!(made.target_risk > 0.0 && made.target_risk <= 0.5))
+            problems_.error(place(&Requirement::target_risk),
+                            tell<"the target risk of %1 must lie above 0 and not above 0.5">(output_.symbol));
     }
 
     const Requirement& typed_;
@@ -85,7 +110,11 @@ private:
 };
 
 const Phrase simple_acceptance{"simple acceptance (w = 0)"}, guard_band{"guard band w = %1"},
-    guarded_rejection{"guarded rejection (w = −%1)"};
+    guarded_rejection{"guarded rejection (w = −%1)"}, rss_band{"RSS guard band"},
+    rp10_band{"NCSL RP-10 guard band"}, dobbert_band{"managed guard band (Dobbert, 2 % false accepts)"},
+    specific_band{"guard band to a specific risk of %1"},
+    global_band{"guard band to a global consumer's risk of %1"},
+    accepted_band{"guard band to a risk of %1 of what is accepted"};
 
 }  // namespace
 
@@ -95,6 +124,27 @@ std::string decision_rule(double guard_factor, const DocumentLanguage& in) {
     const std::string width =
         size == 1.0 ? "U" : typeset_number(format_trimmed(size, 6), in.numbers()) + " U";
     return in.say(guard_factor > 0.0 ? guard_band : guarded_rejection, {width});
+}
+
+std::string decision_rule(const OutputRequirement& requirement, const DocumentLanguage& in) {
+    const std::string risk = percent_text(requirement.target_risk, in.numbers());
+    switch (requirement.guard_rule) {
+        case GuardRule::rss:
+            return in.say(rss_band);
+        case GuardRule::rp10:
+            return in.say(rp10_band);
+        case GuardRule::dobbert:
+            return in.say(dobbert_band);
+        case GuardRule::specific_risk:
+            return in.say(specific_band, {risk});
+        case GuardRule::global_risk:
+            return in.say(global_band, {risk});
+        case GuardRule::accepted_risk:
+            return in.say(accepted_band, {risk});
+        case GuardRule::factor:
+            break;
+    }
+    return decision_rule(requirement.guard_factor, in);
 }
 
 std::vector<RequirementResult> judge(const UncertaintyResult& result, const AnalysisEntry& entry) {

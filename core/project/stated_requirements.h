@@ -14,6 +14,8 @@ namespace covaria {
 /// The decision rule of a guard factor by its name in ILAC-G8:09/2019: "simple acceptance (w = 0)", "guard
 /// band w = U", "guard band w = 0.83 U"; a negative factor widens the tolerance.
 std::string decision_rule(double guard_factor, const DocumentLanguage& in = {});
+/// Likewise of any rule of guard bands: "NCSL RP-10 guard band".
+std::string decision_rule(const OutputRequirement& requirement, const DocumentLanguage& in = {});
 
 /// The verdicts on a result of the analysis by its requirements as they are now. What cannot be read is left
 /// out: it is a problem of the project.

@@ -30,7 +30,9 @@ enum class StudySpacing { linear, logarithmic };
 ///   /inputs/SYMBOL/components         all components of an input quantity (factor only)
 ///   /components/ID                    one component, wherever it contributes (factor only)
 struct StudyAxis {
-    std::string asset = {};  ///< id of the asset whose set-up is varied; empty: the analysis itself
+    /// Id of the asset, or of an analysis that this one takes from, whose set-up is varied; empty: the
+    /// analysis itself.
+    std::string asset = {};
     std::string target = {};
     StudyChange change = StudyChange::value;
     double from = 0.0;

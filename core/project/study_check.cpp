@@ -4,10 +4,12 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/entry_graph.h"
 #include "core/project/json_location.h"
 #include "core/project/kind_lookup.h"
+#include "core/project/links.h"
 #include "core/project/project_id.h"
 #include "core/project/study_fields.h"
 #include "core/project/study_target.h"
@@ -38,7 +40,7 @@ public:
             path_ = analysis_fields().place(&AnalysisEntry::studies, i);
             const std::string& id = analysis_.studies[i].id;
             if (!ids.insert(id).second)
-                problems_.error(path_ + at(&Study::id), tell<"the id %1 is used twice">(in_quotes(id)));
+                problems_.error(path_ + at(&Study::id), tell<"another study has the same id">());
             check(analysis_.studies[i]);
         }
     }
@@ -65,9 +67,8 @@ public:
 private:
     void check(const Study& study) {
         if (!is_project_id(study.id))
-            problems_.error(
-                path_ + at(&Study::id),
-                tell<"the id %1 must be made of letters, digits, '-' and '_'">(in_quotes(study.id)));
+            problems_.error(path_ + at(&Study::id),
+                            tell<"its id must be made of letters, digits, '-' and '_'">());
         if (study.axes.empty() || study.axes.size() > 3)
             problems_.error(path_ + at(&Study::axes),
                             tell<"a study has one to three axes; this one has %1">(study.axes.size()));
@@ -108,15 +109,15 @@ private:
             else if (factor_only && (axis.from < 0 || axis.to < 0))
                 problems_.error(path + at(&StudyAxis::from),
                                 tell<"a factor of an uncertainty must not be negative">());
-            if (target.unit.has_offset())
+            if (!part_objection(target.scale).empty())
                 problems_.error(
                     path + at(&StudyAxis::change),
                     tell<"a temperature in %1 cannot be multiplied; add to it, or give its values">(
-                        target.unit.text()));
+                        target.scale.text()));
             return;
         }
         if (target.kind == Kind::estimate && !inputs_) return;
-        if (axis.change == StudyChange::added && axis.unit.has_offset())
+        if (axis.change == StudyChange::added && is_reading(axis.unit))
             return problems_.error(path + at(&StudyAxis::unit),
                                    tell<"a difference of temperatures is given in K">());
         const Message objection = unit_objection(target.title.message(), {axis.from, axis.unit}, target.unit);
@@ -143,6 +144,10 @@ public:
             const AssetEntry& asset = *project_.find_asset(id);
             if (const SetupSchema* schema = schema_of(asset)) add_setup(id, *schema, asset.setup);
         }
+        for (const std::string& id : analyses_used_by(project_, analysis_)) {
+            const AnalysisEntry& upstream = *project_.find_analysis(id);
+            if (const SetupSchema* schema = schema_of(upstream)) add_setup(id, *schema, upstream.setup);
+        }
         if (inputs_) add_inputs();
         return std::move(choices_);
     }
@@ -151,7 +156,7 @@ private:
     void add(const std::string& asset, const std::string& pointer, StudyChange change) {
         StudyAxis axis{.asset = asset, .target = pointer, .change = change};
         auto target = find_study_target(project_, analysis_, inputs_, axis);
-        if (!target) return;
+        if (!target || (change == StudyChange::factor && !part_objection(target->scale).empty())) return;
         const double now = target->current;
         axis.from = change == StudyChange::factor ? 0.5
                     : !std::isfinite(now)         ? 1.0

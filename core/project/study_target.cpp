@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
+#include "core/project/entry_names.h"
 #include "core/project/kind_lookup.h"
+#include "core/project/links.h"
 #include "core/setup/message_text.h"
 #include "core/text/symbol.h"
 
@@ -72,18 +76,34 @@ private:
         return prefix_.empty() ? title : tell<"%1: %2">(prefix_, std::move(title));
     }
 
+    const AnalysisEntry* find_upstream() const {
+        const std::vector<std::string> used = analyses_used_by(project_, analysis_);
+        const bool is_used = std::find(used.begin(), used.end(), axis_.asset) != used.end();
+        return is_used ? project_.find_analysis(axis_.asset) : nullptr;
+    }
+
+    template <class Entry>
+    const SetupSchema* of_entry(const Entry& entry) {
+        setup_ = &entry.setup;
+        prefix_ = entry.name.empty() ? entry.id : entry.name;
+        return schema_of(entry);
+    }
+
     Result<StudyTarget> in_setup() {
         const SetupSchema* schema = schema_of(analysis_);
         setup_ = &analysis_.setup;
         if (!axis_.asset.empty()) {
             const AssetEntry* asset = project_.find_asset(axis_.asset);
-            if (!asset)
-                return fail(ErrorCode::bad_input, tell<"there is no asset %1">(in_quotes(axis_.asset)),
+            const AnalysisEntry* upstream = asset ? nullptr : find_upstream();
+            if (!asset && !upstream)
+                return fail(ErrorCode::bad_input,
+                            tell<"there is no asset %1, and no analysis of this name that this one takes "
+                                 "from%2">(in_quotes(axis_.asset),
+                                           did_you_mean_entry(axis_.asset, project_.assets)),
                             "/asset");
-            schema = schema_of(*asset);
-            setup_ = &asset->setup;
-            target_.asset = static_cast<std::size_t>(asset - project_.assets.data());
-            prefix_ = asset->name.empty() ? asset->id : asset->name;
+            schema = asset ? of_entry(*asset) : of_entry(*upstream);
+            if (asset) target_.asset = static_cast<std::size_t>(asset - project_.assets.data());
+            if (upstream) target_.upstream = static_cast<std::size_t>(upstream - project_.analyses.data());
         }
         if (!schema) return no(tell<"the set-up has no schema">());
         const FieldSpec* field = schema->find(tokens_[1]);
@@ -242,12 +262,76 @@ private:
     StudyTarget target_;
 };
 
+/// The unit that a text of a set-up names; of another text, and of none, the unit one.
+Unit unit_in(const SetupSchema& schema, const Setup& setup, const std::string& key) {
+    const FieldSpec* field = schema.find(key);
+    const auto* text = field ? std::get_if<std::string>(&value_of(*field, setup)) : nullptr;
+    return text ? Unit::parse(*text).value_or(Unit{}) : Unit{};
+}
+
+std::string text_at(const FieldSpec& field, const std::vector<SetupCell>& row, const std::string& column) {
+    const std::size_t index = SetupSchema::column(field, column);
+    const auto* text = index < row.size() ? std::get_if<std::string>(&row[index]) : nullptr;
+    return text ? *text : std::string();
+}
+
+/// That of the first row of a quantity.
+Unit unit_of_quantity(const SetupSchema& schema, const Setup& setup, const std::string& symbol) {
+    const FieldSpec* field = schema.find(&FieldSpec::states_quantities);
+    const auto* table = field ? std::get_if<SetupTable>(&value_of(*field, setup)) : nullptr;
+    for (std::size_t row = 0; table && row < table->rows.size(); ++row)
+        if (plain_symbol(text_at(*field, table->rows[row], "symbol")) == plain_symbol(symbol))
+            return Unit::parse(text_at(*field, table->rows[row], "unit")).value_or(Unit{});
+    return {};
+}
+
+/// Of a value in a row: what its table, or a field beside it, says of its unit.
+Unit scale_in_row(const SetupSchema& schema, const Setup& setup, const FieldSpec& field,
+                  const std::vector<SetupCell>& row, const std::string& column) {
+    if (field.states_quantities) {
+        const bool is_limit =
+            text_at(field, row, "statement") == "limits" && (column == "a" || column == "b");
+        return column == "value" || is_limit ? unit_of_quantity(schema, setup, text_at(field, row, "symbol"))
+                                             : Unit{};
+    }
+    if (field.observes_quantities && column == "value")
+        return unit_of_quantity(schema, setup, text_at(field, row, "quantity"));
+    const bool is_value = column == "value" || column == "mean";
+    return unit_in(schema, setup, is_value && schema.find("unit") ? "unit" : column + "_unit");
+}
+
+Unit scale_of(const Project& project, const AnalysisEntry& analysis, const StudyTarget& target) {
+    const bool in_table = target.kind == StudyTarget::Kind::cell || target.kind == StudyTarget::Kind::column;
+    if (!in_table || is_reading(target.unit)) return target.unit;
+    const bool of_analysis = target.asset == StudyTarget::analysis;
+    const SetupSchema* schema = of_analysis ? schema_of(analysis) : schema_of(project.assets[target.asset]);
+    const Setup& setup = of_analysis ? analysis.setup : project.assets[target.asset].setup;
+    const FieldSpec* field = schema ? schema->find(target.key) : nullptr;
+    const auto* table = field ? std::get_if<SetupTable>(&value_of(*field, setup)) : nullptr;
+    for (std::size_t row = 0; table && row < table->rows.size(); ++row) {
+        if (target.kind == StudyTarget::Kind::cell && row != target.row) continue;
+        const Unit scale =
+            scale_in_row(*schema, setup, *field, table->rows[row], field->columns[target.column].key);
+        if (is_reading(scale)) return scale;
+    }
+    return target.unit;
+}
+
 }  // namespace
 
 Message row_words(const SetupTable& table, std::size_t row) {
     for (const SetupCell& cell : table.rows[row])
         if (const auto* text = std::get_if<std::string>(&cell); text && !text->empty()) return *text;
     return tell<"row %1">(row + 1);
+}
+
+const Setup& varied_setup(const StudyTarget& target, std::size_t own, const Project& project) {
+    if (target.asset != StudyTarget::analysis) return project.assets[target.asset].setup;
+    return project.analyses[target.upstream == StudyTarget::analysis ? own : target.upstream].setup;
+}
+
+Setup& varied_setup(const StudyTarget& target, std::size_t own, Project& project) {
+    return const_cast<Setup&>(varied_setup(target, own, std::as_const(project)));
 }
 
 TypesetMessage changed_title(const StudyTarget& target, StudyChange change) {
@@ -258,7 +342,9 @@ TypesetMessage changed_title(const StudyTarget& target, StudyChange change) {
 
 Result<StudyTarget> find_study_target(const Project& project, const AnalysisEntry& analysis,
                                       const InputSet* inputs, const StudyAxis& axis) {
-    return TargetFinder(project, analysis, inputs, axis).find();
+    auto target = TargetFinder(project, analysis, inputs, axis).find();
+    if (target) target->scale = scale_of(project, analysis, *target);
+    return target;
 }
 
 }  // namespace covaria

@@ -18,19 +18,28 @@ struct StudyTarget {
     static constexpr std::size_t analysis = std::numeric_limits<std::size_t>::max();
 
     Kind kind = Kind::field;
-    std::size_t asset = analysis;  ///< index in Project::assets
-    std::string key = {};          ///< of the field; symbol of the quantity; id of the component
+    std::size_t asset = analysis;     ///< index in Project::assets
+    std::size_t upstream = analysis;  ///< index in Project::analyses of another one that this one takes from
+    std::string key = {};             ///< of the field; symbol of the quantity; id of the component
     std::size_t row = 0;
-    std::size_t column = 0;     ///< of the table's schema; coordinate 0 ... 5 of a pose
-    std::size_t index = 0;      ///< of the quantity or component
-    bool whole = false;         ///< a whole number
-    bool measured = false;      ///< read, observed or calibrated: nobody can choose it
-    Unit unit = {};             ///< in which the project gives the number
+    std::size_t column = 0;  ///< of the table's schema; coordinate 0 ... 5 of a pose
+    std::size_t index = 0;   ///< of the quantity or component
+    bool whole = false;      ///< a whole number
+    bool measured = false;   ///< read, observed or calibrated: nobody can choose it
+    Unit unit = {};          ///< in which the project gives the number
+    /// On whose scale the number is: `unit`, or that which another cell of its row or a field gives it; in
+    /// degC no multiple is taken of it.
+    Unit scale = {};
     TypesetMessage title = {};  ///< "Targets, B: x"
     double current = 0.0;       ///< in `unit`; of a column that of its first row with a number
 
     bool in_setup() const { return kind <= Kind::column; }
+    bool is_of_analysis_itself() const { return asset == analysis && upstream == analysis; }
 };
+
+/// The set-up that a target varies, in a project whose analysis at `own` has the study.
+Setup& varied_setup(const StudyTarget& target, std::size_t own, Project& project);
+const Setup& varied_setup(const StudyTarget& target, std::size_t own, const Project& project);
 
 /// The title of a target with what is done to it: "Targets, B: x, factor".
 TypesetMessage changed_title(const StudyTarget& target, StudyChange change);

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/math/decompositions.h"
@@ -16,9 +17,11 @@ namespace {
 /// Of the variance: what is left is too little for a shift between both that is not smooth.
 constexpr double almost_all = 0.999;
 
+/// NaN: variances of the trials are not finite.
 double greatest_eigenvalue(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs) {
     const std::vector<Eigen::Index> index(outputs.begin(), outputs.end());
     const Eigen::MatrixXd correlation = correlation_of(covariance(index, index));
+    if (!correlation.allFinite()) return std::numeric_limits<double>::quiet_NaN();
     return eigen_decomposition(correlation, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
@@ -43,13 +46,16 @@ std::vector<bool> WatchedStatistics::judged() const {
 }
 
 std::vector<double> least_degrees_of_freedom(const InputSet& inputs, const LawOfPropagation& law) {
-    std::vector<double> of_component, least;
+    std::vector<double> of_component{infinity}, least;
     for (const UncertaintyComponent& c : inputs.components)
         of_component.push_back(c.held ? infinity : drawn_distribution(c).degrees_of_freedom());
-    for (const std::vector<PropagationTerm>& terms : law.terms) {
+    for (std::size_t j = 0; j < law.terms.size(); ++j) {
         least.push_back(infinity);
-        for (const PropagationTerm& term : terms)
-            if (term.contribution != 0.0) least.back() = std::min(least.back(), of_component[term.component]);
+        if (!law.differentiable[j])  // any of them may reach it
+            least.back() = *std::min_element(of_component.begin(), of_component.end());
+        for (const PropagationTerm& term : law.terms[j])
+            if (term.contribution != 0.0)
+                least.back() = std::min(least.back(), of_component[term.component + 1]);
     }
     return least;
 }
@@ -141,6 +147,7 @@ double BatchSummariser::ellipsoid_factor(const CoverageRegion& region, const Uni
                                          TrialBlockRunner& runner) {
     const RegionDistances distances(region.outputs, statistics.moments.means(),
                                     statistics.moments.covariance());
+    if (!distances.has_ellipsoid()) return std::numeric_limits<double>::quiet_NaN();
     scratch_.clear();
     each_block(runner, [&](const double* rows, std::size_t valid) {
         const std::size_t before = scratch_.size();
@@ -299,6 +306,9 @@ bool AdaptiveProcedure::stable_after(const BatchSummary& summary, const Moments&
     }
     const auto h = static_cast<double>(++batches_);
     for (std::size_t i = 0; i < mean_.size(); ++i) {
+        // Of joint figures only: there is none where outputs depend on each other in the trials of a batch.
+        if (i >= watched_.outputs.size() * WatchedStatistics::per_output && std::isnan(summary.values[i]))
+            judged_[i] = false;
         const double difference = summary.values[i] - mean_[i];
         mean_[i] += difference / h;
         squares_[i] += difference * (summary.values[i] - mean_[i]);

@@ -52,6 +52,9 @@ struct WatchedStatistics {
     }
     /// Of the values of a BatchSummary.
     std::vector<bool> judged() const;
+    std::size_t values_of_batch() const {
+        return per_output * outputs.size() + (several() ? 1 : 0) + regions.size();
+    }
 };
 
 /// Fewest degrees of freedom of the Student t distributions drawn for components that reach each output.

@@ -29,8 +29,10 @@ BatchEstimates::BatchEstimates(std::size_t outputs, const std::vector<Control>& 
     : control_of_(outputs, none), sums_(outputs) {
     for (std::size_t k = 0; k < controls.size(); ++k) {
         control_of_[controls[k].output] = k;
-        for (std::size_t f = 0; f < BatchFigures::count; ++f)
+        for (std::size_t f = 0; f < BatchFigures::count; ++f) {
             sums_[controls[k].output][f].expectation = controls[k].expectation[f];
+            sums_[controls[k].output][f].error = controls[k].error[f];
+        }
     }
 }
 
@@ -60,9 +62,15 @@ void BatchEstimates::forget_controls() {
     std::fill(control_of_.begin(), control_of_.end(), none);
 }
 
-/// Least squares of d on 1, v and for the ends v^2, read at v = 0.
-BatchEstimates::Estimate BatchEstimates::controlled(const Sums& s, std::size_t figure) const {
-    const Eigen::Index terms = terms_of(figure);
+/// Least squares of d on powers of v.
+struct BatchEstimates::Fit {
+    Eigen::VectorXd coefficients;  ///< of powers of v / width
+    double width = 1.0;
+    double residual = 0.0;          ///< variance about it
+    double variance_at_zero = 0.0;  ///< of the value at v = 0, for a residual variance of one
+};
+
+BatchEstimates::Fit BatchEstimates::fitted(const Sums& s, Eigen::Index terms) {
     const double h = s.v[0], width = std::sqrt(s.v[2] / h);
     Eigen::MatrixXd normal(terms, terms);
     Eigen::VectorXd right(terms);
@@ -75,11 +83,25 @@ BatchEstimates::Estimate BatchEstimates::controlled(const Sums& s, std::size_t f
     const Eigen::VectorXd coefficients = solver.solve(right);
     const Eigen::VectorXd at_zero = solver.solve(Eigen::VectorXd::Unit(terms, 0));
     const double residual = std::max(0.0, s.dd - coefficients.dot(right)) / (h - static_cast<double>(terms));
+    return {coefficients, width, residual, at_zero(0)};
+}
+
+/// Least squares of d on 1, v and for the ends v^2, read at v = 0.
+BatchEstimates::Estimate BatchEstimates::controlled(const Sums& s, std::size_t figure) const {
+    const Eigen::Index terms = terms_of(figure);
+    const Fit fit = fitted(s, terms);
     Estimate estimate;
-    estimate.value = s.expectation + s.first_d + coefficients(0);
-    estimate.standard_error = std::sqrt(residual * at_zero(0));
-    estimate.slope = 1.0 + coefficients(1) / width;
+    estimate.value = s.expectation + s.first_d + fit.coefficients(0);
+    estimate.slope = 1.0 + fit.coefficients(1) / fit.width;
     estimate.controlled = true;
+    double square = fit.residual * fit.variance_at_zero;
+    if (terms > 2) {
+        const Fit cubic = fitted(s, terms + 1);
+        const double change = cubic.coefficients(0) - fit.coefficients(0);
+        const double by_noise = cubic.residual * (cubic.variance_at_zero - fit.variance_at_zero);
+        square += std::max(0.0, change * change - std::max(0.0, by_noise));
+    }
+    estimate.standard_error = std::sqrt(square) + std::abs(estimate.slope) * s.error;
     return estimate;
 }
 

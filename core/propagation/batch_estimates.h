@@ -1,6 +1,7 @@
 // What batches of trials say about each figure of an output: its best estimate and an honest standard error.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -19,13 +20,16 @@ struct BatchFigures {
 /// and Nelson, ibid. 36 (1990) 835): standard errors are those of that regression. Ends of intervals are a
 /// curve of those of the control where the model is: they have a square term, without which the curve would
 /// be read off by its curvature times the scatter of a batch. Means and variances need none: their regression
-/// is unbiased.
+/// is unbiased. Where almost nothing is left but a curve, its cube makes the residuals, which are then no
+/// scatter: what a cubic term would change, beyond its own noise, is part of the standard error, and so is
+/// how far the expectation of the control may be off.
 class BatchEstimates {
 public:
     struct Control {
         std::size_t output = 0;
         /// Of each figure; NaN: not known.
         std::array<double, BatchFigures::count> expectation{};
+        std::array<double, BatchFigures::count> error{};  ///< how far that may be off
     };
     struct Estimate {
         double value = 0.0;
@@ -49,15 +53,18 @@ public:
 
 private:
     struct Sums {
-        double expectation = 0.0;
+        double expectation = 0.0, error = 0.0;
         double y = 0.0, yy = 0.0;  ///< Welford sums
-        /// Powers 0 ... 4 of v = l - expectation, l the control.
-        std::array<double, 5> v{};
-        /// d = y - l, less that of the first batch, which keeps its digits: sums of d, d v, d v^2, and d^2.
+        /// Powers 0 ... 6 of v = l - expectation, l the control.
+        std::array<double, 7> v{};
+        /// d = y - l, less that of the first batch, which keeps its digits: sums of d, d v, ... d v^3, and
+        /// d^2.
         double first_d = 0.0;
-        std::array<double, 3> dv{};
+        std::array<double, 4> dv{};
         double dd = 0.0;
     };
+    struct Fit;
+    static Fit fitted(const Sums& sums, Eigen::Index terms);
     Estimate controlled(const Sums& sums, std::size_t figure) const;
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     std::vector<std::size_t> control_of_;  ///< output -> place among the controls, or none

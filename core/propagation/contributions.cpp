@@ -109,7 +109,9 @@ UncertaintyBudget budget_of(const InputSet& inputs, const LawOfPropagation& law)
         std::async(large ? std::launch::async : std::launch::deferred, budget_components, std::cref(inputs));
     for (Eigen::Index j = 0; j < law.estimate.size(); ++j) {
         budget.rows.push_back(rows_of(law, j));
-        if (budget.rows.back().empty()) budget.rows.back() = rows_without_influence(inputs.components.size());
+        const bool known = law.differentiable[static_cast<std::size_t>(j)];
+        if (known && budget.rows.back().empty())
+            budget.rows.back() = rows_without_influence(inputs.components.size());
     }
     budget.components = components.get();
     return budget;

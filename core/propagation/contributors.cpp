@@ -1,6 +1,7 @@
 // Results with everything of one contributor held, and of it alone ("ideal robot", "ideal instrument").
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "core/propagation/contributions.h"
@@ -10,6 +11,12 @@ namespace covaria::detail {
 namespace {
 
 constexpr std::size_t nobody = static_cast<std::size_t>(-1);
+constexpr double not_known_to_first_order = std::numeric_limits<double>::quiet_NaN();
+
+/// Rounding makes a variance of nothing negative.
+double uncertainty_of(double variance) {
+    return variance < 0.0 ? 0.0 : std::sqrt(variance);
+}
 
 /// Variances of one output without each contributor, and of each alone.
 class Variances {
@@ -34,7 +41,8 @@ void add_first_order(const LawOfPropagation& law, const Correlations& correlatio
                      const std::vector<std::size_t>& who, std::vector<ContributorResult>& results) {
     std::vector<double> part(who.size(), 0.0);
     Variances variances(results.size());
-    for (const std::vector<PropagationTerm>& terms : law.terms) {
+    for (std::size_t j = 0; j < law.terms.size(); ++j) {
+        const std::vector<PropagationTerm>& terms = law.terms[j];
         variances.clear();
         for (const PropagationTerm& term : terms) {
             part[term.component] = term.contribution;
@@ -44,9 +52,13 @@ void add_first_order(const LawOfPropagation& law, const Correlations& correlatio
         for (const ComponentCorrelation& r : correlations)
             variances.add(who[r.first], who[r.second], 2.0 * r.coefficient * part[r.first] * part[r.second]);
         for (const PropagationTerm& term : terms) part[term.component] = 0.0;
+        if (!law.differentiable[j]) {
+            std::fill(variances.without.begin(), variances.without.end(), not_known_to_first_order);
+            std::fill(variances.alone.begin(), variances.alone.end(), not_known_to_first_order);
+        }
         for (std::size_t k = 0; k < results.size(); ++k) {
-            results[k].without.first_order.push_back(std::sqrt(std::max(0.0, variances.without[k])));
-            results[k].alone.first_order.push_back(std::sqrt(std::max(0.0, variances.alone[k])));
+            results[k].without.first_order.push_back(uncertainty_of(variances.without[k]));
+            results[k].alone.first_order.push_back(uncertainty_of(variances.alone[k]));
         }
     }
 }

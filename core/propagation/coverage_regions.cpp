@@ -60,7 +60,7 @@ std::vector<CoverageRegion> declare_regions(const std::vector<OutputQuantity>& o
 
 bool is_singular(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs) {
     const Eigen::MatrixXd part = part_of(covariance, outputs);
-    if (!(part.diagonal().minCoeff() > 0)) return true;
+    if (!part.allFinite() || !(part.diagonal().minCoeff() > 0)) return true;
     // Of the correlation matrix, because units of the outputs differ.
     const auto solver = eigen_decomposition(correlation_of(part), Eigen::EigenvaluesOnly);
     return solver.eigenvalues().minCoeff() < 1e-10 * solver.eigenvalues().maxCoeff();
@@ -73,6 +73,7 @@ RegionDistances::RegionDistances(const std::vector<std::size_t>& outputs, const 
     mean_ = mean(index);
     const Eigen::MatrixXd part = covariance(index, index);
     inverse_u_ = part.diagonal().unaryExpr([](double v) { return v > 0 ? 1.0 / std::sqrt(v) : 0.0; });
+    if (is_singular(covariance, outputs)) return;
     // U = D R D with the standard uncertainties in D: R is factored, whatever the units are.
     const auto llt = cholesky(correlation_of(part));
     inverse_factor_ = llt.matrixL().solve(Eigen::MatrixXd(inverse_u_.asDiagonal()));
@@ -137,7 +138,8 @@ WorkEnd measure_trials(const std::vector<CoverageRegion>& regions,
             part.valid = runner->valid();
             for (std::size_t i = 0; i < regions.size(); ++i) {
                 double* place = part.ellipsoid.data() + i * block_trials;
-                if (!regions[i].singular) measures[i].ellipsoid_squared(runner->output(0), part.valid, place);
+                if (measures[i].has_ellipsoid())
+                    measures[i].ellipsoid_squared(runner->output(0), part.valid, place);
                 measures[i].rectangle(runner->output(0), part.valid,
                                       part.rectangle.data() + i * block_trials);
             }
@@ -148,7 +150,7 @@ WorkEnd measure_trials(const std::vector<CoverageRegion>& regions,
         for (std::size_t i = 0; i < regions.size(); ++i) {
             const double* e = part.ellipsoid.data() + i * block_trials;
             const double* r = part.rectangle.data() + i * block_trials;
-            if (!regions[i].singular) distances[0][i].insert(distances[0][i].end(), e, e + part.valid);
+            if (measures[i].has_ellipsoid()) distances[0][i].insert(distances[0][i].end(), e, e + part.valid);
             distances[1][i].insert(distances[1][i].end(), r, r + part.valid);
         }
         return true;
@@ -173,7 +175,7 @@ Result<void> fill_monte_carlo_factors(std::vector<CoverageRegion>& regions, cons
             if (distances[1][i].size() < 2) return;
             region.trials = distances[1][i].size();
             region.rectangle_monte_carlo = factor_of(distances[1][i], context.probability);
-            if (!region.singular)
+            if (measures[i].has_ellipsoid() && !region.singular)
                 region.ellipsoid_monte_carlo = std::sqrt(factor_of(distances[0][i], context.probability));
         });
     if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());

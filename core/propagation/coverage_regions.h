@@ -22,15 +22,19 @@ std::vector<CoverageRegion> declare_regions(const std::vector<OutputQuantity>& o
                                             const LawOfPropagation& law, double probability);
 
 /// Whether the covariance of these outputs has no inverse: smallest eigenvalue of the correlation matrix
-/// below 1e-10 of the greatest, or an output without uncertainty.
+/// below 1e-10 of the greatest, an output without uncertainty, or one whose variance is not finite.
 bool is_singular(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs);
 
 /// Distances of trials from the mean, in which the regions are the sets "distance <= k" (7.7.2, 7.7.3).
+/// Outputs that depend linearly on each other have a rectangle only: their covariance has no factor to
+/// measure an ellipsoid by, and whether rounding leaves it one is chance.
 class RegionDistances {
 public:
     RegionDistances(const std::vector<std::size_t>& outputs, const Eigen::VectorXd& mean,
                     const Eigen::MatrixXd& covariance);
-    /// Squared ellipsoidal distance of each of `count` trials (row j at first_row + j * block_trials).
+    bool has_ellipsoid() const { return inverse_factor_.size() > 0; }
+    /// Squared ellipsoidal distance of each of `count` trials (row j at first_row + j * block_trials), where
+    /// there is an ellipsoid.
     void ellipsoid_squared(const double* first_row, std::size_t count, double* distances) const;
     void rectangle(const double* first_row, std::size_t count, double* distances) const;
 
@@ -38,7 +42,7 @@ private:
     std::vector<std::size_t> outputs_;
     Eigen::VectorXd mean_;
     Eigen::VectorXd inverse_u_;       ///< 0 for an output without uncertainty
-    Eigen::MatrixXd inverse_factor_;  ///< L^-1 with U = L L^T
+    Eigen::MatrixXd inverse_factor_;  ///< L^-1 with U = L L^T; empty: no ellipsoid
 };
 
 /// The q-th smallest distance (JCGM 102 7.7.2 f). Reorders them.

@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <utility>
 
+#include "core/base/own_names.h"
 #include "core/propagation/adaptive.h"
 #include "core/propagation/contributions.h"
 #include "core/propagation/coverage_regions.h"
 #include "core/propagation/engine_parts.h"
+#include "core/propagation/kinks.h"
 #include "core/propagation/monte_carlo.h"
 #include "core/propagation/propagated.h"
 #include "core/propagation/reduced_run.h"
@@ -20,6 +23,7 @@
 #include "core/propagation/take_trials.h"
 #include "core/propagation/validation.h"
 #include "core/result/representation.h"
+#include "core/text/numbers.h"
 
 namespace covaria::detail {
 namespace {
@@ -46,6 +50,17 @@ std::string in_a_row(const std::vector<std::string>& symbols) {
     std::string text;
     for (const std::string& symbol : symbols) text += (text.empty() ? "" : ", ") + symbol;
     return text;
+}
+
+Message in_a_row(const std::vector<Message>& names) {
+    Message text;
+    for (const Message& name : names) text += (text.empty() ? Message() : Message(", ")) + name;
+    return text;
+}
+
+Message symbol_in_group(const OutputQuantity& output) {
+    return output.group.empty() ? Message(output.symbol)
+                                : tell<"%1 of %2">(output.symbol, said_name(output.group));
 }
 
 RunSize size_of_run(const EvaluationOptions& options) {
@@ -85,6 +100,8 @@ private:
     RunContext context_of_run() {
         return {reduced_ ? reduced_->source() : source_, options_.coverage_probability, settings_, monitor_};
     }
+    void warn_about_derivatives();
+    void withdraw_first_order(std::size_t j);
     Result<void> add_contributions();
     Result<void> add_second_order();
     Result<void> add_monte_carlo();
@@ -93,6 +110,7 @@ private:
     std::unique_ptr<AdaptiveProcedure> adaptive_procedure() const;
     void take_over(const MonteCarloRun& run, std::vector<MonteCarloOutput> outputs);
     void warn_about(const MonteCarloRun& run);
+    void warn_about_few_trials(const MonteCarloRun& run);
     void warn_about_reduction(const MonteCarloRun& run);
     void warn_about_tails();
     Result<void> add_regions();
@@ -111,9 +129,12 @@ private:
 };
 
 Result<UncertaintyResult> Evaluation::run() {
+    if (options_.method == Method::first_order && !law_.is_differentiable())
+        return fail(without_sensitivities(model_, law_));
     auto result = first_order_result(model_, inputs_, options_, law_);
     if (!result) return fail(result.error());
     result_ = std::move(*result);
+    warn_about_derivatives();
     if (options_.second_order)
         if (auto ok = add_second_order(); !ok) return fail(ok.error());
 
@@ -124,6 +145,46 @@ Result<UncertaintyResult> Evaluation::run() {
         if (auto ok = add_monte_carlo(); !ok) return fail(ok.error());
     if (auto ok = add_contributions(); !ok) return fail(ok.error());
     return std::move(result_);
+}
+
+/// A sensitivity coefficient of one side of a kink is none: the trials know both.
+void Evaluation::warn_about_derivatives() {
+    std::vector<Message> without, bent;
+    const std::vector<bool> kinks = outputs_with_kink(model_, inputs_, law_);
+    for (std::size_t j = 0; j < result_.outputs.size(); ++j) {
+        const Message name = symbol_in_group(result_.outputs[j].quantity);
+        if (!law_.differentiable[j]) without.push_back(name);
+        if (kinks[j]) bent.push_back(name);
+        if (kinks[j] && options_.method != Method::first_order) withdraw_first_order(j);
+    }
+    if (!without.empty())
+        result_.warnings.push_back(
+            tell<"Monte Carlo answers alone for %1: the measurement model has no sensitivity coefficients at "
+                 "the estimates of its input quantities.">(in_a_row(without)));
+    if (bent.empty()) return;
+    if (options_.method == Method::first_order)
+        result_.warnings.push_back(
+            tell<"%1 has a kink at the estimates of the input quantities (an absolute value, a maximum, a "
+                 "condition): the law of propagation takes the sensitivity coefficients of one side. Use "
+                 "Monte Carlo.">(in_a_row(bent)));
+    else
+        result_.warnings.push_back(
+            tell<
+                "Monte Carlo answers alone for %1, which has a kink at the estimates of the input quantities "
+                "(an absolute value, a maximum, a condition): the law of propagation would take the "
+                "sensitivity coefficients of one side.">(in_a_row(bent)));
+}
+
+void Evaluation::withdraw_first_order(std::size_t j) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    FirstOrderOutput& first = result_.outputs[j].first_order;
+    first.standard_uncertainty = first.expanded_uncertainty = none;
+    first.effective_degrees_of_freedom = infinity;
+    first.coverage_factor =
+        options_.coverage_factor.value_or(coverage_factor_of(options_.coverage_probability, infinity));
+    result_.budget.rows[j].clear();
+    result_.covariance.row(static_cast<Eigen::Index>(j)).setConstant(none);
+    result_.covariance.col(static_cast<Eigen::Index>(j)).setConstant(none);
 }
 
 Result<void> Evaluation::add_contributions() {
@@ -160,12 +221,22 @@ Result<void> Evaluation::add_second_order() {
         result_.warnings.push_back(tell<"Second-order terms are left out: %1.">(terms.error().message));
         return {};
     }
+    std::vector<Message> without_u;
     for (Eigen::Index j = 0; j < law_.estimate.size(); ++j) {
+        if (!law_.differentiable[static_cast<std::size_t>(j)]) continue;
         FirstOrderOutput& output = result_.outputs[static_cast<std::size_t>(j)].first_order;
         const double variance = law_.covariance(j, j) + terms->variance(j);
-        output.second_order_standard_uncertainty = std::sqrt(std::max(0.0, variance));
         output.second_order_estimate_shift = terms->shift(j);
+        if (variance >= 0.0)
+            output.second_order_standard_uncertainty = std::sqrt(variance);
+        else
+            without_u.push_back(symbol_in_group(result_.outputs[static_cast<std::size_t>(j)].quantity));
     }
+    if (!without_u.empty())
+        result_.warnings.push_back(
+            tell<"There is no standard uncertainty with second-order terms of %1: they would make its "
+                 "variance negative, so terms of higher order matter as much. Use Monte Carlo.">(
+                in_a_row(without_u)));
     return {};
 }
 
@@ -239,9 +310,10 @@ void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutpu
     const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
     for (std::size_t j = 0; j < outputs.size(); ++j) {
         OutputResult& output = result_.outputs[j];
-        output.first_order.validation =
-            validation_of(output.first_order, outputs[j].symmetric, options_.coverage_probability,
-                          output.quantity.unit, options_.significant_digits, run.trials - run.failed());
+        if (!std::isnan(output.first_order.standard_uncertainty))
+            output.first_order.validation =
+                validation_of(output.first_order, outputs[j].symmetric, options_.coverage_probability,
+                              output.quantity.unit, options_.significant_digits, run.trials - run.failed());
         take_trials(output, std::move(outputs[j]), least[j], result_);
     }
 }
@@ -264,6 +336,7 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
     if (!result_.stabilised)
         warnings.push_back(tell<"The adaptive procedure stopped at %1 trials before its results were stable: "
                                 "allow more trials, or ask for fewer significant digits.">(run.trials));
+    warn_about_few_trials(run);
     if (!run.exact)
         warnings.push_back(tell<"Coverage intervals are interpolated in fine cells: there are too many "
                                 "trials to keep the values of the tails in memory.">());
@@ -283,6 +356,21 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
                 tell<"The angle %1%2 is hardly determined: its standard uncertainty exceeds 1 rad.">(
                     output.quantity.symbol,
                     (output.quantity.group.empty() ? "" : " (" + output.quantity.group + ")")));
+}
+
+/// 7.9.4 a) of JCGM 101 does not look at fewer trials than these at once.
+void Evaluation::warn_about_few_trials(const MonteCarloRun& run) {
+    const double outside = 1.0 - options_.coverage_probability;
+    const auto trials = static_cast<double>(run.moments.count());
+    if (trials >= std::max(1e4, 100.0 / outside * (1.0 - 1e-12))) return;
+    result_.warnings.push_back(
+        tell<
+            "%1 trials are few for a coverage interval of %2 %: some %3 lie beyond each of its ends, so that "
+            "U is not known well. JCGM 101 7.2.2 asks for some %4 trials.">(
+            Message::number(format_decimals(trials, 0)),
+            Message::number(format_short(100.0 * (1.0 - outside), 9)),
+            Message::number(format_short(std::max(1.0, std::round(0.5 * outside * trials)), 3)),
+            Message::number(format_decimals(std::round(1e4 / outside), 0))));
 }
 
 void Evaluation::warn_about_reduction(const MonteCarloRun& run) {

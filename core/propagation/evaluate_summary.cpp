@@ -65,7 +65,8 @@ public:
         TrialFigures figures{moments.means(), moments.covariance(), {}};
         for (const auto& interval : intervals) figures.intervals.push_back(*interval);
         // The linear part of the trials that have a value has another distribution than that of all trials.
-        if (controls_ && failed_trials_ == 0) controls_->improve(figures, options_.coverage_probability);
+        if (controls_ && failed_trials_ == 0)
+            controls_->improve(figures, options_.coverage_probability, options_.trials);
         take_figures(figures);
         return true;
     }
@@ -152,6 +153,9 @@ Result<EvaluationSummary> evaluate_summary(const MeasurementModel& model, const 
     if (!correlations) return fail(correlations.error());
     const auto law = law_of_propagation(model, inputs, *correlations);
     if (!law) return fail(law.error());
+    if (options.method == Method::first_order &&
+        !std::all_of(outputs.begin(), outputs.end(), [&](std::size_t j) { return law->differentiable[j]; }))
+        return fail(without_sensitivities(model, *law));
     SummaryMaker maker(model, inputs, outputs, options, *law);
     bool finished = true;
     if (options.method == Method::first_order) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/math/special_quantiles.h"
@@ -10,6 +11,8 @@
 
 namespace covaria::detail {
 namespace {
+
+constexpr double unknown_to_first_order = std::numeric_limits<double>::quiet_NaN();
 
 using OutputFlags = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
@@ -32,14 +35,23 @@ Message named_outputs(const MeasurementModel& model, const OutputFlags& good) {
     return words.empty() ? Message{} : " (" + words + ")";
 }
 
-/// Which outputs have finite sensitivity coefficients; those of which nothing is known count as such.
-OutputFlags differentiable_outputs(const MeasurementModel& model, std::span<const double> x) {
+/// Sensitivity coefficients of the outputs that have them, and which these are: none where the model does not
+/// say.
+OutputFlags differentiable_outputs(const MeasurementModel& model, std::span<const double> x,
+                                   SensitivityRows& rows) {
     constexpr std::size_t affordable = 10'000'000;  // numbers in the matrix
-    OutputFlags good = OutputFlags::Constant(static_cast<Eigen::Index>(model.outputs().size()), true);
+    OutputFlags good = OutputFlags::Constant(static_cast<Eigen::Index>(model.outputs().size()), false);
+    rows.assign(model.outputs().size(), {});
     if (model.outputs().size() * x.size() > affordable) return good;
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(good.size(), static_cast<Eigen::Index>(x.size()));
     model.jacobian(x, J);
-    for (Eigen::Index j = 0; j < good.size(); ++j) good[j] = J.row(j).allFinite();
+    if (J.rows() != good.size() || J.allFinite()) return good;
+    for (Eigen::Index j = 0; j < good.size(); ++j) {
+        good[j] = J.row(j).allFinite();
+        for (Eigen::Index i = 0; good[j] && i < J.cols(); ++i)
+            if (J(j, i) != 0.0)
+                rows[static_cast<std::size_t>(j)].push_back({static_cast<std::size_t>(i), J(j, i)});
+    }
     return good;
 }
 
@@ -54,11 +66,10 @@ Result<void> evaluate_at_estimates(const MeasurementModel& model, LawOfPropagati
                     tell<"the measurement model has no value at the estimates of its input quantities%1: "
                          "check the nominal geometry and the values entered">(
                         named_outputs(model, law.estimate.array().isFinite())));
-    if (!model.sensitivities(x, rows))
-        return fail(ErrorCode::numeric,
-                    tell<"the measurement model has no sensitivity coefficients at the estimates of its "
-                         "input quantities%1: it is not differentiable there (singular geometry)">(
-                        named_outputs(model, differentiable_outputs(model, x))));
+    law.differentiable.assign(model.outputs().size(), true);
+    if (model.sensitivities(x, rows)) return {};
+    const OutputFlags good = differentiable_outputs(model, x, rows);
+    law.differentiable.assign(good.begin(), good.end());
     return {};
 }
 
@@ -176,7 +187,10 @@ Eigen::MatrixXd covariance_of(const LawOfPropagation& law) {
         covariance.triangularView<Eigen::StrictlyUpper>() = covariance.transpose();
     } else {
         covariance.noalias() += correlated * contribution.transpose();
-        covariance = 0.5 * (covariance + covariance.transpose()).eval();
+        for (Eigen::Index j = 0; j < outputs;
+             ++j)  // in place: of thousands of outputs it is the largest matrix
+            for (Eigen::Index i = 0; i < j; ++i)
+                covariance(i, j) = covariance(j, i) = 0.5 * (covariance(i, j) + covariance(j, i));
     }
     covariance.diagonal() = covariance.diagonal().cwiseMax(0.0);
     return covariance;
@@ -205,6 +219,20 @@ void add_degrees_of_freedom(const InputSet& inputs, const Correlations& correlat
 }
 
 }  // namespace
+
+bool LawOfPropagation::is_differentiable() const {
+    return std::find(differentiable.begin(), differentiable.end(), false) == differentiable.end();
+}
+
+Error without_sensitivities(const MeasurementModel& model, const LawOfPropagation& law) {
+    OutputFlags good(static_cast<Eigen::Index>(law.differentiable.size()));
+    for (Eigen::Index j = 0; j < good.size(); ++j) good[j] = law.differentiable[static_cast<std::size_t>(j)];
+    return {ErrorCode::numeric,
+            tell<"the measurement model has no sensitivity coefficients at the estimates of its input "
+                 "quantities%1: it is not differentiable there (singular geometry); Monte Carlo needs none">(
+                good.any() ? named_outputs(model, good) : Message()),
+            {}};
+}
 
 double LawOfPropagation::uncertainty(Eigen::Index j) const {
     return std::sqrt(covariance(j, j));
@@ -238,6 +266,11 @@ Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const
     TermMaker maker(inputs, correlations, law.u);
     for (const std::vector<Sensitivity>& row : rows) law.terms.push_back(maker.make(row));
     law.covariance = covariance_of(law);
+    for (std::size_t j = 0; j < law.differentiable.size(); ++j) {
+        if (law.differentiable[j]) continue;
+        law.covariance.row(static_cast<Eigen::Index>(j)).setConstant(unknown_to_first_order);
+        law.covariance.col(static_cast<Eigen::Index>(j)).setConstant(unknown_to_first_order);
+    }
 
     add_degrees_of_freedom(inputs, correlations, law);
     return law;

@@ -31,7 +31,11 @@ struct LawOfPropagation {
     Eigen::MatrixXd covariance;     ///< U_y = (c u) R (c u)^T
     Eigen::VectorXd degrees_of_freedom;
     bool degrees_of_freedom_approximate = false;  ///< see WelchSatterthwaite
+    /// By output. Of one without sensitivity coefficients nothing is known to first order: it has no terms,
+    /// and its covariances are no numbers.
+    std::vector<bool> differentiable;
 
+    bool is_differentiable() const;
     double uncertainty(Eigen::Index j) const;
 };
 
@@ -46,7 +50,10 @@ Eigen::MatrixXd factor_matrix(const InputSet& inputs);
 /// c as a matrix (outputs x components).
 Eigen::MatrixXd sensitivity_matrix(const LawOfPropagation& law);
 
-/// Error{numeric}: the model has no value, or no finite derivatives, at the estimates.
+/// Why the law of propagation says nothing of some outputs: for whoever has no trials that would.
+Error without_sensitivities(const MeasurementModel& model, const LawOfPropagation& law);
+
+/// Error{numeric}: the model has no value at the estimates.
 Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const InputSet& inputs,
                                             const Correlations& correlations);
 

@@ -1,6 +1,7 @@
 #include "core/propagation/kept_distribution.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace covaria::detail {
@@ -19,9 +20,11 @@ std::vector<std::uint64_t> kept_ranks(std::uint64_t last) {
 
 class Keeper {
 public:
-    Keeper(const OutputPilot& pilot, const std::vector<std::uint64_t>& counts, const Tails& tails)
+    Keeper(const OutputPilot& pilot, const std::vector<std::uint64_t>& counts,
+           const std::vector<std::uint64_t>& parts, const Tails& tails)
         : pilot_(pilot),
           counts_(counts),
+          parts_(parts),
           tails_(tails),
           trials_(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0})) {}
 
@@ -60,10 +63,29 @@ private:
             if (const std::size_t cell = cell_of(r.value); cell < CellGrid::cells)
                 repeated[cell].push_back(r);
         double before = static_cast<double>(counts_.front());
+        auto divided = pilot_.grid.divided.begin();
+        std::size_t part = 0;
         for (std::size_t i = 0; i < CellGrid::cells; ++i) {
-            if (!repeated[i].empty()) add_jumps(i, repeated, before);
+            const bool in_parts = divided != pilot_.grid.divided.end() && divided->cell == i;
+            if (in_parts) {
+                add_parts(*divided, part, before);
+                part += divided++->parts();
+            } else if (!repeated[i].empty()) {
+                add_jumps(i, repeated, before);
+            }
             before += static_cast<double>(counts_[i + 1]);
-            if (i % 2 == 1 || !repeated[i].empty()) add_inner(pilot_.grid.edge(i + 1), before);
+            if (i % 2 == 1 || in_parts || !repeated[i].empty()) add_inner(pilot_.grid.edge(i + 1), before);
+        }
+    }
+
+    /// A value and the next number are the edges of a part that has nothing but that value: a jump.
+    void add_parts(const DividedCell& divided, std::size_t part, double before) {
+        add_inner(pilot_.grid.edge(divided.cell), before);
+        const std::vector<double>& edges = divided.edges;
+        for (std::size_t k = 0; k < edges.size(); ++k) {
+            before += static_cast<double>(parts_[part + k]);
+            const bool after_jump = k > 0 && edges[k] == std::nextafter(edges[k - 1], infinity);
+            add_inner(after_jump ? edges[k - 1] : edges[k], before);
         }
     }
 
@@ -98,6 +120,7 @@ private:
 
     const OutputPilot& pilot_;
     const std::vector<std::uint64_t>& counts_;
+    const std::vector<std::uint64_t>& parts_;
     const Tails& tails_;
     std::uint64_t trials_;
     double last_ = 0.0, most_below_ = 0.0;  ///< of the body
@@ -107,8 +130,8 @@ private:
 }  // namespace
 
 TrialDistribution kept_distribution(const OutputPilot& pilot, const std::vector<std::uint64_t>& counts,
-                                    const Tails& tails) {
-    return Keeper(pilot, counts, tails).keep();
+                                    const std::vector<std::uint64_t>& parts, const Tails& tails) {
+    return Keeper(pilot, counts, parts, tails).keep();
 }
 
 }  // namespace covaria::detail

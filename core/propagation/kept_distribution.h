@@ -11,10 +11,10 @@
 namespace covaria::detail {
 
 /// Tails: order statistics, each of the most extreme 32 and then at ranks 3 % apart, exact there. Body: every
-/// second of the cells of the histogram (1/100 of the range of 10 u each), linear in between; values that
-/// recurred in the pilot are jumps. So a probability read from it differs from the share of the trials by
-/// less than the scatter of that share between runs. The tails are finished.
+/// second of the cells of the histogram (1/100 of the range of 10 u each), linear in between, and the parts
+/// of divided cells; values that recurred in the pilot are jumps. So a probability read from it differs from
+/// the share of the trials by less than the scatter of that share between runs. The tails are finished.
 TrialDistribution kept_distribution(const OutputPilot& pilot, const std::vector<std::uint64_t>& counts,
-                                    const Tails& tails);
+                                    const std::vector<std::uint64_t>& parts, const Tails& tails);
 
 }  // namespace covaria::detail

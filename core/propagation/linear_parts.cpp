@@ -94,7 +94,8 @@ Result<std::vector<LinearTerm>> LinearTermMaker::make(const std::vector<Propagat
         if (!joint) return fail(joint.error());
         made.push_back(std::move(*joint));
     }
-    if (made.empty()) return fail(ErrorCode::numeric, tell<"its sensitivity coefficients are zero">());
+    if (made.empty())
+        return fail(ErrorCode::numeric, tell<"its sensitivity coefficients are zero, or there are none">());
     return made;
 }
 

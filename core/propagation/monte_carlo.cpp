@@ -89,14 +89,27 @@ struct Partial {
     BatchSummary summary;
 };
 
-PartialBytes<Partial> bytes_of_partials() {
+/// What is read from a file is held against what a unit of the run can have: more trials than it has would
+/// be waited for without an end, values of other outputs be looked for where there are none.
+bool is_possible(const Partial& partial, RunSize size, const WatchedStatistics& watched, bool in_batches,
+                 std::size_t rows) {
+    const std::size_t values = in_batches ? watched.values_of_batch() : 0;
+    const std::size_t figures = in_batches && watched.figures_of_rows ? rows : 0;
+    const BatchSummary& summary = partial.summary;
+    const bool too_few = partial.statistics.moments.count() < 2;
+    return partial.statistics.is_possible(size.per_unit) && summary.values.size() == (too_few ? 0 : values) &&
+           summary.figures.size() == (too_few ? 0 : figures);
+}
+
+PartialBytes<Partial> bytes_of_partials(std::function<bool(const Partial&)> is_possible) {
     return {[](const Partial& partial, ByteWriter& writer) {
                 partial.statistics.write(writer);
                 partial.summary.write(writer);
             },
-            [](ByteReader& reader, Partial& partial) {
+            [is_possible = std::move(is_possible)](ByteReader& reader, Partial& partial) {
                 partial.statistics.read(reader);
                 partial.summary.read(reader);
+                if (!is_possible(partial)) reader.refuse();
             }};
 }
 
@@ -142,6 +155,9 @@ void merge(MonteCarloRun& run, const UnitStatistics& part) {
     for (std::size_t j = 0; j < run.cells.size(); ++j)
         for (std::size_t i = 0; i < CellGrid::counters; ++i)
             run.cells[j][i] += part.cells[j * CellGrid::counters + i];
+    auto next = part.parts.begin();
+    for (std::vector<std::uint64_t>& parts : run.parts)
+        for (std::uint64_t& count : parts) count += *next++;
 }
 
 /// Collects the tails of some outputs again, with the thresholds of `pilot` (one entry per such output).
@@ -207,8 +223,10 @@ WatchedStatistics watched_by(const BatchWatch& watch, double probability) {
 Result<MonteCarloRun> run_monte_carlo(const RunContext& context, Pilot pilot, RunSize size,
                                       BatchWatch watch) {
     const auto own = static_cast<Eigen::Index>(pilot.own);
-    MonteCarloRun run{Moments(pilot.shift(), own), {}, {}, std::move(pilot), 0, 0, true, {}};
+    MonteCarloRun run{Moments(pilot.shift(), own), {}, {}, {}, std::move(pilot), 0, 0, true, {}};
     run.cells.assign(context.source.outputs(), std::vector<std::uint64_t>(CellGrid::counters, 0));
+    for (std::size_t j = 0; j < context.source.outputs(); ++j)
+        run.parts.emplace_back(parts_of(run.pilot.outputs[j].grid), 0);
     TailCollector collector(run.pilot, context.settings.tail_bytes,
                             watch.adaptive ? 0.0 : static_cast<double>(size.trials));
     ConvergenceLog log(context.source.outputs());
@@ -231,7 +249,11 @@ Result<MonteCarloRun> run_monte_carlo(const RunContext& context, Pilot pilot, Ru
         if (watch.estimates) add_batch(partial, size, *watch.estimates);
         return !(watch.adaptive && watch.adaptive->stable_after(partial.summary, run.moments));
     };
-    WorkEnd end = run_units(work, bytes_of_partials(), context.monitor);
+    const bool in_batches = watch.adaptive || watch.estimates;
+    const auto bytes = bytes_of_partials([&](const Partial& partial) {
+        return is_possible(partial, size, watched, in_batches, context.source.rows());
+    });
+    WorkEnd end = run_units(work, bytes, context.monitor);
     log.append(run.trials, run.moments, run.convergence);
     run.exact = collector.exact();
     run.tails = std::move(collector.tails());

@@ -24,6 +24,7 @@ struct MonteCarloRun {
     Moments moments;
     std::vector<Tails> tails;
     std::vector<std::vector<std::uint64_t>> cells;
+    std::vector<std::vector<std::uint64_t>> parts;  ///< of divided cells
     Pilot pilot;
     std::uint64_t trials = 0;  ///< made, with those that have no value
     std::uint64_t units = 0;

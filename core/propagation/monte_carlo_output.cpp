@@ -34,7 +34,7 @@ MonteCarloOutput output_of(MonteCarloRun& run, std::size_t j, double probability
     output.maximum = tails.high.value(1);
     output.histogram = histogram_of(run.pilot.outputs[j].grid, run.cells[j]);
     output.quantiles = quantile_list(run.pilot.outputs[j].grid, run.cells[j], tails, quantile_count);
-    output.distribution = kept_distribution(run.pilot.outputs[j], run.cells[j], tails);
+    output.distribution = kept_distribution(run.pilot.outputs[j], run.cells[j], run.parts[j], tails);
     output.normality = normality_of(output, n, probability);
     return output;
 }

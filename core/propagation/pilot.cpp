@@ -174,9 +174,11 @@ Result<Pilot> run_pilot(const RunContext& context, std::uint64_t limit) {
     for (std::size_t k = 0; context.source.linear && k < context.source.linear->size(); ++k)
         pilot.explained.push_back(
             squared_correlation(columns[(*context.source.linear)[k].output], columns[pilot.own + k]));
-    for (std::size_t j = 0; j < columns.size(); ++j)
+    for (std::size_t j = 0; j < columns.size(); ++j) {
         pilot.outputs.push_back(j < pilot.own ? look_at(columns[j], pilot.tail_fraction)
                                               : look_at_linear_part(columns[j], pilot.tail_fraction));
+        if (j < pilot.own) divide_cells(columns[j], pilot.outputs.back().grid);
+    }
     return pilot;
 }
 

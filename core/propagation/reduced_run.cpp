@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 
@@ -11,6 +10,7 @@
 #include "core/propagation/adaptive.h"
 #include "core/propagation/linear_parts.h"
 #include "core/propagation/parallel_blocks.h"
+#include "core/text/numbers.h"
 
 namespace covaria::detail {
 namespace {
@@ -24,10 +24,8 @@ double gain_of(double explained) {
 }
 
 Message little_gained(double explained) {
-    char percent[16], gain[16];
-    std::snprintf(percent, sizeof percent, "%.0f", 100.0 * explained);
-    std::snprintf(gain, sizeof gain, "%.2g", gain_of(explained));
-    return tell<"the linear part explains %1 % of the variance: a gain of %2">(percent, gain);
+    return tell<"the linear part explains %1 % of the variance: a gain of %2">(
+        format_decimals(100.0 * explained, 0), format_short(gain_of(explained), 2));
 }
 
 /// Otherwise the scatter of the figure between batches tells nothing. Ends of intervals always have one.
@@ -128,22 +126,25 @@ Result<void> ReducedRun::choose(Pilot& pilot, RunMonitor& monitor) {
         source_.linear = &*rows_;
         linear_covariance_ = covariance_of_draws(inputs_, correlations_, law_);
     }
-    const WorkEnd end = run_each(controls.size(), monitor, [&](std::uint64_t k) {
-        controls[k] = {(*rows_)[k].output, expectations(k)};
-    });
+    const WorkEnd end =
+        run_each(controls.size(), monitor, [&](std::uint64_t k) { controls[k] = control_of(k); });
     if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     estimates_.emplace(source_.outputs(), controls);
     return {};
 }
 
-std::array<double, BatchFigures::count> ReducedRun::expectations(std::size_t k) const {
+BatchEstimates::Control ReducedRun::control_of(std::size_t k) const {
     const auto j = static_cast<Eigen::Index>((*rows_)[k].output);
     const LinearDistribution distribution(terms_[k]);
     const double lower = 0.5 * (1.0 - options_.coverage_probability);
     const double variance = linear_covariance_(j, j);
-    return {distribution.has_mean() ? 0.0 : not_known, std::isfinite(variance) ? variance : not_known,
-            distribution.quantile(lower).value_or(not_known),
-            distribution.quantile(1.0 - lower).value_or(not_known)};
+    const auto low = distribution.known_quantile(lower), high = distribution.known_quantile(1.0 - lower);
+    BatchEstimates::Control control{(*rows_)[k].output};
+    control.expectation = {distribution.has_mean() ? 0.0 : not_known,
+                           std::isfinite(variance) ? variance : not_known, low ? low->value : not_known,
+                           high ? high->value : not_known};
+    control.error = {0.0, 0.0, low ? low->error : 0.0, high ? high->error : 0.0};
+    return control;
 }
 
 /// Where trials are lost, those that are left have another linear part than the one whose distribution is

@@ -39,8 +39,8 @@ public:
 
 private:
     void offer_controls();
-    /// Of the linear part of output j; NaN where it is not known.
-    std::array<double, BatchFigures::count> expectations(std::size_t output) const;
+    /// Of the linear part in row k; NaN where it is not known.
+    BatchEstimates::Control control_of(std::size_t k) const;
     bool is_plain(const MonteCarloRun& run) const;
     BatchEstimates::Estimate figure_of(std::size_t output, std::size_t figure) const;
     double plain_gain(const MonteCarloOutput& output, const MonteCarloRun& run, std::size_t figure,

@@ -7,6 +7,7 @@
 
 #include "core/math/normal_quantile.h"
 #include "core/math/special_quantiles.h"
+#include "core/propagation/guard_band.h"
 #include "core/result/representation.h"
 
 namespace covaria {
@@ -79,7 +80,12 @@ ConformanceBy distribution_of(const OutputResult& output) {
 
 void judge_conformity(RequirementResult& made, const OutputResult& output) {
     const double y = output.estimate, u = output.standard_uncertainty;
-    made.guard_band = made.guard_factor * output.expanded_uncertainty;
+    const auto nonconforming_at = [&](double value) {  // the tolerance moved instead of the distribution
+        const double by = value - y;
+        return 1.0 - conformance(output, {made.lower_limit.value_or(-infinity) - by,
+                                          made.upper_limit.value_or(infinity) - by});
+    };
+    made.guard_band = guard_band_of(made, {output.expanded_uncertainty, u, nonconforming_at});
     const ToleranceLimits stated = limits_of(made, made.guard_band), limits = at_branch_of(output, stated);
     made.decision =
         y >= limits.accept_lower && y <= limits.accept_upper ? Decision::accept : Decision::reject;
@@ -140,15 +146,21 @@ RequirementResult::GlobalRisks global_risks(const ToleranceLimits& limits, doubl
         return probability_inside(x, u, infinity, limits.accept_lower, limits.accept_upper);
     };
     RequirementResult::GlobalRisks risks;
+    double both = 0.0, neither = 0.0;  // conforming and accepted; not conforming and rejected
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         const double middle = 0.5 * (points[i] + points[i + 1]);
-        if (middle >= limits.lower && middle <= limits.upper)
-            risks.producer += integral([&](double x) { return density(x) * (1.0 - accepted(x)); }, points[i],
-                                       points[i + 1]);
-        else
-            risks.consumer +=
-                integral([&](double x) { return density(x) * accepted(x); }, points[i], points[i + 1]);
+        const bool conforms = middle >= limits.lower && middle <= limits.upper;
+        const auto part = [&](bool is_accepted) {
+            return integral(
+                [&](double x) { return density(x) * (is_accepted ? accepted(x) : 1.0 - accepted(x)); },
+                points[i], points[i + 1]);
+        };
+        (conforms ? both : risks.consumer) += part(true);
+        (conforms ? risks.producer : neither) += part(false);
     }
+    if (both + risks.consumer > 0.0) risks.consumer_if_accepted = risks.consumer / (both + risks.consumer);
+    if (neither + risks.producer > 0.0)
+        risks.producer_if_rejected = risks.producer / (neither + risks.producer);
     return risks;
 }
 

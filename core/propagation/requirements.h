@@ -24,7 +24,7 @@ struct ToleranceLimits {
     double accept_lower = -infinity, accept_upper = infinity;
 };
 /// Global risks of a decision rule for a normal prior and a normal measuring system (JCGM 106 9.5, Eqs
-/// 17-20).
+/// 17-20), and those under the condition that it was accepted, or rejected.
 RequirementResult::GlobalRisks global_risks(const ToleranceLimits& limits, double prior_mean,
                                             double prior_standard_deviation, double u);
 

@@ -14,8 +14,10 @@ struct SecondOrder {
     Eigen::VectorXd shift;     ///< 1/2 sum f_ii u_i^2: for information, not added to the estimate
 };
 
-/// For independent, symmetric components. Derivatives of the Jacobian by central differences of a tenth of
-/// the standard uncertainty. Error: cancelled; numeric when the model has no derivatives nearby.
+/// For independent, symmetric components. Derivatives of the Jacobian, which is exact, by central differences
+/// whose steps are halved until their extrapolation to no step at all (Ridders, Advances in Engineering
+/// Software 4 (1982) 75) is known. Error: cancelled; numeric when the model has no derivatives nearby, or
+/// none of second and third order.
 Result<SecondOrder> second_order_terms(const MeasurementModel& model, const InputSet& inputs,
                                        const LawOfPropagation& law, const std::stop_token& stop);
 

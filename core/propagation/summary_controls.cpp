@@ -29,11 +29,16 @@ SummaryControls::SummaryControls(const InputSet& inputs, const Correlations& cor
     if (!chosen.empty()) covariance_ = covariance_of_draws(inputs, correlations, law)(chosen, chosen);
 }
 
-void SummaryControls::improve(TrialFigures& figures, double probability) const {
-    constexpr double least_explained = 1.0 / 3.0;
+void SummaryControls::improve(TrialFigures& figures, double probability, std::uint64_t trials_made) const {
+    constexpr double least_explained = 1.0 / 3.0, small = 0.1;
     const auto own = figures.covariance.rows() - static_cast<Eigen::Index>(place_of_.size());
     const Eigen::MatrixXd trials = figures.covariance;
     const double lower = 0.5 * (1.0 - probability);
+    const double scatter = std::sqrt(lower * (1.0 - lower) / static_cast<double>(trials_made));
+    const auto exact_end = [&](const LinearDistribution& distribution, double p) {
+        auto end = distribution.quantile(p);
+        return end && distribution.error(*end) < small * scatter ? end : std::nullopt;
+    };
     std::vector<double> slope(place_of_.size(), 0.0);
     for (std::size_t r = 0; r < place_of_.size(); ++r) {
         const auto y = static_cast<Eigen::Index>(place_of_[r]), l = own + static_cast<Eigen::Index>(r);
@@ -44,9 +49,9 @@ void SummaryControls::improve(TrialFigures& figures, double probability) const {
         figures.mean(y) -= b * figures.mean(l);
         CoverageInterval& interval = figures.intervals[place_of_[r]];
         const CoverageInterval& of_linear = figures.intervals[static_cast<std::size_t>(l)];
-        if (const auto exact = distributions_[r].quantile(lower))
+        if (const auto exact = exact_end(distributions_[r], lower))
             interval.low += b * (*exact - of_linear.low);
-        if (const auto exact = distributions_[r].quantile(1.0 - lower))
+        if (const auto exact = exact_end(distributions_[r], 1.0 - lower))
             interval.high += b * (*exact - of_linear.high);
     }
     for (std::size_t r = 0; r < place_of_.size(); ++r)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "core/propagation/first_order.h"
@@ -28,8 +29,9 @@ public:
     const LinearRows& rows() const { return rows_; }
     /// Reads each figure where the linear part has its exact expectation, covariance or quantile, along the
     /// regression of the output on its linear part. An output of which that explains less than a third of the
-    /// variance stays as it is.
-    void improve(TrialFigures& figures, double probability) const;
+    /// variance stays as it is, and so does an interval end that is not known better of the linear part than
+    /// from so many trials.
+    void improve(TrialFigures& figures, double probability, std::uint64_t trials) const;
 
 private:
     std::vector<std::size_t> place_of_;  ///< of each row among the outputs looked at

@@ -7,7 +7,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "core/math/decompositions.h"
 #include "core/quantity/copula.h"
 #include "core/quantity/isotropic_vector.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 
@@ -32,13 +32,6 @@ Pair ordered(std::size_t a, std::size_t b) {
 
 std::string quoted(const InputSet& inputs, std::size_t component) {
     return '"' + inputs.components[component].id + '"';
-}
-
-std::optional<double> factor_of(const InputQuantity& quantity, std::size_t component) {
-    std::optional<double> factor;
-    for (const Share& share : quantity.shares)
-        if (share.component == component) factor = factor.value_or(0.0) + share.factor;
-    return factor;
 }
 
 /// So that |factor| u of all components add: components with factors of opposite sign get -1.
@@ -118,13 +111,10 @@ std::optional<Error> group_problem(const InputSet& inputs, const std::vector<std
     std::string components;
     for (const std::size_t member : group)
         components += (components.empty() ? "" : ", ") + quoted(inputs, member);
-    std::ostringstream number;
-    number.precision(3);
-    number << smallest;
     return Error{
         ErrorCode::bad_input,
         tell<"the correlations of the components %1 contradict each other: the smallest eigenvalue of "
-             "their correlation matrix is %2, it must not be negative.">(components, number.str())};
+             "their correlation matrix is %2, it must not be negative.">(components, format_short(smallest))};
 }
 
 /// Error if a coordinate of a vector of random direction is correlated: its draws come with the others'.
@@ -170,16 +160,28 @@ std::optional<Error> estimate_problem(const InputSet& inputs) {
 
 }  // namespace
 
-double detail::correlation_between(const InputSet& inputs, std::size_t first, std::size_t second) {
-    for (const ComponentCorrelation& c : inputs.correlations)
-        if (ordered(c.first, c.second) == ordered(first, second)) return c.coefficient;
+std::vector<ComponentCorrelation> detail::correlations_among(const InputSet& inputs,
+                                                             const std::vector<std::size_t>& components) {
+    std::map<std::size_t, std::size_t> places;
+    for (std::size_t i = 0; i < components.size(); ++i) places.emplace(components[i], i);
+    Coefficients found;
+    const auto insert_known = [&](std::size_t first, std::size_t second, double coefficient) {
+        const auto a = places.find(first), b = places.find(second);
+        if (a != places.end() && b != places.end()) insert(found, ordered(a->second, b->second), coefficient);
+    };
+    for (const ComponentCorrelation& c : inputs.correlations) insert_known(c.first, c.second, c.coefficient);
     for (const InputQuantity& quantity : inputs.quantities) {
         if (quantity.combination != Combination::arithmetic) continue;
-        const std::optional<double> a = factor_of(quantity, first);
-        const std::optional<double> b = factor_of(quantity, second);
-        if (a && b) return coefficient_of_signs(*a, *b);
+        std::map<std::size_t, double> factors;
+        for (const Share& share : quantity.shares)
+            if (places.contains(share.component)) factors[share.component] += share.factor;
+        for (auto a = factors.begin(); a != factors.end(); ++a)
+            for (auto b = std::next(a); b != factors.end(); ++b)
+                insert_known(a->first, b->first, coefficient_of_signs(a->second, b->second));
     }
-    return 0.0;
+    std::vector<ComponentCorrelation> pairs;
+    for (const auto& [pair, coefficient] : found) pairs.push_back({pair.first, pair.second, coefficient});
+    return pairs;
 }
 
 std::vector<std::vector<std::size_t>> detail::correlated_sets(

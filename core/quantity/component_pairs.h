@@ -8,8 +8,10 @@
 
 namespace covaria::detail {
 
-/// Coefficient of two different components: declared, +-1 where an arithmetic quantity has both, else 0.
-double correlation_between(const InputSet& inputs, std::size_t first, std::size_t second);
+/// Coefficients between these components, by their places in the list, each pair once: declared, +-1 where an
+/// arithmetic quantity has both. Pairs that are not named are independent.
+std::vector<ComponentCorrelation> correlations_among(const InputSet& inputs,
+                                                     const std::vector<std::size_t>& components);
 
 /// Components of a quantity with their correlation coefficients with its total deviation: 1 for a single one,
 /// u_j/u for independent ones. Held components are left out.

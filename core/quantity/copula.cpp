@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -12,6 +11,7 @@
 #include <variant>
 
 #include "core/math/decompositions.h"
+#include "core/text/numbers.h"
 
 namespace covaria::detail {
 
@@ -73,7 +73,7 @@ public:
         const double u = distribution.standard_deviation();
         const Distribution unit = distribution.shifted(-distribution.mean()).scaled(1.0 / u);
         std::vector<double> shape = distribution_parameters(unit);
-        if (distribution.kind() != "discrete")
+        if (!find_distribution_kind(distribution.kind())->parameters.empty())
             for (double& parameter : shape) parameter = static_cast<double>(static_cast<float>(parameter));
         const bool mirrored = unit.factor() < 0.0;
         std::vector<double> key{static_cast<double>(unit.parameters().index()), mirrored ? -1.0 : 1.0};
@@ -156,12 +156,6 @@ bool combine_arithmetically(const InputSet& inputs, const ComponentCorrelation& 
                        });
 }
 
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
-
 class CopulaSolver {
 public:
     explicit CopulaSolver(const InputSet& inputs)
@@ -213,8 +207,8 @@ private:
         return fail(
             ErrorCode::bad_input,
             tell<"the components %1 and %2 cannot have the correlation %3: with these distributions it lies "
-                 "between %4 and %5.">(words(pair.first), words(pair.second), short_number(pair.coefficient),
-                                       short_number(r.lowest()), short_number(r.highest())));
+                 "between %4 and %5.">(words(pair.first), words(pair.second), format_short(pair.coefficient),
+                                       format_short(r.lowest()), format_short(r.highest())));
     }
 
     const InputSet& inputs_;

@@ -52,6 +52,30 @@ bool scale(Discrete& p, double c) {
     for (double& value : p.values) value *= c;
     return true;
 }
+bool scale(Laplace& p, double c) {
+    p = {p.mean * c, p.scale * std::abs(c)};
+    return true;
+}
+bool scale(Weibull& p, double c) {
+    p = {p.location * c, p.scale * c, p.shape};
+    return true;
+}
+bool scale(Poisson& p, double c) {
+    p = {p.number, p.step * c, p.zero * c};
+    return true;
+}
+bool scale(Binomial& p, double c) {
+    p = {p.trials, p.probability, p.step * c, p.zero * c};
+    return true;
+}
+bool scale(StatedHistogram& p, double c) {
+    for (double& edge : p.edges) edge *= c;
+    if (c < 0.0) {
+        std::reverse(p.edges.begin(), p.edges.end());
+        std::reverse(p.probabilities.begin(), p.probabilities.end());
+    }
+    return true;
+}
 bool scale(CurvilinearTrapezoid& p, double c) {
     mirror_and_scale(p, c);
     p.inexactness *= std::abs(c);
@@ -87,6 +111,26 @@ bool shift(TruncatedNormal& p, double d) {
 }
 bool shift(Discrete& p, double d) {
     for (double& value : p.values) value += d;
+    return true;
+}
+bool shift(Laplace& p, double d) {
+    p.mean += d;
+    return true;
+}
+bool shift(Weibull& p, double d) {
+    p.location += d;
+    return true;
+}
+bool shift(Poisson& p, double d) {
+    p.zero += d;
+    return true;
+}
+bool shift(Binomial& p, double d) {
+    p.zero += d;
+    return true;
+}
+bool shift(StatedHistogram& p, double d) {
+    for (double& edge : p.edges) edge += d;
     return true;
 }
 bool shift(has_limits auto& p, double d) {

@@ -69,6 +69,30 @@ struct Discrete {
     std::vector<double> values, probabilities;
     bool operator==(const Discrete&) const = default;
 };  // empirical too
+struct Laplace {
+    double mean, scale;
+    bool operator==(const Laplace&) const = default;
+};
+/// location + scale (-ln(1 - p))^(1/shape): a negative scale mirrors it.
+struct Weibull {
+    double location, scale, shape;
+    bool operator==(const Weibull&) const = default;
+};
+/// zero + step N with a number N of events; the step may be negative.
+struct Poisson {
+    double number, step, zero;
+    bool operator==(const Poisson&) const = default;
+};
+/// Likewise, N of `trials` with the same probability each.
+struct Binomial {
+    double trials, probability, step, zero;
+    bool operator==(const Binomial&) const = default;
+};
+/// Rectangular in each cell between two edges, one edge more than probabilities.
+struct StatedHistogram {
+    std::vector<double> edges, probabilities;
+    bool operator==(const StatedHistogram&) const = default;
+};
 
 namespace detail {
 class QuantileFunction;
@@ -76,7 +100,8 @@ class QuantileFunction;
 
 using DistributionParameters =
     std::variant<Normal, StudentT, Rectangular, CurvilinearTrapezoid, Trapezoidal, Triangular, Arcsine,
-                 Exponential, Gamma, TruncatedNormal, Lognormal, Beta, Discrete>;
+                 Exponential, Gamma, TruncatedNormal, Lognormal, Beta, Discrete, Laplace, Weibull, Poisson,
+                 Binomial, StatedHistogram>;
 
 /// A distribution whose parameters have been checked. Immutable and cheap to copy: tables needed for fast
 /// quantiles are made once and shared. A width of zero is legal everywhere it makes sense (normal with
@@ -84,7 +109,7 @@ using DistributionParameters =
 class Distribution {
 public:
     Distribution();  ///< the constant 0
-    // Copies of the thirteen alternatives are compiled once, in distribution.cpp.
+    // Copies of the alternatives are compiled once, in distribution.cpp.
     Distribution(const Distribution&);
     Distribution(Distribution&&) noexcept;
     Distribution& operator=(const Distribution&);
@@ -111,7 +136,8 @@ public:
     /// (JCGM 100 G.3).
     double standard_uncertainty() const;
     double degrees_of_freedom() const;  ///< of a Student t; infinite otherwise
-    double density(double x) const;     ///< 0 for Discrete
+    double density(double x) const;     ///< 0 where `has_jumps`
+    bool has_jumps() const;             ///< discrete, Poisson, binomial: takes single values only
     double quantile(double p) const;    ///< inverse distribution function, 0 < p < 1
 
     /// Vectorised inverse distribution function: x[i] = quantile(p[i]). No allocation. `p` and `x` may be the
@@ -149,16 +175,23 @@ struct DistributionParameterInfo {
 struct DistributionKindInfo {
     std::string_view key;
     std::string_view title;
-    std::vector<DistributionParameterInfo> parameters;  ///< empty for "discrete", whose parameters are lists
+    std::vector<DistributionParameterInfo> parameters;  ///< empty where they are two lists
+    std::string_view list =
+        {};  ///< key of the first list, values that have a unit; the second: probabilities
 };
 const std::vector<DistributionKindInfo>& distribution_kinds();
 /// Null: there is none with this key.
 const DistributionKindInfo* find_distribution_kind(std::string_view key);
-/// Builds from a kind's key and its parameters in the order of `distribution_kinds()` (SI); for "discrete"
-/// all values, then all probabilities. Errors: unknown kind, wrong number of parameters, those of
-/// `Distribution::make`.
+/// Builds from a kind's key and its parameters in the order of `distribution_kinds()` (SI); for lists
+/// the first, then all probabilities (a histogram has one edge more). Errors: unknown kind, wrong number of
+/// parameters, those of `Distribution::make`.
 Result<Distribution> distribution_from(std::string_view kind, std::span<const double> parameters);
 /// The parameters in that order (SI).
 std::vector<double> distribution_parameters(const Distribution& distribution);
+/// Of so many parameters that are two lists, those of the first.
+std::size_t first_list_size(std::size_t parameters);
+/// The values that a distribution with jumps takes, with their probabilities (of far tails as much as can be
+/// drawn); nothing of one without.
+Discrete values_with_probabilities(const Distribution& distribution);
 
 }  // namespace covaria

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/math/normal_quantile.h"
@@ -12,6 +13,8 @@ namespace covaria::detail {
 namespace {
 
 using Words = Message (*)();
+
+constexpr double most_events = 1e7;  ///< tables of probabilities stay small
 
 /// Keeps the first problem found.
 class Check {
@@ -38,6 +41,14 @@ public:
         return finite(tell<"lower limit">, low)
             .finite(tell<"upper limit">, high)
             .that(low <= high, tell<"the lower limit must not be greater than the upper limit.">);
+    }
+    Check& probabilities(const std::vector<double>& all) {
+        double sum = 0.0;
+        for (const double probability : all) {
+            not_negative(tell<"probabilities">, probability);
+            sum += probability;
+        }
+        return that(std::abs(sum - 1.0) <= 1e-9, tell<"the probabilities must sum to 1.">);
     }
     Message message() const { return message_; }
 
@@ -144,13 +155,52 @@ Message problem(const Discrete& d) {
     check.that(!d.values.empty(), tell<"a discrete distribution needs at least one value.">);
     check.that(d.values.size() == d.probabilities.size(),
                tell<"there must be as many probabilities as values.">);
-    double sum = 0.0;
     for (const double value : d.values) check.finite(tell<"values">, value);
-    for (const double probability : d.probabilities) {
-        check.not_negative(tell<"probabilities">, probability);
-        sum += probability;
-    }
-    return check.that(std::abs(sum - 1.0) <= 1e-9, tell<"the probabilities must sum to 1.">).message();
+    return check.probabilities(d.probabilities).message();
+}
+
+Message problem(const Laplace& l) {
+    return Check().finite(tell<"mean value">, l.mean).not_negative(tell<"scale">, l.scale).message();
+}
+
+Message problem(const Weibull& w) {
+    return Check()
+        .finite(tell<"location">, w.location)
+        .finite(tell<"scale">, w.scale)
+        .that(w.shape >= 0.1 && w.shape <= 1e6, tell<"the shape must lie between 0.1 and 1000000.">)
+        .message();
+}
+
+Message problem(const Poisson& p) {
+    return Check()
+        .finite(tell<"step">, p.step)
+        .finite(tell<"value without an event">, p.zero)
+        .that(p.number >= 0.0 && p.number <= most_events,
+              tell<"the expected number of events must lie between 0 and 10000000; beyond it a normal "
+                   "distribution says the same.">)
+        .message();
+}
+
+Message problem(const Binomial& b) {
+    return Check()
+        .finite(tell<"step">, b.step)
+        .finite(tell<"value without an event">, b.zero)
+        .that(b.trials >= 0.0 && b.trials <= most_events && b.trials == std::round(b.trials),
+              tell<"the number of trials must be a whole number up to 10000000; beyond it a normal "
+                   "distribution says the same.">)
+        .that(b.probability >= 0.0 && b.probability <= 1.0, tell<"the probability must lie between 0 and 1.">)
+        .message();
+}
+
+Message problem(const StatedHistogram& h) {
+    Check check;
+    check.that(!h.probabilities.empty(), tell<"a histogram needs at least one cell.">);
+    check.that(h.edges.size() == h.probabilities.size() + 1,
+               tell<"there must be one edge more than probabilities.">);
+    for (const double edge : h.edges) check.finite(tell<"edges">, edge);
+    check.that(std::adjacent_find(h.edges.begin(), h.edges.end(), std::greater_equal<>()) == h.edges.end(),
+               tell<"the edges must rise.">);
+    return check.probabilities(h.probabilities).message();
 }
 
 }  // namespace

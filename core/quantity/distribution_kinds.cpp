@@ -19,8 +19,11 @@ constexpr DistributionParameterInfo low_limit{"low", "lower limit", true, false}
 constexpr DistributionParameterInfo high_limit{"high", "upper limit", true, false};
 constexpr DistributionParameterInfo scale_factor{"scale", "scale", true, true};
 
+constexpr DistributionParameterInfo event_step{"step", "step of one event", true, true};
+constexpr DistributionParameterInfo without_events{"zero", "value without an event", true, false};
+
 template <class T>
-constexpr bool is_discrete = std::is_same_v<T, Discrete>;
+constexpr bool has_lists = std::is_same_v<T, Discrete> || std::is_same_v<T, StatedHistogram>;
 
 /// Pointers to the parameters of a kind in the order of the table.
 template <class T>
@@ -44,16 +47,29 @@ auto members(T& p) {
         return std::array{&p.log_mean, &p.log_standard_deviation};
     else if constexpr (std::is_same_v<Kind, Beta>)
         return std::array{&p.low, &p.high, &p.alpha, &p.beta};
+    else if constexpr (std::is_same_v<Kind, Laplace>)
+        return std::array{&p.mean, &p.scale};
+    else if constexpr (std::is_same_v<Kind, Weibull>)
+        return std::array{&p.location, &p.scale, &p.shape};
+    else if constexpr (std::is_same_v<Kind, Poisson>)
+        return std::array{&p.number, &p.step, &p.zero};
+    else if constexpr (std::is_same_v<Kind, Binomial>)
+        return std::array{&p.trials, &p.probability, &p.step, &p.zero};
     else
         return std::array{&p.low, &p.high};
 }
 
-Result<Discrete> discrete_from(std::span<const double> numbers) {
-    if (numbers.size() % 2 != 0)
+/// "Discrete" has as many probabilities as values, "histogram" one less than edges.
+template <class Kind>
+Result<DistributionParameters> lists_from(std::span<const double> numbers) {
+    constexpr bool is_histogram = std::is_same_v<Kind, StatedHistogram>;
+    if ((numbers.size() % 2 != 0) != is_histogram)
         return fail(ErrorCode::bad_input,
-                    tell<"discrete distribution: there must be as many probabilities as values.">());
-    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-    return Discrete{{numbers.begin(), middle}, {middle, numbers.end()}};
+                    is_histogram ? tell<"histogram: there must be one edge more than probabilities.">()
+                                 : tell<"discrete distribution: there must be as many probabilities as "
+                                        "values.">());
+    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(first_list_size(numbers.size()));
+    return Kind{{numbers.begin(), middle}, {middle, numbers.end()}};
 }
 
 /// The parameters of alternative `index` with these values.
@@ -64,8 +80,8 @@ Result<DistributionParameters> with_values(std::size_t index, std::span<const do
         if constexpr (I + 1 < std::variant_size_v<DistributionParameters>)
             return with_values<I + 1>(index, values);
     }
-    if constexpr (is_discrete<Kind>) {
-        return discrete_from(values).map([](Discrete d) { return DistributionParameters(std::move(d)); });
+    if constexpr (has_lists<Kind>) {
+        return lists_from<Kind>(values);
     } else {
         Kind kind{};
         const auto places = members(kind);
@@ -104,7 +120,21 @@ const std::vector<DistributionKindInfo>& distribution_kinds() {
           high_limit,
           {"alpha", "parameter alpha", false, false},
           {"beta", "parameter beta", false, false}}},
-        {"discrete", "discrete", {}},
+        {"discrete", "discrete", {}, "values"},
+        {"laplace", "Laplace", {mean_value, scale_factor}},
+        {"weibull",
+         "Weibull",
+         {{"location", "location", true, false}, scale_factor, {"shape", "shape", false, false}}},
+        {"poisson",
+         "Poisson",
+         {{"number", "expected number of events", false, false}, event_step, without_events}},
+        {"binomial",
+         "binomial",
+         {{"trials", "number of trials", false, false},
+          {"probability", "probability", false, false},
+          event_step,
+          without_events}},
+        {"histogram", "histogram", {}, "edges"},
     };
     return kinds;
 }
@@ -137,8 +167,12 @@ std::vector<double> distribution_parameters(const Distribution& distribution) {
     return std::visit(
         [](const auto& p) {
             std::vector<double> values;
-            if constexpr (is_discrete<std::remove_cvref_t<decltype(p)>>) {
-                values = p.values;
+            using Kind = std::remove_cvref_t<decltype(p)>;
+            if constexpr (has_lists<Kind>) {
+                if constexpr (std::is_same_v<Kind, Discrete>)
+                    values = p.values;
+                else
+                    values = p.edges;
                 values.insert(values.end(), p.probabilities.begin(), p.probabilities.end());
             } else {
                 for (const double* place : members(p)) values.push_back(*place);
@@ -146,6 +180,10 @@ std::vector<double> distribution_parameters(const Distribution& distribution) {
             return values;
         },
         distribution.parameters());
+}
+
+std::size_t first_list_size(std::size_t parameters) {
+    return (parameters + 1) / 2;
 }
 
 std::string_view Distribution::kind() const {

@@ -114,6 +114,41 @@ Moments moments(const Beta& b) {
     return {b.low + width * b.alpha / sum, width / sum * std::sqrt(b.alpha * b.beta / (sum + 1.0))};
 }
 
+Moments moments(const Laplace& l) {
+    return {l.mean, std::numbers::sqrt2 * l.scale};
+}
+
+/// Gamma(1 + 2/k) - Gamma(1 + 1/k)^2 loses its digits for great shapes: as Gamma(1 + 1/k)^2 (e^d - 1).
+Moments moments(const Weibull& w) {
+    const double first = std::lgamma(1.0 + 1.0 / w.shape);
+    const double mean = std::exp(first);
+    const double variance = std::expm1(std::lgamma(1.0 + 2.0 / w.shape) - 2.0 * first);
+    return {w.location + w.scale * mean, std::abs(w.scale) * mean * std::sqrt(variance)};
+}
+
+Moments moments(const Poisson& p) {
+    return {p.zero + p.step * p.number, std::abs(p.step) * std::sqrt(p.number)};
+}
+
+Moments moments(const Binomial& b) {
+    const double mean = b.trials * b.probability;
+    return {b.zero + b.step * mean, std::abs(b.step) * std::sqrt(mean * (1.0 - b.probability))};
+}
+
+Moments moments(const StatedHistogram& h) {
+    Moments m;
+    double whole = 0.0, variance = 0.0;
+    for (const double probability : h.probabilities) whole += probability;
+    const auto middle = [&](std::size_t i) { return h.edges[i] + 0.5 * (h.edges[i + 1] - h.edges[i]); };
+    for (std::size_t i = 0; i < h.probabilities.size(); ++i) m.mean += h.probabilities[i] / whole * middle(i);
+    for (std::size_t i = 0; i < h.probabilities.size(); ++i) {
+        const double off = middle(i) - m.mean, width = h.edges[i + 1] - h.edges[i];
+        variance += h.probabilities[i] / whole * (off * off + width * width / 12.0);
+    }
+    m.standard_deviation = std::sqrt(variance);
+    return m;
+}
+
 double density_at(const Normal& n, double x) {
     return normal_density((x - n.mean) / n.standard_deviation) / n.standard_deviation;
 }
@@ -190,7 +225,34 @@ double density_at(const Beta& b, double x) {
     return boost::math::ibeta_derivative(b.alpha, b.beta, y) / width;
 }
 
+double density_at(const Laplace& l, double x) {
+    return std::exp(-std::abs(x - l.mean) / l.scale) / (2.0 * l.scale);
+}
+
+double density_at(const Weibull& w, double x) {
+    const double y = (x - w.location) / w.scale;
+    if (y < 0.0) return 0.0;
+    if (y == 0.0 && w.shape != 1.0) return w.shape < 1.0 ? infinity : 0.0;
+    return w.shape * std::pow(y, w.shape - 1.0) * std::exp(-std::pow(y, w.shape)) / std::abs(w.scale);
+}
+
+double density_at(const StatedHistogram& h, double x) {
+    if (x < h.edges.front() || x > h.edges.back()) return 0.0;
+    const auto above = std::upper_bound(h.edges.begin() + 1, h.edges.end() - 1, x);
+    const auto cell = static_cast<std::size_t>(above - h.edges.begin()) - 1;
+    double whole = 0.0;
+    for (const double probability : h.probabilities) whole += probability;
+    return h.probabilities[cell] / whole / (h.edges[cell + 1] - h.edges[cell]);
+}
+
+// Those with jumps have none.
 double density_at(const Discrete&, double) {
+    return 0.0;
+}
+double density_at(const Poisson&, double) {
+    return 0.0;
+}
+double density_at(const Binomial&, double) {
     return 0.0;
 }
 
@@ -218,8 +280,13 @@ double Distribution::degrees_of_freedom() const {
     return t != nullptr ? t->degrees_of_freedom : infinity;
 }
 
+bool Distribution::has_jumps() const {
+    return std::holds_alternative<Discrete>(parameters_) || std::holds_alternative<Poisson>(parameters_) ||
+           std::holds_alternative<Binomial>(parameters_);
+}
+
 double Distribution::density(double x) const {
-    if (std::holds_alternative<Discrete>(parameters_)) return 0.0;
+    if (has_jumps()) return 0.0;
     const double y = (x - location_) / factor_;
     const Moments m = moments_of(parameters_);
     if (m.standard_deviation == 0.0) return y == m.mean ? infinity : 0.0;

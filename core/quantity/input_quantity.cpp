@@ -1,9 +1,10 @@
 // Estimates, standard uncertainties and effective degrees of freedom of input quantities.
 #include "core/quantity/input_quantity.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 
@@ -14,59 +15,55 @@ namespace covaria {
 
 namespace {
 
-/// Contributions a_j = factor_j u_j of the components of one quantity and their correlations R.
+/// Contributions a_j = factor_j u_j of the components of one quantity, and those that are correlated by their
+/// places among them: of hundreds of components few are.
 struct Contributions {
-    Eigen::VectorXd a;
-    Eigen::MatrixXd correlation;
     std::vector<std::size_t> components;
+    std::vector<double> a;
+    std::vector<ComponentCorrelation> pairs;
+
+    /// R a.
+    std::vector<double> correlated() const {
+        std::vector<double> sums = a;
+        for (const ComponentCorrelation& pair : pairs) {
+            sums[pair.first] += pair.coefficient * a[pair.second];
+            sums[pair.second] += pair.coefficient * a[pair.first];
+        }
+        return sums;
+    }
+    double variance() const {
+        const std::vector<double> sums = correlated();
+        return std::max(0.0, std::inner_product(a.begin(), a.end(), sums.begin(), 0.0));
+    }
 };
 
 /// A component named twice counts once, with the sum of its factors; held ones contribute nothing.
-Contributions merged_contributions(const InputSet& inputs, const InputQuantity& quantity) {
+Contributions contributions(const InputSet& inputs, const InputQuantity& quantity) {
     Contributions c;
-    std::vector<double> a;
+    std::unordered_map<std::size_t, std::size_t> places;
     for (const Share& share : quantity.shares) {
         const UncertaintyComponent& component = inputs.components.at(share.component);
         if (component.held) continue;
-        const double part = share.factor * component.distribution.standard_uncertainty();
-        const auto known = std::find(c.components.begin(), c.components.end(), share.component);
-        if (known != c.components.end()) {
-            a[static_cast<std::size_t>(known - c.components.begin())] += part;
-            continue;
+        const auto [known, is_new] = places.try_emplace(share.component, c.components.size());
+        if (is_new) {
+            c.components.push_back(share.component);
+            c.a.push_back(0.0);
         }
-        c.components.push_back(share.component);
-        a.push_back(part);
+        c.a[known->second] += share.factor * component.distribution.standard_uncertainty();
     }
-    c.a = Eigen::Map<const Eigen::VectorXd>(a.data(), static_cast<Eigen::Index>(a.size()));
+    if (c.components.size() > 1) c.pairs = detail::correlations_among(inputs, c.components);
     return c;
-}
-
-Contributions contributions(const InputSet& inputs, const InputQuantity& quantity) {
-    Contributions c = merged_contributions(inputs, quantity);
-    const Eigen::Index n = c.a.size();
-    c.correlation = Eigen::MatrixXd::Identity(n, n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        for (Eigen::Index j = i + 1; j < n; ++j) {
-            const std::size_t first = c.components[static_cast<std::size_t>(i)];
-            const std::size_t second = c.components[static_cast<std::size_t>(j)];
-            c.correlation(i, j) = c.correlation(j, i) = detail::correlation_between(inputs, first, second);
-        }
-    return c;
-}
-
-double variance(const Contributions& c) {
-    return std::max(0.0, c.a.dot(c.correlation * c.a));
 }
 
 }  // namespace
 
 std::vector<Share> detail::correlations_with_total(const InputSet& inputs, std::size_t quantity) {
     const Contributions c = contributions(inputs, inputs.quantities.at(quantity));
-    const double u = std::sqrt(variance(c));
-    const Eigen::VectorXd covariances = c.correlation * c.a;
+    const double u = std::sqrt(c.variance());
+    const std::vector<double> covariances = c.correlated();
     std::vector<Share> result;
     for (std::size_t j = 0; j < c.components.size() && u > 0.0; ++j)
-        result.push_back({c.components[j], covariances[static_cast<Eigen::Index>(j)] / u});
+        result.push_back({c.components[j], covariances[j] / u});
     return result;
 }
 
@@ -97,7 +94,7 @@ double estimate_of(const InputSet& inputs, std::size_t quantity) {
 }
 
 double standard_uncertainty_of(const InputSet& inputs, std::size_t quantity) {
-    return std::sqrt(variance(contributions(inputs, inputs.quantities.at(quantity))));
+    return std::sqrt(contributions(inputs, inputs.quantities.at(quantity)).variance());
 }
 
 void InputSet::rest_on_estimate(const std::string& id, std::size_t component, bool of_asset) {
@@ -147,18 +144,14 @@ double degrees_of_freedom_of(const InputSet& inputs, std::size_t quantity) {
     const std::vector<std::size_t> estimates = inputs.estimates_of_components();
     std::vector<detail::WelchSatterthwaite::Source> sources;
     std::vector<detail::WelchSatterthwaite::Part> parts;
-    std::vector<ComponentCorrelation> correlations;
-    const Eigen::VectorXd correlated = c.correlation * c.a;
+    const std::vector<double> correlated = c.correlated();
     for (std::size_t j = 0; j < c.components.size(); ++j) {
-        const auto row = static_cast<Eigen::Index>(j);
         sources.push_back(
             {degrees_of_freedom_of(inputs.components[c.components[j]]), estimates[c.components[j]]});
-        parts.push_back({j, c.a[row] * correlated[row]});
-        for (std::size_t k = 0; k < j; ++k)
-            correlations.push_back({k, j, c.correlation(static_cast<Eigen::Index>(k), row)});
+        parts.push_back({j, c.a[j] * correlated[j]});
     }
-    return detail::WelchSatterthwaite(std::move(sources), correlations)
-        .effective(parts, variance(c))
+    return detail::WelchSatterthwaite(std::move(sources), c.pairs)
+        .effective(parts, c.variance())
         .degrees_of_freedom;
 }
 

@@ -93,6 +93,36 @@ QuantileFunctionPointer make(const Discrete& d) {
     return make_discrete(d);
 }
 
+/// ln(2p) below the middle, -ln(2(1 - p)) above it.
+QuantileFunctionPointer make(const Laplace& l) {
+    return make_elementwise([l](Batch p) {
+        const Batch distance = xsimd::log(Batch(2.0) * xsimd::min(p, Batch(1.0) - p));
+        const Batch sign = xsimd::select(p < Batch(0.5), Batch(l.scale), Batch(-l.scale));
+        return Batch(l.mean) + sign * distance;
+    });
+}
+
+/// (-ln(1 - p))^(1/k), of a mirrored one (-ln p)^(1/k).
+QuantileFunctionPointer make(const Weibull& w) {
+    if (w.scale == 0.0) return make_constant(w.location);
+    return make_elementwise([w, mirrored = w.scale < 0.0](Batch p) {
+        const Batch energy = mirrored ? -xsimd::log(p) : -xsimd::log1p(-p);
+        return Batch(w.location) + Batch(w.scale) * xsimd::exp(xsimd::log(energy) * Batch(1.0 / w.shape));
+    });
+}
+
+QuantileFunctionPointer make(const Poisson& p) {
+    return make_discrete(table_of(p));
+}
+
+QuantileFunctionPointer make(const Binomial& b) {
+    return make_discrete(table_of(b));
+}
+
+QuantileFunctionPointer make(const StatedHistogram& h) {
+    return make_histogram(h);
+}
+
 class AffineQuantile final : public QuantileFunction {
 public:
     AffineQuantile(QuantileFunctionPointer of_x, double location, double factor)

@@ -29,8 +29,13 @@ QuantileFunctionPointer make_affine(QuantileFunctionPointer of_x, double locatio
 QuantileFunctionPointer make_curvilinear_trapezoid(const CurvilinearTrapezoid& parameters);
 QuantileFunctionPointer make_truncated_normal(const TruncatedNormal& parameters);
 QuantileFunctionPointer make_discrete(const Discrete& parameters);
+QuantileFunctionPointer make_histogram(const StatedHistogram& parameters);
 QuantileFunctionPointer make_student_t(const StudentT& parameters);
 QuantileFunctionPointer make_gamma(const Gamma& parameters);
 QuantileFunctionPointer make_beta(const Beta& parameters);
+
+/// Their values and probabilities; a step or width of zero is one value.
+Discrete table_of(const Poisson& parameters);
+Discrete table_of(const Binomial& parameters);
 
 }  // namespace covaria::detail

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/base/temperature.h"
 #include "core/math/special_quantiles.h"
 
 namespace covaria {
@@ -71,6 +73,8 @@ Made rectangular_limits(const Statement& s) {
 
 Made maximum_permissible_error(const Statement& s) {
     const double relative = s.b.value_or(0.0) / 100.0;
+    if (const Message objection = part_objection(s.unit); relative != 0.0 && !objection.empty())
+        return refused(objection);
     if (relative != 0.0 && !s.estimate)
         return refused(tell<"a relative part of the permissible error needs the value of the quantity">());
     const double half = *s.a + std::abs(relative * s.estimate.value_or(0.0));
@@ -78,6 +82,7 @@ Made maximum_permissible_error(const Statement& s) {
 }
 
 Made exponential(const Statement& s) {
+    if (const Message objection = part_objection(s.unit); !objection.empty()) return refused(objection);
     if (!s.estimate || !(*s.estimate > 0.0))
         return refused(tell<"an exponential distribution needs an estimate greater than zero">());
     return of_distribution(s, Exponential{*s.estimate}).map([&](StatedComponent c) {
@@ -98,6 +103,71 @@ Made counts(const Statement& s) {
     });
 }
 
+/// About the estimate, which is that of the distribution where none is typed.
+Made about_its_mean(const Statement& s, DistributionParameters parameters) {
+    return of_distribution(s, std::move(parameters)).map([](StatedComponent c) {
+        c.estimate = c.distribution.mean();
+        c.distribution = c.distribution.shifted(-*c.estimate);
+        return c;
+    });
+}
+
+/// The number that is expected is stated, or is the value.
+Made poisson(const Statement& s) {
+    if (s.a && s.estimate)
+        return refused(
+            tell<"the expected number of events gives the estimate: leave the value empty, or the number">());
+    const std::optional<double> number = s.a ? s.a : s.estimate;
+    if (!number) return refused(tell<"the expected number of events is missing: state it, or the value">());
+    return about_its_mean(s, Poisson{*number, 1.0, 0.0});
+}
+
+Made binomial(const Statement& s) {
+    if (s.b && s.estimate)
+        return refused(
+            tell<"trials and probability give the estimate: leave the value empty, or the probability">());
+    if (!s.b && !s.estimate)
+        return refused(tell<"the probability of each trial is missing: state it, or the value">());
+    if (!(*s.a >= 1.0)) return refused(tell<"the number of trials must be at least one">());
+    const double probability = s.b ? *s.b / 100.0 : *s.estimate / *s.a;
+    if (!(probability >= 0.0 && probability <= 1.0))
+        return refused(s.b ? tell<"the probability of each trial must lie between 0 and 100 %">()
+                           : tell<"the value must lie between 0 and the number of trials">());
+    return about_its_mean(s, Binomial{*s.a, probability, 1.0, 0.0});
+}
+
+Made weibull(const Statement& s) {
+    if (s.estimate)
+        return refused(tell<"scale and shape give the estimate: leave the value empty, or state the standard "
+                            "deviation alone">());
+    return about_its_mean(s, Weibull{0.0, *s.a, *s.b});
+}
+
+/// With the value as its mean and a standard deviation: their ratio r says the shape k, by
+/// 1 + r^2 = Gamma(1 + 2/k)/Gamma(1 + 1/k)^2, which falls with k.
+Made weibull_of_deviation(const Statement& s) {
+    if (!s.estimate || !(*s.estimate > 0.0))
+        return refused(tell<"a Weibull distribution needs a value greater than zero, which is its mean">());
+    if (*s.a == 0.0) return of_distribution(s, Normal{0.0, 0.0});
+    const double wanted = std::log1p((*s.a / *s.estimate) * (*s.a / *s.estimate));
+    double low = std::log(0.1), high = std::log(1e6);
+    const auto excess = [&](double log_shape) {
+        const double v = std::exp(-log_shape);
+        return std::lgamma(1.0 + 2.0 * v) - 2.0 * std::lgamma(1.0 + v) - wanted;
+    };
+    if (excess(low) < 0.0 || excess(high) > 0.0)
+        return refused(
+            tell<"no Weibull distribution has such a ratio of standard deviation to mean: it must lie "
+                 "between 0.000002 and 429">());
+    for (int step = 0; step < 200; ++step) {
+        const double middle = 0.5 * (low + high);
+        (excess(middle) > 0.0 ? low : high) = middle;
+    }
+    const double shape = std::exp(0.5 * (low + high));
+    const double scale = *s.estimate / std::exp(std::lgamma(1.0 + 1.0 / shape));
+    return of_distribution(s, Weibull{-*s.estimate, scale, shape});
+}
+
 Made make(const Statement& s) {
     const double a = s.a.value_or(0.0), b = s.b.value_or(0.0);
     if (s.kind == "standard") return of_standard_uncertainty(s, a);
@@ -113,6 +183,12 @@ Made make(const Statement& s) {
     if (s.kind == "triangular") return of_distribution(s, Triangular{-a, a});
     if (s.kind == "arcsine") return of_distribution(s, Arcsine{-a, a});
     if (s.kind == "exponential") return exponential(s);
+    if (s.kind == "laplace") return of_distribution(s, Laplace{0.0, a / std::numbers::sqrt2});
+    if (s.kind == "laplace-scale") return of_distribution(s, Laplace{0.0, a});
+    if (s.kind == "weibull") return weibull(s);
+    if (s.kind == "weibull-deviation") return weibull_of_deviation(s);
+    if (s.kind == "poisson") return poisson(s);
+    if (s.kind == "binomial") return binomial(s);
     return counts(s);
 }
 
@@ -125,8 +201,8 @@ Message figure_problem(std::string_view name, const std::optional<double>& figur
 }
 
 Message problem_of(const Statement& s, const StatementKind& kind) {
-    for (const Message& problem :
-         {figure_problem("a", s.a, kind.a, false), figure_problem("b", s.b, kind.b, kind.b_optional)})
+    for (const Message& problem : {figure_problem("a", s.a, kind.a, kind.a_optional),
+                                   figure_problem("b", s.b, kind.b, kind.b_optional)})
         if (!problem.empty()) return problem;
     if (s.a && kind.key != "limits" && *s.a < 0.0) return tell<"'a' must not be negative">();
     if (s.degrees_of_freedom && s.relative_uncertainty_of_u)
@@ -160,6 +236,12 @@ const std::vector<StatementKind>& statement_kinds() {
          false, true},
         {"exponential", "exponential", "", ""},
         {"counts", "counts", "number of counts", "", false},
+        {"laplace", "Laplace, standard deviation", "standard deviation", ""},
+        {"laplace-scale", "Laplace, scale", "scale", ""},
+        {"weibull", "Weibull, scale and shape", "scale", "shape", true, false},
+        {"weibull-deviation", "Weibull, standard deviation", "standard deviation", ""},
+        {"poisson", "Poisson", "expected number of events", "", false, false, false, true},
+        {"binomial", "binomial", "number of trials", "probability in % of each trial", false, false, true},
     };
     return kinds;
 }
@@ -177,10 +259,15 @@ bool is_part_of_estimate(const Unit& stated, const Unit& of_quantity) {
 
 Result<double> figure_in_si(double figure, const Unit& stated, const Unit& of_quantity, bool on_scale,
                             std::optional<double> estimate) {
-    if (stated.dimension() == of_quantity.dimension())
-        return on_scale ? stated.to_si(figure) : stated.interval_to_si(figure);
+    if (stated.dimension() == of_quantity.dimension()) {
+        if (!on_scale) return stated.interval_to_si(figure);
+        if (const Message objection = reading_objection(stated, of_quantity); !objection.empty())
+            return refused(objection);
+        return stated.to_si(figure);
+    }
     if (on_scale || !is_part_of_estimate(stated, of_quantity))
         return refused(tell<"%1 is no unit for a quantity in %2">(stated.display(), of_quantity.display()));
+    if (const Message objection = part_objection(of_quantity); !objection.empty()) return refused(objection);
     if (!estimate) return refused(tell<"a part of the value needs the value">());
     return std::abs(*estimate) * stated.interval_to_si(figure);
 }

@@ -20,6 +20,7 @@ struct Statement {
     std::optional<double> degrees_of_freedom = {};
     std::optional<double> relative_uncertainty_of_u = {};  ///< du/u: nu = (du/u)^-2 / 2 (JCGM 100 G.3)
     std::optional<double> estimate = {};                   ///< of the quantity
+    Unit unit = {};  ///< of the quantity: in degC there is no part of its estimate
 };
 
 struct StatementKind {
@@ -30,6 +31,7 @@ struct StatementKind {
     bool a_has_unit = true;
     bool b_has_unit = true;
     bool b_optional = false;
+    bool a_optional = false;
 };
 /// All kinds that are about figures; those about observations are not among them.
 const std::vector<StatementKind>& statement_kinds();
@@ -45,10 +47,10 @@ Result<double> figure_in_si(double figure, const Unit& stated, const Unit& of_qu
                             std::optional<double> estimate);
 
 struct StatedComponent {
-    Distribution distribution;  ///< of the deviation from the estimate: mean zero but for counts and limits
+    Distribution distribution;  ///< of the deviation from the estimate: its mean is zero
     double degrees_of_freedom = infinity;
     EvaluationType type = EvaluationType::type_b;
-    std::optional<double> estimate = {};  ///< where the statement itself gives one (limits, counts)
+    std::optional<double> estimate = {};  ///< where the statement itself gives one (limits, counts, events)
     std::string words = {};               ///< "certificate, U with k": where the figure comes from
 };
 

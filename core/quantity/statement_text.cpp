@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/temperature.h"
 #include "core/quantity/statement.h"
 #include "core/text/digit_groups.h"
 #include "core/text/numbers.h"
@@ -22,7 +23,8 @@ struct Notation {
     std::string_view second = {};    ///< name of the second figure
     int figures = 1;                 ///< that it has at the most
     int needed = 1;
-    bool has_unit = true;  ///< the first
+    bool has_unit = true;         ///< the first
+    std::string_view first = {};  ///< name of the first figure, where it tells the kind from another one
 };
 
 const std::vector<Notation>& notations() {
@@ -41,15 +43,23 @@ const std::vector<Notation>& notations() {
         {"mpe", {"MPE"}, "± ", "+", 2, 1},
         {"exponential", {"exponential", "exp"}, "", "", 0, 0},
         {"counts", {"counts"}, "", "", 1, 1, false},
+        {"weibull", {"Weibull"}, "scale ", "shape", 2, 2, true, "scale"},
+        {"weibull-deviation", {"Weibull"}},
+        {"laplace-scale", {"Laplace"}, "scale ", "", 1, 1, true, "scale"},
+        {"laplace", {"Laplace"}},
+        {"poisson", {"Poisson"}, "", "", 1, 0, false},
+        {"binomial", {"binomial"}, "n = ", "p", 2, 1, false, "n"},
+        {"sample", {"sample", "empirical"}, "", "weights", 0, 0},
+        {"histogram", {"histogram", "hist"}, "", "weights", 0, 0},
         {"observations", {"observations", "obs"}, "", "", 0, 0},
         {"pooled", {"pooled"}, "", "", 1, 0, false},
         {"constant", {"constant", "const", "exact"}, "", "", 0, 0}};
     return all;
 }
 
-/// Letters and abbreviations (u, U, k, p, MPE) are the same in every language.
+/// Letters, abbreviations (u, U, k, p, MPE) and names of people are the same in every language.
 bool is_translated(std::string_view word) {
-    return word.size() > 1 && word != "MPE";
+    return word.size() > 1 && word != "MPE" && word != "Laplace" && word != "Weibull" && word != "Poisson";
 }
 
 tl::unexpected<Error> not_read(Message message) {
@@ -202,7 +212,7 @@ private:
             if (token->number) {
                 auto found = figure(*token->number);
                 if (!found) return fail(found.error());
-                figures_.push_back(*found);
+                (weighted_ ? weights_ : figures_).push_back(*found);
             } else if ((word_.empty() || word_ == "±") && is_notation_word(token->text)) {
                 word_ = token->text;
             } else if (auto read = named(token->text); !read) {
@@ -225,8 +235,9 @@ private:
     }
 
     static bool is_name(std::string_view word) {
-        static constexpr std::array<std::string_view, 12> names{
-            "k", "p", "n", "nu", "ν", "nu_eff", "to", "..", "and", "ratio", "inexactness", "+"};
+        static constexpr std::array<std::string_view, 15> names{
+            "k",   "p",     "n",           "nu", "ν",     "nu_eff", "to",     "..",
+            "and", "ratio", "inexactness", "+",  "scale", "shape",  "weights"};
         return word == "±" || std::find(names.begin(), names.end(), word) != names.end();
     }
 
@@ -242,6 +253,10 @@ private:
 
     Result<void> named(const std::string& name) {
         if (!is_name(name)) return not_read(tell<"'%1' is not understood here">(name));
+        if (name == "weights" && !weighted_) {
+            weighted_ = true;
+            return {};
+        }
         const Token* token = tokens_.next();
         if (!token || !token->number) return not_read(tell<"a number is missing after '%1'">(name));
         auto found = figure(*token->number);
@@ -250,7 +265,11 @@ private:
             degrees_of_freedom_ = found->value;
             return {};
         }
-        if (name == "k" || name == "p" || name == "n" || name == "ratio" || name == "inexactness")
+        const bool is_first = figures_.empty() && (name == "n" || name == "scale");
+        if (is_first)
+            first_ = name;
+        else if (name == "k" || name == "p" || name == "n" || name == "ratio" || name == "inexactness" ||
+                 name == "shape")
             second_ = name;
         if (name == "to" || name == "..") joined_ = true;
         figures_.push_back(*found);
@@ -259,7 +278,8 @@ private:
 
     Result<TypedStatement> statement() {
         const Notation* notation = find();
-        if (notation && notation->kind == "observations" && !figures_.empty()) return observed();
+        const bool is_list = notation && (notation->kind == "observations" || notation->second == "weights");
+        if (is_list && (!figures_.empty() || weighted_)) return observed(*notation);
         if (!notation)
             return not_read(
                 tell<"'%1' is no way to state an uncertainty. For example: 75 nm; U = 0.3 um, k = 2; "
@@ -274,8 +294,11 @@ private:
                 notation->second == "k" || notation->second == "p"
                     ? tell<"a figure is missing: an expanded uncertainty needs k = ... or p = ... %">()
                     : tell<"a figure is missing: it is noted as %1">(example(*notation)));
-        if (!second_.empty() && second_ != notation->second)
-            return not_read(tell<"'%1' is no part of it: it is noted as %2">(second_, example(*notation)));
+        for (const auto& [given, known] : {std::pair(first_, notation->first), {second_, notation->second}})
+            if (!given.empty() && given != known)
+                return not_read(tell<"'%1' is no part of it: it is noted as %2">(given, example(*notation)));
+        if (weighted_)
+            return not_read(tell<"'%1' is no part of it: it is noted as %2">("weights", example(*notation)));
         TypedStatement made{std::string(notation->kind), {}, {}, degrees_of_freedom_};
         if (count == 0) return made;
         const Result<Unit> stated = stated_unit(*notation);
@@ -290,13 +313,29 @@ private:
     }
 
     /// A unit behind the last one is that of all before it that have none.
-    Result<TypedStatement> observed() const {
-        TypedStatement made{"observations", {}, {}, degrees_of_freedom_};
+    Result<TypedStatement> observed(const Notation& notation) const {
+        TypedStatement made{std::string(notation.kind), {}, {}, degrees_of_freedom_};
+        if (weighted_ && notation.second != "weights")
+            return not_read(tell<"observations have no weights: for values with weights write sample 1; 2; 3 "
+                                 "weights 2; 5; 2">());
+        for (const Figure& weight : weights_) {
+            if (weight.unit && weight.unit->text() != "%") return not_read(tell<"weights have no unit">());
+            made.weights.push_back(weight.value);
+        }
+        const std::size_t cells = notation.kind == "histogram" ? 1 : 0;  // one edge more
+        if (weighted_ && made.weights.size() + cells != figures_.size())
+            return not_read(cells == 1 ? tell<"a histogram has one edge more than weights: histogram 0; 1; 2 "
+                                              "weights 5; 8">()
+                                       : tell<"there must be as many weights as values">());
+        if (!weighted_ && cells == 1)
+            return not_read(tell<"the weights of the cells are missing: histogram 0; 1; 2 weights 5; 8">());
         for (const Figure& figure : figures_) {
             const Unit& unit = figure.unit            ? *figure.unit
                                : figures_.back().unit ? *figures_.back().unit
                                                       : unit_;
             if (unit.dimension() != unit_.dimension()) return not_read(other_dimension(unit));
+            if (const Message objection = reading_objection(unit, unit_); !objection.empty())
+                return not_read(objection);
             made.observations.push_back(unit == unit_ ? figure.value
                                                       : clean(unit_.from_si(unit.to_si(figure.value))));
         }
@@ -320,6 +359,8 @@ private:
             const bool percent = figures_.size() > 1 && figures_[1].unit && figures_[1].unit->text() == "%";
             if (notation.kind == "certificate-k" && (second_ == "p" || (second_.empty() && percent)))
                 continue;
+            // Kinds with one word are told apart by the name of the first figure.
+            if (notation.first == "scale" && first_ != notation.first && second_ != "shape") continue;
             return &notation;
         }
         return nullptr;
@@ -343,6 +384,8 @@ private:
         const Unit unit = limits ? *typed : typed->interval();
         const bool part_of_value = is_part_of_estimate(unit, unit_) && !limits;
         if (unit.dimension() != unit_.dimension() && !part_of_value) return not_read(other_dimension(unit));
+        if (const Message objection = reading_objection(unit, unit_); limits && !objection.empty())
+            return not_read(objection);
         return unit;
     }
 
@@ -365,6 +408,11 @@ private:
             return not_read(tell<"the further part is one in %: write MPE 3 + 0.1 %">());
         if (notation.second == "n" && second_.empty())
             return not_read(tell<"a figure is missing: it is noted as %1">(example(notation)));
+        if (notation.kind == "binomial" && !b.unit) {
+            if (second_.empty() || !(b.value >= 0.0 && b.value <= 1.0))
+                return not_read(tell<"write the probability as p = 0.02 or p = 2 %">());
+            return clean(100.0 * b.value);
+        }
         // An expanded uncertainty with two bare figures says neither k nor p.
         if ((notation.second == "k") && second_.empty())
             return not_read(tell<"say which it is: k = ... or p = ... %">());
@@ -394,9 +442,10 @@ private:
 
     Tokens tokens_;
     const Unit& unit_;
-    std::string word_, second_;
-    bool joined_ = false;  ///< "1 to 2"
-    std::vector<Figure> figures_;
+    std::string word_, first_, second_;
+    bool joined_ = false;    ///< "1 to 2"
+    bool weighted_ = false;  ///< what follows are weights
+    std::vector<Figure> figures_, weights_;
     std::optional<double> degrees_of_freedom_;
 };
 
@@ -423,7 +472,7 @@ Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, b
 std::vector<std::string> statement_words() {
     std::vector<std::string> words;
     for (const Notation& notation : notations())
-        for (const std::string_view word : {notation.words.front(), notation.second})
+        for (const std::string_view word : {notation.words.front(), notation.first, notation.second})
             if (is_translated(word)) words.emplace_back(word);
     return words;
 }
@@ -444,10 +493,12 @@ std::string statement_text(const TypedStatement& statement, const Unit& row_unit
         std::string text = say(notation.words.front());
         for (std::size_t i = 0; i < statement.observations.size(); ++i)
             text += (i == 0 ? " " : "; ") + number(statement.observations[i]);
+        for (std::size_t i = 0; i < statement.weights.size(); ++i)
+            text += (i == 0 ? " " + say("weights") + " " : "; ") + number(statement.weights[i]);
         const bool limits = notation.kind == "limits";
         if (statement.a) {
             text += ' ';
-            text += notation.before_a;
+            text += notation.first.size() > 1 ? say(notation.first) + " " : std::string(notation.before_a);
             text +=
                 notation.has_unit && !limits ? in_unit(*statement.a, unit.interval()) : number(*statement.a);
         }
@@ -472,6 +523,9 @@ std::string statement_examples() {
            "limits 19.5 to 20.5: they give the value\n"
            "10.1; 10.3; 10.2: observations\n"
            "resolution 0.01, MPE 3 + 0.1 %, counts 12, constant\n"
+           "Laplace 0.3, Weibull 0.3 (standard deviations), Weibull scale 2, shape 1.5\n"
+           "Poisson 12, binomial n = 50, p = 2 %: they give the value\n"
+           "sample 1; 2; 3 weights 2; 5; 2 (drawn as they are), histogram 0; 1; 2 weights 5; 8 (edges)\n"
            "nu 18 behind any of them: degrees of freedom";
 }
 

@@ -1,102 +1,23 @@
 #include "core/readers/budget_columns.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include "core/base/in_quotes.h"
+#include "core/readers/budget_words.h"
 #include "core/readers/entry_texts.h"
+#include "core/readers/xml_text.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
 
 namespace {
 
-/// Whole headers that mean something, capital letters told apart.
-constexpr std::array<std::pair<std::string_view, BudgetColumn>, 29> whole_heads{
-    {{"U", BudgetColumn::expanded},
-     {"u", BudgetColumn::standard},
-     {"k", BudgetColumn::divisor},
-     {"c", BudgetColumn::c},
-     {"ci", BudgetColumn::c},
-     {"c_i", BudgetColumn::c},
-     {"cᵢ", BudgetColumn::c},
-     {"nu", BudgetColumn::nu},
-     {"nu_i", BudgetColumn::nu},
-     {"ν", BudgetColumn::nu},
-     {"νi", BudgetColumn::nu},
-     {"ν_i", BudgetColumn::nu},
-     {"νᵢ", BudgetColumn::nu},
-     {"vi", BudgetColumn::nu},
-     {"dof", BudgetColumn::nu},
-     {"DoF", BudgetColumn::nu},
-     {"df", BudgetColumn::nu},
-     {"x_i", BudgetColumn::value},
-     {"xi", BudgetColumn::value},
-     {"xᵢ", BudgetColumn::value},
-     {"X_i", BudgetColumn::quantity},
-     {"Xi", BudgetColumn::quantity},
-     {"u(x_i)", BudgetColumn::standard},
-     {"u(xi)", BudgetColumn::standard},
-     {"u_i", BudgetColumn::standard},
-     {"u_i(y)", BudgetColumn::contribution},
-     {"ui(y)", BudgetColumn::contribution},
-     {"a", BudgetColumn::limits},
-     {"±", BudgetColumn::limits}}};
-
-/// Words within headers, the first that is found decides.
-constexpr std::array<std::pair<std::string_view, BudgetColumn>, 38> words_in_heads{
-    {{"contribution", BudgetColumn::contribution},
-     {"beitrag", BudgetColumn::contribution},
-     {"sensitivity", BudgetColumn::c},
-     {"empfindlichkeit", BudgetColumn::c},
-     {"degrees of freedom", BudgetColumn::nu},
-     {"freiheitsgrad", BudgetColumn::nu},
-     {"distribution", BudgetColumn::distribution},
-     {"verteilung", BudgetColumn::distribution},
-     {"divisor", BudgetColumn::divisor},
-     {"teiler", BudgetColumn::divisor},
-     {"coverage factor", BudgetColumn::divisor},
-     {"k factor", BudgetColumn::divisor},
-     {"k-factor", BudgetColumn::divisor},
-     {"erweiterungsfaktor", BudgetColumn::divisor},
-     {"standard uncertainty", BudgetColumn::standard},
-     {"std. uncertainty", BudgetColumn::standard},
-     {"std uncertainty", BudgetColumn::standard},
-     {"standardunsicherheit", BudgetColumn::standard},
-     {"standardmessunsicherheit", BudgetColumn::standard},
-     {"expanded", BudgetColumn::expanded},
-     {"erweiterte", BudgetColumn::expanded},
-     {"half-width", BudgetColumn::limits},
-     {"half width", BudgetColumn::limits},
-     {"halbbreite", BudgetColumn::limits},
-     {"limit", BudgetColumn::limits},
-     {"grenze", BudgetColumn::limits},
-     {"±", BudgetColumn::limits},
-     {"+/-", BudgetColumn::limits},
-     {"estimate", BudgetColumn::value},
-     {"schätzwert", BudgetColumn::value},
-     {"value", BudgetColumn::value},
-     {"wert", BudgetColumn::value},
-     {"unit", BudgetColumn::unit},
-     {"einheit", BudgetColumn::unit},
-     {"symbol", BudgetColumn::quantity},
-     {"quantity", BudgetColumn::quantity},
-     {"größe", BudgetColumn::quantity},
-     {"remark", BudgetColumn::source}}};
-
-constexpr std::array<std::pair<std::string_view, BudgetColumn>, 6> names_in_heads{
-    {{"source of uncertainty", BudgetColumn::name},
-     {"description", BudgetColumn::name},
-     {"component", BudgetColumn::name},
-     {"name", BudgetColumn::name},
-     {"bezeichnung", BudgetColumn::name},
-     {"source", BudgetColumn::source}}};
-
-std::string lower_case(const std::string& text) {
-    std::string lower = text;
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
+/// "half-width (a)" is no year.
+bool is_symbol(const std::string& text) {
+    return std::ranges::any_of(budget_symbols(),
+                               [&](const BudgetSymbol& known) { return text == known.symbol; }) &&
+           text != "%";
 }
 
 /// "u(x_i) [mm]", "Value (mm)", "Value / mm", "c / (nm/K)": the unit behind, where it is one.
@@ -115,7 +36,8 @@ BudgetHead with_unit_behind(const std::string& header) {
     for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')})
         if (word.size() > 2 && word.back() == close)
             if (const std::size_t at = word.rfind(open);
-                at != std::string::npos && at > 0 && (open == '[' || word[at - 1] == ' '))
+                at != std::string::npos && at > 0 && (open == '[' || word[at - 1] == ' ') &&
+                !is_symbol(word.substr(at + 1, word.size() - at - 2)))
                 if (cut(at + 1, word.size() - at - 2, at)) return head;
     return head;
 }
@@ -141,26 +63,40 @@ const std::vector<BudgetColumnWord>& budget_column_words() {
     return words;
 }
 
+std::optional<double> coverage_factor_in(std::string& word) {
+    for (std::size_t at = word.find('k'); at != std::string::npos; at = word.find('k', at + 1)) {
+        if (at > 0 && std::isalnum(static_cast<unsigned char>(word[at - 1]))) continue;
+        std::size_t begin = word.find_first_not_of(' ', at + 1);
+        if (begin == std::string::npos || word[begin] != '=') continue;
+        begin = std::min(word.find_first_not_of(' ', begin + 1), word.size());
+        const std::size_t end = std::min(word.find_first_not_of("0123456789.,", begin), word.size());
+        std::string digits = word.substr(begin, end - begin);
+        std::replace(digits.begin(), digits.end(), ',', '.');
+        const auto k = number_in_text(digits);
+        if (!k || !(*k > 0.0)) continue;
+        word = plain_name(word.substr(0, at) + word.substr(end));
+        for (const char* empty : {"()", "[]", "( )", "(, )"})
+            if (const std::size_t left = word.find(empty); left != std::string::npos)
+                word = plain_name(word.replace(left, std::string(empty).size(), " "));
+        if (!word.empty() && word.back() == ',') word.pop_back();
+        return k;
+    }
+    return std::nullopt;
+}
+
 BudgetHead budget_head_of(const std::string& header) {
-    BudgetHead head = with_unit_behind(header);
-    for (const auto& [word, column] : whole_heads)
-        if (head.word == word) {
-            head.column = column;
-            return head;
-        }
-    const std::string lower = lower_case(head.word);
-    for (const auto& [word, column] : names_in_heads)
-        if (lower.find(word) != std::string::npos) {
-            head.column = column;
-            return head;
-        }
-    for (const auto& [word, column] : words_in_heads)
-        if (lower.find(word) != std::string::npos) {
-            head.column = column;
-            return head;
-        }
-    if (lower.find("uncertainty") != std::string::npos || lower.find("unsicherheit") != std::string::npos)
-        head.column = BudgetColumn::expanded;
+    std::string bare = plain_name(header);
+    const std::optional<double> k = coverage_factor_in(bare);
+    BudgetHead head = with_unit_behind(bare);
+    const auto meaning = meaning_of_head(head.word);
+    head.word = k ? plain_name(header) : head.word;
+    const bool is_share =
+        meaning && meaning->column == BudgetColumn::contribution && head.unit && head.unit->text() == "%";
+    head.understood = meaning && (!k || meaning->column == BudgetColumn::expanded);
+    if (!head.understood || is_share) return head;
+    head.column = meaning->column;
+    head.weak = meaning->weak;
+    head.k = k;
     return head;
 }
 
@@ -182,11 +118,16 @@ Result<std::vector<BudgetHead>> stated_budget_columns(const std::vector<std::str
     for (const BudgetColumnWord& word : budget_column_words()) keys.emplace_back(word.key);
     for (const std::string& typed : words) {
         BudgetHead head = with_unit_behind(typed);
+        if (head.word.empty() || head.word == as_headed) {
+            heads.push_back({.word = as_headed});
+            continue;
+        }
         const auto found = std::find(keys.begin(), keys.end(), head.word);
         if (found == keys.end())
             return fail(ErrorCode::usage, tell<"a column cannot be %1; there are %2">(
                                               in_quotes(plain_name(typed)), listed(keys)));
         head.column = budget_column_words()[static_cast<std::size_t>(found - keys.begin())].column;
+        head.understood = true;
         heads.push_back(std::move(head));
     }
     return heads;

@@ -32,6 +32,9 @@ struct BudgetHead {
     BudgetColumn column = BudgetColumn::unread;
     std::string word = {};          ///< as it was written
     std::optional<Unit> unit = {};  ///< as it was written behind it
+    std::optional<double> k = {};   ///< likewise: "U (k = 2)"
+    bool understood = false;        ///< also where it is known and not needed
+    bool weak = false;              ///< "quantity" beside a column of symbols is a name
 };
 
 struct BudgetColumnWord {
@@ -41,11 +44,15 @@ struct BudgetColumnWord {
 };
 const std::vector<BudgetColumnWord>& budget_column_words();
 
-/// What a header means; `unread` where that is not known.
+/// What a header means; `unread` and not understood where all of it is not known.
 BudgetHead budget_head_of(const std::string& header);
+/// "Expanded uncertainty (k = 2)": 2, and it is taken off `words`; empty where none stands there.
+std::optional<double> coverage_factor_in(std::string& words);
 /// Whether headers make a budget: a quantity or name, an uncertainty, and a third.
 bool are_budget_heads(const std::vector<BudgetHead>& heads);
-/// As typed: "name,value,unit,limits,divisor,-". Error{usage}: a word that is none.
+/// What people state where a header says what its column is.
+inline constexpr const char* as_headed = "?";
+/// As typed: "name,value,unit,limits,divisor,-,?". Error{usage}: a word that is none.
 Result<std::vector<BudgetHead>> stated_budget_columns(const std::vector<std::string>& words);
 /// Error{usage}: two columns mean the same, or no uncertainty or no quantity is among them.
 Result<void> check_budget_columns(const std::vector<BudgetHead>& heads);

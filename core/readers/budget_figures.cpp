@@ -1,11 +1,11 @@
 #include "core/readers/budget_figures.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 
 #include "core/base/in_quotes.h"
+#include "core/readers/budget_words.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/xml_text.h"
 #include "core/setup/message_text.h"
@@ -24,13 +24,17 @@ std::optional<Shape> shape_of(const std::string& words) {
     std::string lower;
     for (const char c : words) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     const auto begins = [&](const char* word) { return lower.starts_with(word); };
-    if (begins("rect") || begins("uniform") || begins("rechteck"))
+    if (begins("rect") || begins("retang") || begins("rettang") || begins("uniform") || begins("gleich") ||
+        begins("rechteck"))
         return Shape{"rectangular", std::sqrt(3.0)};
     if (begins("triang") || begins("dreieck")) return Shape{"triangular", std::sqrt(6.0)};
     if (begins("u-") || begins("u shaped") || begins("arcsin") || begins("arc sin") || lower == "u")
         return Shape{"arcsine", std::sqrt(2.0)};
-    if (begins("normal") || begins("gauss") || begins("student") || begins("t") || begins("type a") ||
-        lower == "n")
+    if (lower == "forme de u" || lower == "forma de u" || lower == "en u" || lower == "em u" ||
+        lower == "a u" || begins("arcosen") || begins("arcosin"))
+        return Shape{"arcsine", std::sqrt(2.0)};
+    if (begins("normal") || begins("gauss") || begins("student") || begins("t-") || begins("t ") ||
+        begins("type a") || lower == "t" || lower == "n")
         return Shape{"standard", 0.0};
     return std::nullopt;
 }
@@ -42,11 +46,25 @@ bool is_near(double a, double b) {
 }  // namespace
 
 bool is_sum_label(const std::string& label) {
-    std::string lower;
-    for (const char c : label) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    constexpr std::array<const char*, 8> words{"combined", "expanded",   "effective", "sum",
-                                               "total",    "kombiniert", "erweitert", "summe"};
-    return std::any_of(words.begin(), words.end(), [&](const char* word) { return lower.starts_with(word); });
+    const std::vector<std::string> words = folded_words(label);
+    const auto begins_with = [&](const char* known, std::size_t within) {
+        const std::vector<std::string> all = folded_words(known);
+        return std::any_of(
+            words.begin(), words.begin() + static_cast<std::ptrdiff_t>(std::min(within, words.size())),
+            [&](const std::string& word) { return std::find(all.begin(), all.end(), word) != all.end(); });
+    };
+    if (begins_with("sum total summe somme suma somma soma gesamt totale", 1))
+        return words.size() == 1 || words[1] == "of" || words[1] == "der";
+    const bool uncertainty = begins_with(
+        "uncertainty unsicherheit messunsicherheit standardunsicherheit standardmessunsicherheit "
+        "incertitude incertidumbre incertezza incerteza",
+        words.size());
+    if (begins_with("combined kombinierte kombiniert expanded erweiterte erweitert composée combinée élargie "
+                    "combinada expandida composta estesa",
+                    3))
+        return uncertainty || words.size() <= 2;
+    const auto meaning = meaning_of_head(label);
+    return meaning && meaning->column == BudgetColumn::nu && words.size() > 1;
 }
 
 std::optional<double> divisor_in_text(const std::string& text) {

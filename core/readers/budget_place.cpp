@@ -20,23 +20,54 @@ std::vector<std::string> sheet_names(const std::vector<WorkbookSheet>& sheets) {
     return names;
 }
 
-/// Units behind the headers count where the stated columns have none.
+/// Units and coverage factors behind the headers count where the stated columns have none; a column that is
+/// stated to be as its header says is.
 void take_units_of_heads(SheetBudget& place) {
-    for (std::size_t i = 0; i < place.heads.size(); ++i)
-        if (const WorkbookCell* head = place.sheet->cell(place.head_row, place.columns[i]);
-            head && !place.heads[i].unit)
-            place.heads[i].unit = budget_head_of(head->text).unit;
+    for (std::size_t i = 0; i < place.heads.size(); ++i) {
+        const WorkbookCell* cell = place.sheet->cell(place.head_row, place.columns[i]);
+        if (!cell) continue;
+        const BudgetHead head = budget_head_of(cell->text);
+        if (!place.heads[i].understood) {
+            place.heads[i] = head;
+            continue;
+        }
+        if (!place.heads[i].unit) place.heads[i].unit = head.unit;
+        place.heads[i].k = head.k;
+    }
+}
+
+/// Words that mean something else beside others: a source where nothing else names the quantity, a quantity
+/// beside its symbol.
+void read_heads_together(std::vector<BudgetHead>& heads) {
+    const auto count = [&](BudgetColumn column) {
+        return std::count_if(heads.begin(), heads.end(),
+                             [&](const BudgetHead& head) { return head.column == column; });
+    };
+    if (count(BudgetColumn::name) == 0 && count(BudgetColumn::quantity) == 2)
+        for (BudgetHead& head : heads)
+            if (head.column == BudgetColumn::quantity && head.weak && count(BudgetColumn::quantity) == 2)
+                head.column = BudgetColumn::name;
+    if (count(BudgetColumn::name) > 0 || count(BudgetColumn::quantity) > 0) return;
+    for (BudgetHead& head : heads)
+        if (head.column == BudgetColumn::source && count(BudgetColumn::name) == 0)
+            head.column = BudgetColumn::name;
 }
 
 /// Stated columns stand side by side from the first column that the sheet uses.
 Result<SheetBudget> stated_place(const WorkbookSheet& sheet, const ReadChoice& choice) {
     auto heads = stated_budget_columns(choice.columns);
     if (!heads) return fail(heads.error());
-    int first = 0;
-    for (const auto& [row, cells] : sheet.rows)
-        first = first == 0 ? cells.begin()->first : std::min(first, cells.begin()->first);
+    const int first = sheet.first_column();
     SheetBudget place{&sheet, 0, std::move(*heads), {}};
     for (std::size_t i = 0; i < place.heads.size(); ++i) place.columns.push_back(first + static_cast<int>(i));
+    // Columns that are as their headers say have them in the row that makes a budget.
+    const bool by_heads = std::any_of(place.heads.begin(), place.heads.end(),
+                                      [](const BudgetHead& head) { return !head.understood; });
+    if (const auto found = by_heads ? budget_in(sheet) : std::nullopt) {
+        place.head_row = found->head_row;
+        take_units_of_heads(place);
+        return place;
+    }
     // Rows above the first one with a number in a column of figures are headings.
     for (const auto& [row, cells] : sheet.rows) {
         for (std::size_t i = 0; i < place.heads.size(); ++i) {
@@ -64,14 +95,7 @@ std::optional<SheetBudget> budget_in(const WorkbookSheet& sheet) {
             place.heads.push_back(budget_head_of(cell.text));
             place.columns.push_back(column);
         }
-        const auto column_of = [&](BudgetColumn column) {
-            return std::find_if(place.heads.begin(), place.heads.end(),
-                                [&](const BudgetHead& head) { return head.column == column; });
-        };
-        if (column_of(BudgetColumn::name) == place.heads.end() &&
-            column_of(BudgetColumn::quantity) == place.heads.end())
-            if (const auto source = column_of(BudgetColumn::source); source != place.heads.end())
-                source->column = BudgetColumn::name;
+        read_heads_together(place.heads);
         if (are_budget_heads(place.heads)) return place;
     }
     return std::nullopt;

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "core/base/in_quotes.h"
 #include "core/readers/covariance.h"
@@ -19,6 +22,12 @@ namespace covaria {
 namespace {
 
 constexpr std::array<const char*, 3> axis_attributes{"x", "y", "z"};
+
+/// Clusters of observed coordinates none of whose points is observed twice.
+struct Determination {
+    int line = 0;
+    std::map<std::string, std::size_t> observed = {};  ///< points of the list
+};
 
 class GamaReader {
 public:
@@ -57,6 +66,7 @@ public:
         if (approximate_ > 0)
             proposals_.found.push_back(
                 tell<"%1 points are to be adjusted: their coordinates are approximate ones">(approximate_));
+        tell_determinations_apart();
         const std::string source = list_.source, title = list_.title;
         auto proposed = propose_points(std::move(list_), proposals_);
         if (!proposed) return fail(proposed.error());
@@ -115,15 +125,81 @@ private:
         const std::string id = plain_name(node.attribute("id").value());
         if (list_.points.size() == most_listed_points)
             return xml_.refused(node, tell<"too many points: divide the file">());
-        index_.try_emplace(id, list_.points.size());
+        const ListedPoint point{
+            .line = xml_.line(node), .name = id, .p = {*(*p)[0], *(*p)[1], (*p)[2].value_or(0.0)}};
+        if (const auto [known, added] = index_.try_emplace(id, list_.points.size()); !added) {
+            const ListedPoint& first = list_.points[known->second];
+            if (first.p != point.p)
+                proposals_.leave_out(point.line,
+                                     tell<"point %1 with other coordinates: those of line %2 are taken">(
+                                         in_quotes(id), first.line));
+            return {};
+        }
         if (node.attribute("adj") && !node.attribute("fix")) ++approximate_;
-        list_.points.push_back(
-            {.line = xml_.line(node), .name = id, .p = {*(*p)[0], *(*p)[1], (*p)[2].value_or(0.0)}});
+        list_.points.push_back(point);
         return {};
+    }
+
+    /// The first in which none of the cluster's points was observed yet.
+    Determination& determination_of(const pugi::xml_node& cluster) {
+        const auto has_one_of = [&](const Determination& d) {
+            for (const pugi::xml_node& point : cluster.children())
+                if (d.observed.contains(plain_name(point.attribute("id").value()))) return true;
+            return false;
+        };
+        auto free = std::find_if_not(determinations_.begin(), determinations_.end(), has_one_of);
+        if (free == determinations_.end()) free = determinations_.insert(free, Determination());
+        if (free->line == 0) free->line = xml_.line(cluster);
+        return *free;
+    }
+
+    /// Of a determination after the first a point of its own, which begins as the network has it.
+    std::size_t place_in(Determination& determination, const std::string& id, int line) {
+        if (const auto own = determination.observed.find(id); own != determination.observed.end())
+            return own->second;
+        const auto [known, added] = index_.try_emplace(id, list_.points.size());
+        std::size_t place = known->second;
+        if (added) {
+            list_.points.push_back({.line = line, .name = id, .p = {}});
+        } else if (&determination != &determinations_.front()) {
+            ListedPoint own = begun_.contains(id) ? begun_[id] : list_.points[place];
+            place = list_.points.size();
+            list_.points.push_back(std::move(own));
+        }
+        begun_.try_emplace(id, list_.points[place]);
+        return determination.observed[id] = place;
+    }
+
+    /// Two determinations of one point are two results, of which people keep both or choose one: each has an
+    /// artefact of its own, with the points that nobody observed.
+    void tell_determinations_apart() {
+        if (determinations_.size() < 2) return;
+        std::string lines;
+        std::set<std::size_t> observed;
+        for (const Determination& d : determinations_) {
+            lines += (lines.empty() ? "" : ", ") + std::to_string(d.line);
+            for (const auto& [id, place] : d.observed) observed.insert(place);
+        }
+        const std::size_t points = list_.points.size();
+        for (std::size_t k = 0; k < determinations_.size(); ++k) {
+            const std::string group = list_.title + ", determination " + std::to_string(k + 1);
+            for (const auto& [id, place] : determinations_[k].observed) list_.points[place].group = group;
+            for (std::size_t i = 0; i < points; ++i) {
+                if (observed.contains(i) || determinations_[k].observed.contains(list_.points[i].name))
+                    continue;
+                if (k > 0) list_.points.push_back(list_.points[i]);
+                (k > 0 ? list_.points.back() : list_.points[i]).group = group;
+            }
+        }
+        proposals_.found.push_back(tell<"%1 determinations of the same points (<coordinates> of lines %2): "
+                                        "each is an artefact of its "
+                                        "own; keep all of them, or delete those that you do not want">(
+            determinations_.size(), lines));
     }
 
     /// Observed coordinates and their covariance: the points get them in place of approximate ones.
     Result<void> read_coordinates(const pugi::xml_node& node) {
+        Determination& determination = determination_of(node);
         std::vector<std::size_t> places;  // 3 * point + coordinate, in the order of the matrix
         for (const pugi::xml_node& point : node.children()) {
             if (local_name(point) != "point") continue;
@@ -137,11 +213,7 @@ private:
                                      tell<"<coordinates>: point %1 has no x and y">(in_quotes(id)));
                 return {};
             }
-            if (known == index_.end()) {
-                index_[id] = list_.points.size();
-                list_.points.push_back({.line = xml_.line(point), .name = id, .p = {}});
-            }
-            const std::size_t at = index_[id];
+            const std::size_t at = place_in(determination, id, xml_.line(point));
             for (std::size_t i = 0; i < 3; ++i)
                 if ((*p)[i]) {
                     list_.points[at].p[i] = *(*p)[i];
@@ -175,6 +247,8 @@ private:
     Proposals proposals_;
     PointList list_;
     std::map<std::string, std::size_t> index_;
+    std::vector<Determination> determinations_;
+    std::map<std::string, ListedPoint> begun_;           ///< observed points as they were before
     std::map<std::string, std::pair<int, int>> others_;  ///< element -> first line, how many
     std::size_t unplaced_ = 0, planar_ = 0, approximate_ = 0;
     int unplaced_line_ = 0;

@@ -1,7 +1,6 @@
 // Leica GSI files: coordinates become points, rounds of readings a station and its targets.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numbers>
 
@@ -12,6 +11,7 @@
 #include "core/readers/listed_points.h"
 #include "core/readers/rounds.h"
 #include "core/setup/message_text.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 
@@ -156,14 +156,17 @@ private:
         const double arcsec = Unit::of("arcsec").to_si(1.0);
         const double u_azimuth = rounds.azimuth.s / root / arcsec, u_zenith = rounds.zenith.s / root / arcsec;
         const double u_distance = rounds.distance.s / root * 1e3;
-        char words[400];
-        std::snprintf(
-            words, sizeof words,
-            "%zu targets, at least %zu rounds%s; Type A of a mean: Hz %.2g\" (nu = %d), V %.2g\" (nu = %d), "
-            "distance %.2g mm (nu = %d); collimation %.2g\", index %.2g\"",
-            rounds.means.size(), rounds.fewest_rounds, rounds.two_faces ? " in two faces" : "", u_azimuth,
-            rounds.azimuth.degrees_of_freedom, u_zenith, rounds.zenith.degrees_of_freedom, u_distance,
-            rounds.distance.degrees_of_freedom, rounds.collimation / arcsec, rounds.index / arcsec);
+        const auto nu = [](const auto& spread) {
+            return " (nu = " + std::to_string(spread.degrees_of_freedom) + ")";
+        };
+        const std::string words = std::to_string(rounds.means.size()) + " targets, at least " +
+                                  std::to_string(rounds.fewest_rounds) + " rounds" +
+                                  (rounds.two_faces ? " in two faces" : "") + "; Type A of a mean: Hz " +
+                                  format_short(u_azimuth, 2) + "\"" + nu(rounds.azimuth) + ", V " +
+                                  format_short(u_zenith, 2) + "\"" + nu(rounds.zenith) + ", distance " +
+                                  format_short(u_distance, 2) + " mm" + nu(rounds.distance) +
+                                  "; collimation " + format_short(rounds.collimation / arcsec, 2) +
+                                  "\", index " + format_short(rounds.index / arcsec, 2) + "\"";
         proposals_.found.push_back(in_quotes(set_up.station) + ": " + words);
         AssetEntry instrument{.id = id, .kind = instrument_kind, .name = set_up.station};
         instrument.notes =

@@ -129,6 +129,7 @@ public:
                                     std::to_string(budget_.results.size()) + " results");
         name_what_is_left();
         proposals_.analyses.push_back(analysis_of(budget_));
+        for (StatedOutcome& outcome : proposals_.outcomes) outcome.analysis = budget_.id;
         return std::move(proposals_);
     }
 
@@ -261,6 +262,14 @@ private:
     }
 
     Result<void> add_result(NotedResult result, const IniSection& part) {
+        StatedOutcome outcome{.symbol = result.symbol, .unit = result.unit.value_or(Unit())};
+        for (const auto& [key, into] : {std::pair("Vnom", &outcome.value), std::pair("Ustd", &outcome.u),
+                                        std::pair("Fcov", &outcome.k)}) {
+            const auto read = number(part, key);
+            if (!read) return fail(read.error());
+            *into = *read;
+        }
+        proposals_.outcomes.push_back(std::move(outcome));
         std::string stated;
         for (const char* key : {"Vnom", "Ustd", "Neff", "Fcov"})
             if (const std::string text = plain_name(part.text(key)); !text.empty())

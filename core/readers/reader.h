@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,9 @@ struct ReadChoice {
     std::vector<std::string> columns = {};   ///< what stands in each column of a table; empty: found
     std::string sheet = {};                  ///< of a workbook; empty: the one with a budget
     bool chosen = false;                     ///< the reader was named: what it stands for is stated
-    UrdfChoice robot = {};                   ///< of a robot: its tip, joints that it does not have
+    std::map<std::string, std::string> cells = {};  ///< of a workbook, to be read so: "D3" -> "mm"
+    std::set<int> rows_left_out = {};               ///< of a workbook
+    UrdfChoice robot = {};                          ///< of a robot: its tip, joints that it does not have
 };
 
 /// Something of the file that is not taken over.
@@ -44,6 +47,14 @@ struct UnstatedUnit {
     Unit taken = {};
 };
 
+/// A result as the file itself states it, which what is made of the file is held against.
+struct StatedOutcome {
+    std::string analysis = {}, symbol = {};
+    std::optional<double> value = {}, u = {}, expanded = {}, k = {};  ///< in `unit`; u in its interval
+    Unit unit = {};
+    bool from_contributions = false;  ///< u is the root of the sum of squares of those that the file states
+};
+
 /// What a file may become in a project. Ids are unique among the proposals only.
 struct Proposals {
     std::string title = {};
@@ -53,6 +64,7 @@ struct Proposals {
     std::vector<LeftOut> left_out = {};       ///< at most `most_left_out`
     std::size_t left_out_beyond = 0;          ///< how many more
     std::vector<UnstatedUnit> unstated = {};  ///< people may state them
+    std::vector<StatedOutcome> outcomes = {};
 
     static constexpr std::size_t most_left_out = 1000;
     void leave_out(int line, Message what) {
@@ -68,11 +80,16 @@ struct SourceTable {
     struct Word {
         std::string key, title;  ///< "u_x", "standard uncertainty of x"
     };
-    std::vector<std::vector<std::string>> rows = {};  ///< the first ones, headers too
+    std::vector<std::vector<std::string>> rows = {};  ///< of a file of points the first ones; headers too
     std::vector<std::string> columns = {};  ///< keys of what each is read as; empty: it is not known
     std::vector<Word> words = {};           ///< what a column may be
     std::vector<std::string> sheets = {};   ///< of a workbook
     std::string sheet = {};                 ///< the one shown
+    std::string unknown = "-";              ///< how a column that nothing was said about is stated
+    /// Of a workbook: the rows' numbers, and the letters of the columns; its cells can be mended and its rows
+    /// left out (`ReadChoice::cells`, `rows_left_out`).
+    std::vector<int> row_numbers = {};
+    std::vector<std::string> letters = {};
 
     static constexpr std::size_t most_rows = 30;
 };
@@ -88,6 +105,7 @@ struct Reader {
     Result<Proposals> (*read)(const std::string& text, const ReadChoice& choice);
     /// The table that `ReadChoice::columns` may be stated for; null: the reader has none.
     Result<SourceTable> (*table)(const std::string& text, const ReadChoice& choice) = nullptr;
+    bool mends_cells = false;  ///< takes `ReadChoice::cells` and `rows_left_out`
 };
 
 }  // namespace covaria

@@ -1,5 +1,6 @@
 #include "core/readers/workbook.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "core/base/in_quotes.h"
@@ -23,27 +24,6 @@ std::string string_of(const pugi::xml_node& node) {
         if (local_name(child) == "r") text += child_called(child, "t").child_value();
     }
     return text;
-}
-
-struct CellPlace {
-    int row = 0, column = 0;
-};
-
-/// "C5"; empty where it is none.
-std::optional<CellPlace> place_of(std::string_view reference) {
-    CellPlace place;
-    std::size_t at = 0;
-    for (;
-         at < reference.size() && reference[at] >= 'A' && reference[at] <= 'Z' && place.column <= last_column;
-         ++at)
-        place.column = place.column * 26 + (reference[at] - 'A' + 1);
-    for (; at < reference.size() && std::isdigit(static_cast<unsigned char>(reference[at])) &&
-           place.row <= last_row;
-         ++at)
-        place.row = place.row * 10 + (reference[at] - '0');
-    const bool good = at == reference.size() && place.row >= 1 && place.row <= last_row &&
-                      place.column >= 1 && place.column <= last_column;
-    return good ? std::optional<CellPlace>(place) : std::nullopt;
 }
 
 /// "worksheets/sheet1.xml" beside "xl/workbook.xml"; a path from the root keeps only its '/'.
@@ -125,7 +105,7 @@ private:
             for (const pugi::xml_node& cell : row.children()) {
                 if (local_name(cell) != "c") continue;
                 if (const auto reference = cell.attribute("r")) {
-                    const auto place = place_of(reference.value());
+                    const auto place = place_of_cell(reference.value());
                     if (!place)
                         return xml->refused(cell,
                                             tell<"%1: %2 is no place of a cell">(
@@ -180,12 +160,46 @@ const WorkbookCell* WorkbookSheet::cell(int row, int column) const {
     return c == r->second.end() ? nullptr : &c->second;
 }
 
+int WorkbookSheet::first_column() const {
+    int first = 0;
+    for (const auto& [row, cells] : rows)
+        first = first == 0 ? cells.begin()->first : std::min(first, cells.begin()->first);
+    return first;
+}
+
+void WorkbookSheet::set_cell(int row, int column, const std::string& text) {
+    if (WorkbookCell cell{plain_name(text), number_in_text(text), {}}; !cell.text.empty()) {
+        rows[row][column] = std::move(cell);
+        return;
+    }
+    const auto found = rows.find(row);
+    if (found == rows.end()) return;
+    found->second.erase(column);
+    if (found->second.empty()) rows.erase(found);
+}
+
 std::string WorkbookSheet::place(int row, int column) const {
     return name + "!" + column_letters(column) + std::to_string(row);
 }
 
 tl::unexpected<Error> WorkbookSheet::refused(int row, int column, const Message& message) const {
     return fail(Error{ErrorCode::bad_input, place(row, column) + ": " + message, {}, {}, row});
+}
+
+std::optional<CellPlace> place_of_cell(std::string_view reference) {
+    CellPlace place;
+    std::size_t at = 0;
+    for (;
+         at < reference.size() && reference[at] >= 'A' && reference[at] <= 'Z' && place.column <= last_column;
+         ++at)
+        place.column = place.column * 26 + (reference[at] - 'A' + 1);
+    for (; at < reference.size() && std::isdigit(static_cast<unsigned char>(reference[at])) &&
+           place.row <= last_row;
+         ++at)
+        place.row = place.row * 10 + (reference[at] - '0');
+    const bool good = at == reference.size() && place.row >= 1 && place.row <= last_row &&
+                      place.column >= 1 && place.column <= last_column;
+    return good ? std::optional<CellPlace>(place) : std::nullopt;
 }
 
 std::string column_letters(int column) {

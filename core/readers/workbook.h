@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -22,12 +23,20 @@ struct WorkbookSheet {
         {};  ///< by row and column from 1; only cells with content
 
     const WorkbookCell* cell(int row, int column) const;
+    int first_column() const;  ///< that has a cell
+    /// As if it had been typed into the sheet; an empty text takes the cell away.
+    void set_cell(int row, int column, const std::string& text);
     /// "Budget!C5"
     std::string place(int row, int column) const;
     /// Error at a cell; its line is the row.
     tl::unexpected<Error> refused(int row, int column, const Message& message) const;
 };
 
+struct CellPlace {
+    int row = 0, column = 0;  ///< from 1
+};
+/// "C5"; empty where it is none.
+std::optional<CellPlace> place_of_cell(std::string_view reference);
 /// "C" for 3.
 std::string column_letters(int column);
 

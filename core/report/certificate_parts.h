@@ -11,8 +11,7 @@ void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated, c
 /// What U, k and p are in these analyses.
 void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses,
                                const DocumentLanguage& in);
-void add_uncertainty_statement(Blocks& blocks, const UncertaintyResult& result);
-/// Conformity with the tolerances of the requirements; nothing without any.
+/// Tables of conformity with the tolerances of the requirements; nothing without any.
 void add_certified_conformity(Blocks& blocks, const ReportSource& source,
                               const std::vector<EvaluatedAnalysis>& analyses, const DocumentLanguage& in);
 

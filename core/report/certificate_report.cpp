@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "core/base/version.h"
+#include "core/made/certificate_gaps.h"
 #include "core/project/certificate_logo.h"
 #include "core/report/certificate_defaults.h"
 #include "core/report/certificate_parts.h"
+#include "core/report/date_words.h"
 #include "core/report/report.h"
 #include "core/result/representation.h"
 
@@ -48,22 +50,32 @@ std::string in_one_line(const std::string& text) {
     return out;
 }
 
+/// Whose place it was, where that is not said by the place alone, and the place.
+std::string stated_place(const Certificate& certificate, const DocumentLanguage& in) {
+    const std::string place = in_one_line(certificate.place);
+    const std::string site = is_blank(certificate.site) ? "" : in.say_declared(site_of(certificate).words);
+    if (site.empty() || place.empty()) return site + place;
+    return in.say(words::results_of, {site, place});
+}
+
 /// What was typed; the gap where it is required and not there; empty where it need not be.
 std::string stated(const Certificate& certificate, std::string Certificate::*member,
-                   const DocumentLanguage& in) {
-    if (is_missing(certificate_field(member), certificate)) return in.say(words::not_stated);
+                   const DocumentLanguage& in, Conformity conformity = Conformity::not_stated) {
+    const CertificateField& field = certificate_field(member);
+    if (is_missing(field, certificate, conformity)) return in.say(words::not_stated);
+    if (member == &Certificate::place) return stated_place(certificate, in);
     const std::string text = in_one_line(certificate.*member);
-    const std::size_t slash = text.find('/');
-    if (certificate_field(member).kind != CertificateText::dates || slash == std::string::npos) return text;
-    return in.say(words::dates, {text.substr(0, slash), text.substr(slash + 1)});
+    const bool dated = field.kind == CertificateText::date || field.kind == CertificateText::dates;
+    return dated ? date_words(text, in) : text;
 }
 
 void add_facts(Blocks& blocks, const Certificate& certificate,
-               const std::vector<std::string Certificate::*>& members, const DocumentLanguage& in) {
+               const std::vector<std::string Certificate::*>& members, const DocumentLanguage& in,
+               Conformity conformity = Conformity::not_stated) {
     FactsBlock facts;
     facts.literal = true;
     for (const auto member : members) {
-        std::string text = stated(certificate, member, in);
+        std::string text = stated(certificate, member, in, conformity);
         if (text.empty()) text = said_in_place_of(member, in);
         if (!text.empty())
             facts.facts.emplace_back(in.say_declared(certificate_field(member).title), std::move(text));
@@ -71,7 +83,9 @@ void add_facts(Blocks& blocks, const Certificate& certificate,
     if (!facts.facts.empty()) blocks.push_back(std::move(facts));
 }
 
-void add_administration(Blocks& blocks, const Certificate& certificate, const DocumentLanguage& in) {
+/// The specification stands with the statement of conformity; without one, with the method.
+void add_administration(Blocks& blocks, const Certificate& certificate, bool conformity_follows,
+                        const DocumentLanguage& in) {
     using C = Certificate;
     if (is_blank(certificate.number)) add_facts(blocks, certificate, {&C::number}, in);
     add_facts(blocks, certificate,
@@ -84,13 +98,31 @@ void add_administration(Blocks& blocks, const Certificate& certificate, const Do
                &C::received, &C::calibrated, &C::issued},
               in);
     blocks.push_back(HeadingBlock{2, in.say(words::calibration)});
-    add_facts(blocks, certificate,
-              {&C::method, &C::deviations, &C::environment, &C::traceability, &C::adjustment}, in);
+    std::vector<std::string C::*> members{&C::method, &C::deviations, &C::environment, &C::traceability,
+                                          &C::adjustment};
+    if (!conformity_follows) members.push_back(&C::specification);
+    add_facts(blocks, certificate, members, in);
+}
+
+/// Tables, and above them what they refer to; nothing without tolerances.
+Blocks conformity_of(const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown,
+                     const DocumentLanguage& in) {
+    Blocks tables, blocks;
+    add_certified_conformity(tables, source, shown, in);
+    if (tables.empty()) return tables;
+    blocks.push_back(HeadingBlock{2, in.say(words::conformity)});
+    add_facts(blocks, source.made.project().certificate, {&Certificate::specification}, in,
+              Conformity::stated);
+    blocks.insert(blocks.end(), tables.begin(), tables.end());
+    return blocks;
 }
 
 /// Whether the PDF carries a digital certificate, which then states the results of all analyses.
 bool has_digital(const ReportSource& source) {
-    if (missing_in_digital(source.made.project().certificate).has_errors()) return false;
+    if (missing_in_digital(source.made.project().certificate,
+                           stated_conformity(source.made.project(), ids_of(source.analyses)))
+            .has_errors())
+        return false;
     for (const EvaluatedAnalysis& one : source.analyses)
         for (const OutputResult& output : one.result->outputs)
             if (is_measurand(output) &&
@@ -172,14 +204,17 @@ ReportDocument build_certificate(const MadeProject& made, const std::vector<Eval
     document.title =
         is_blank(certificate.number) ? in.say(words::untitled) : in.say(words::title, {certificate.number});
     document.language = in.code();
+    document.author =
+        is_blank(certificate.authorised_by) ? made.project().author : in_one_line(certificate.authorised_by);
     document.page_words = in.say(words::page);
     document.running_head = document.title;
     document.over = in_one_line(certificate.laboratory);
     document.head_on_every_page = true;
     if (auto logo = certificate_logo(made.project())) document.logo = *std::move(logo);
-    add_administration(document.blocks, certificate, in);
+    const Blocks conformity = conformity_of(source, shown, in);
+    add_administration(document.blocks, certificate, !conformity.empty(), in);
     add_results_of(document.blocks, source, shown, in);
-    add_certified_conformity(document.blocks, source, shown, in);
+    document.blocks.insert(document.blocks.end(), conformity.begin(), conformity.end());
     add_closing(document.blocks, source, shown, in);
     return document;
 }

@@ -222,10 +222,6 @@ void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated, c
     if (!others.empty()) add_table(blocks, result, others, id, in);
 }
 
-void add_uncertainty_statement(Blocks& blocks, const UncertaintyResult& result) {
-    blocks.push_back(ParagraphBlock{uncertainty_sentences(result, {})});
-}
-
 void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses,
                                const DocumentLanguage& in) {
     // The analyses of each sentence, in their order.

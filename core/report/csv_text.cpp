@@ -1,6 +1,10 @@
 #include "core/report/csv_text.h"
 
+#include <algorithm>
 #include <charconv>
+#include <string_view>
+
+#include "core/base/printable.h"
 
 namespace covaria {
 
@@ -13,19 +17,33 @@ bool is_number(const std::string& text) {
     return status == std::errc{} && end == text.data() + text.size();
 }
 
-bool would_be_computed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(' ');
-    return first != std::string::npos &&
-           std::string_view("=+-@\t\r\n").find(text[first]) != std::string_view::npos;
+bool would_be_computed(const std::string& cell) {
+    const std::size_t first = cell.find_first_not_of(' ');
+    return first != std::string::npos && !is_number(cell) &&
+           std::string_view("=+-@\t\r\n").find(cell[first]) != std::string_view::npos;
+}
+
+/// Where lists are separated by semicolons (a German Excel), or by tabs, a text is several cells.
+std::string inert(const std::string& text) {
+    std::string out;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find_first_of(";\t\n", begin), text.size());
+        const std::string cell = text.substr(begin, end - begin);
+        out += (would_be_computed(cell) ? "'" : "") + cell;
+        if (end < text.size()) out += text[end];
+        begin = end + 1;
+    }
+    return out;
 }
 
 }  // namespace
 
 std::string csv_text(const std::string& text) {
-    const std::string inert = would_be_computed(text) && !is_number(text) ? "'" + text : text;
-    if (inert.find_first_of(",\"\r\n") == std::string::npos) return inert;
+    const bool begins_blank = text.find_first_of("\t\r\n") == 0;
+    const std::string cell = (begins_blank ? "'" : "") + inert(printable(text));
+    if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
     std::string out = "\"";
-    for (const char c : inert) out += c == '"' ? "\"\"" : std::string(1, c);
+    for (const char c : cell) out += c == '"' ? "\"\"" : std::string(1, c);
     return out + "\"";
 }
 

@@ -35,13 +35,13 @@ std::string unit_cell(const std::vector<TableCell>& row, std::size_t column) {
     return quantity ? csv_text(quantity->unit.text()) : "";
 }
 
-std::string head_line(const DataTable& table) {
+std::string head_line(const DataTable& table, const std::vector<bool>& with_units) {
     std::string line;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
         const TableColumn& column = table.columns[c];
-        const std::string unit = needs_units(table, c) ? "" : column.unit.text();
+        const std::string unit = with_units[c] ? "" : column.unit.text();
         line += (c ? "," : "") + csv_text(csv_head(column.header, unit));
-        if (needs_units(table, c)) line += "," + csv_text(column.header + " unit");
+        if (with_units[c]) line += "," + csv_text(column.header + " unit");
     }
     return line + "\r\n";
 }
@@ -49,11 +49,13 @@ std::string head_line(const DataTable& table) {
 }  // namespace
 
 std::string to_csv(const DataTable& table) {
-    std::string out = head_line(table);
+    std::vector<bool> with_units;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) with_units.push_back(needs_units(table, c));
+    std::string out = head_line(table, with_units);
     for (const auto& row : table.rows) {
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
             out += (c ? "," : "") + (c < row.size() ? exact_cell(row[c], table.columns[c]) : "");
-            if (needs_units(table, c)) out += "," + unit_cell(row, c);
+            if (with_units[c]) out += "," + unit_cell(row, c);
         }
         out += "\r\n";
     }

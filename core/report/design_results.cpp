@@ -427,7 +427,7 @@ std::string design_json(const DesignResult& result) {
         }
         json[table.id] = std::move(rows);
     }
-    return json.dump(2) + "\n";
+    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string design_text(const DesignResult& result) {

@@ -133,17 +133,18 @@ struct HtmlWriter {
                "</figure>\n";
     }
     void operator()(const ContentsBlock& contents) {
-        out +=
-            "<nav id=\"contents\"><input type=\"search\" placeholder=\"Search\" "
-            "aria-label=\"Search\">\n<ul>\n";
+        out += "<nav id=\"contents\">";
+        if (contents.searched) out += "<input type=\"search\" placeholder=\"Search\" aria-label=\"Search\">";
+        out += "\n<ul>\n";
         for (const ReportBlock& block : blocks) {
             const auto* heading = std::get_if<HeadingBlock>(&block);
             if (!heading || heading->anchor.empty()) continue;
+            if (heading->level > contents.levels && !contents.searched) continue;
             out += "<li class=\"level-" + std::to_string(heading->level) + "\"" +
                    (heading->level > contents.levels ? " hidden" : "") + "><a href=\"#" + heading->anchor +
                    "\">" + escape_html(heading->text) + "</a></li>\n";
         }
-        out += "</ul></nav>\n" + std::string(html_search);
+        out += "</ul></nav>\n" + (contents.searched ? std::string(html_search) : std::string());
     }
     void operator()(const ParagraphBlock& paragraph) {
         out += element("p", rich(paragraph.text), paragraph.note ? "note" : "") + "\n";

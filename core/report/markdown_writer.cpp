@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/base/printable.h"
 #include "core/report/prose.h"
 #include "core/report/report.h"
 #include "core/report/table_text.h"
@@ -13,7 +14,8 @@ namespace {
 /// Marks that Markdown or HTML would take as their own: emphasis, code, tables, mathematics, links (of
 /// brackets only what makes one, so that intervals stay readable; addresses are not to become links by
 /// themselves).
-std::string escaped(const std::string& text) {
+std::string escaped(const std::string& words) {
+    const std::string text = printable(words);
     const auto rest = [&](std::size_t i) { return std::string_view(text).substr(i); };
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -86,7 +88,7 @@ struct MarkdownWriter {
     void operator()(const ProseBlock& prose) {
         out += (prose.mark.empty() ? "" : "- ") + escaped_block(prose_words(prose.spans)) + "\n\n";
     }
-    void operator()(const CodeBlock& code) { out += "```\n" + code.text + "\n```\n\n"; }
+    void operator()(const CodeBlock& code) { out += "```\n" + printable(code.text) + "\n```\n\n"; }
     void operator()(const PictureBlock& picture) {
         out += "![" + escaped(picture.caption) + "](" + picture.file.generic_string() + ")\n\n";
     }

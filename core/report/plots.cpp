@@ -45,7 +45,11 @@ std::size_t cells_to_join(const Histogram& histogram, double u, double trials) {
     const auto cells = static_cast<double>(histogram.counts.size());
     const double width = (histogram.high - histogram.low) / cells;
     const double wanted = std::max(3.49 * u / std::cbrt(trials), u / cells_per_u);
-    return static_cast<std::size_t>(std::clamp(std::round(wanted / width), 1.0, std::max(1.0, 0.25 * cells)));
+    const double joined = std::round(wanted / width);
+    // Cells with no width that a double can have are as they are.
+    return std::isfinite(joined)
+               ? static_cast<std::size_t>(std::clamp(joined, 1.0, std::max(1.0, 0.25 * cells)))
+               : 1;
 }
 
 double trials_of(const Histogram& histogram) {
@@ -70,7 +74,8 @@ Bins bins_of(const MonteCarloOutput& mc, double trials) {
     const bool to_largest = known && mc.maximum < histogram.high;
     const double low = known ? std::max(mc.minimum, histogram.low) : histogram.low;
     const double room = ((to_largest ? mc.maximum : histogram.high) - low) / wanted;
-    const double count = std::max(1.0, to_largest ? std::round(room) : std::ceil(room - 1e-9));
+    const double whole = to_largest ? std::round(room) : std::ceil(room - 1e-9);
+    const double count = std::isfinite(whole) ? std::clamp(whole, 1.0, static_cast<double>(cells)) : 1.0;
     return {low, to_largest ? room * wanted / count : wanted, static_cast<std::size_t>(count)};
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/base/file_names.h"
+#include "core/made/certificate_gaps.h"
 #include "core/project/project_file.h"
 #include "core/report/certificate_words.h"
 #include "core/report/report_body.h"
@@ -31,9 +32,9 @@ struct Numbering {
         else if (block.level == 2)
             ++heading[1];
         if (block.level > 2) return;
-        const std::string number = std::to_string(heading[0]);
-        block.text =
-            (block.level == 1 ? number : number + "." + std::to_string(heading[1])) + "\u2002" + block.text;
+        const std::string number = std::to_string(heading[0]), part = std::to_string(heading[1]);
+        block.text = (block.level == 1 ? number : number + "." + part) + "\u2002" + block.text;
+        block.anchor = "section-" + (block.level == 1 ? number : number + "-" + part);
     }
     void operator()(TableBlock& block) {
         block.table.title = in.say(tell<"Table %1. %2">(++tables, block.table.title));
@@ -84,6 +85,24 @@ std::vector<EvaluatedAnalysis> those_in(const ReportContents& contents,
     return chosen;
 }
 
+bool is_heading(const ReportBlock& block) {
+    return std::holds_alternative<HeadingBlock>(block);
+}
+
+/// A report of a few pages needs none; of many sections those of the first level are enough.
+void add_contents(Blocks& blocks, const DocumentLanguage& in) {
+    constexpr double least_lines = 3.0 * lines_of_page;
+    constexpr std::ptrdiff_t most_of_two_levels = 45;
+    const auto first = std::find_if(blocks.begin(), blocks.end(), is_heading);
+    if (first == blocks.end() || lines_of(blocks) < least_lines) return;
+    const auto count = std::count_if(blocks.begin(), blocks.end(), [](const ReportBlock& block) {
+        const auto* heading = std::get_if<HeadingBlock>(&block);
+        return heading && heading->level <= 2;
+    });
+    blocks.insert(first, {HeadingBlock{3, in.say(tell<"Contents">())},
+                          ContentsBlock{count <= most_of_two_levels ? 2 : 1}});
+}
+
 }  // namespace
 
 ReportDocument build_report(const MadeProject& made, const std::vector<EvaluatedAnalysis>& all,
@@ -96,6 +115,7 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
     document.title = project.title.empty() ? in.say(tell<"Uncertainty report">()) : project.title;
     document.running_head = document.title;
     document.over = in.say(tell<"Report of an uncertainty evaluation">());
+    document.author = project.author;
     document.language = in.code();
     document.page_words = in.say(certificate_words::page);
     document.numbers = in.numbers();
@@ -112,6 +132,7 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
         std::move(part->begin(), part->end(), std::back_inserter(blocks));
     if (!chapters.annex.empty()) blocks.push_back(HeadingBlock{1, in.say(tell<"Annex">())});
     std::move(chapters.annex.begin(), chapters.annex.end(), std::back_inserter(blocks));
+    add_contents(blocks, in);
     const UncertaintyDigits digits{project.results.style.digits.value_or(2)};
     for (ReportBlock& block : document.blocks) std::visit(digits, block);
     Numbering numbering{in};
@@ -126,11 +147,14 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
     return build_report(made, analyses, failed, made.project().report, in);
 }
 
-std::vector<std::string> reported_analyses(const Project& project) {
+std::vector<std::string> ids_of(const std::vector<EvaluatedAnalysis>& analyses) {
     std::vector<std::string> ids;
-    for (const AnalysisEntry& analysis : project.analyses)
-        if (project.report.has_analysis(analysis.id)) ids.push_back(analysis.id);
+    for (const EvaluatedAnalysis& one : analyses) ids.push_back(one.analysis->id);
     return ids;
+}
+
+std::vector<std::string> reported_analyses(const Project& project) {
+    return certified_ids(project);
 }
 
 ReportDocument build_document(DocumentKind kind, const MadeProject& made,

@@ -44,6 +44,7 @@ struct PictureBlock {
 /// The headings of the document, with their pages in print.
 struct ContentsBlock {
     int levels = 2;
+    bool searched = false;  ///< on a screen, with a field to search the headings of all levels
 };
 struct ParagraphBlock {
     std::string text;
@@ -110,6 +111,7 @@ struct ReportDocument {
     std::vector<ReportBlock> blocks;
     std::string over = "Report of an uncertainty evaluation";  ///< above the title, in print
     LogoPicture logo = {};                                     ///< beside the title
+    std::string author = {};                                   ///< in its properties
     std::string language = "en";                               ///< its code: "pt", "zh_CN"
     std::string page_words = "Page %1 of %2";
     NumberLocale numbers = {};        ///< of charts and scenes

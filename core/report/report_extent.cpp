@@ -57,7 +57,7 @@ struct LineCount {
         return 1.6 + double(std::count(block.text.begin(), block.text.end(), '\n'));
     }
     double operator()(const PictureBlock&) const { return 28.0; }
-    double operator()(const ContentsBlock&) const { return 0.0; }  // not of reports
+    double operator()(const ContentsBlock&) const { return 0.0; }  // comes last
     double operator()(const SignatureBlock&) const { return 12.0; }
 };
 

@@ -35,9 +35,10 @@ const Phrase low_at{"%1 interval, low"}, high_at{"%1 interval, high"}, low{"Inte
 using Number = std::function<std::optional<double>(const OutputResult&)>;
 using Scale = Measured::Scale;
 
-/// Of the shape of a distribution: not there where it has no variance.
+/// Of the shape of a distribution: not there where it has no variance, or is a constant.
 double moment(const MonteCarloOutput& trials, double value) {
-    return std::isfinite(trials.standard_uncertainty) ? value : std::numeric_limits<double>::quiet_NaN();
+    const double u = trials.standard_uncertainty;
+    return std::isfinite(u) && u > 0.0 ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// A number of Monte Carlo, where it ran.

@@ -2,33 +2,32 @@
 
 #include "core/base/file_io.h"
 #include "core/base/file_names.h"
+#include "core/report/result_tables.h"
 
 namespace covaria {
 
 namespace {
 
-struct NamedTable {
-    std::string file;
-    DataTable table;
-};
-
-/// Names the tables and lists them.
-class TableNaming {
+/// Writes each table under a name of its own, lists it and forgets it.
+class TableFiles {
 public:
-    explicit TableNaming(ResultListing& listing) : listing_(listing) {}
+    TableFiles(const std::filesystem::path& folder, ResultListing& listing)
+        : folder_(folder), listing_(listing) {}
 
-    void add(const std::string& owner, const std::string& stem, DataTable table) {
+    void add(const std::string& owner, const std::string& stem, const std::string& id,
+             const std::string& csv) {
         const std::string file = names_.unique(file_name_part(stem), ".csv");
         ResultFile listed{file, {}};
         if (!owner.empty()) listed.of.emplace_back("analysis", owner);
-        listed.of.emplace_back("table", table.id);
+        listed.of.emplace_back("table", id);
         listing_.files.push_back(std::move(listed));
-        tables.push_back({file, std::move(table)});
+        if (written) written = write_file_atomically(folder_ / file, csv);
     }
 
-    std::vector<NamedTable> tables;
+    Result<void> written = {};
 
 private:
+    const std::filesystem::path& folder_;
     ResultListing& listing_;
     FileNames names_;
 };
@@ -37,21 +36,15 @@ private:
 
 Result<void> write_result_files(const std::filesystem::path& folder, const MadeProject& made,
                                 const std::vector<EvaluatedAnalysis>& analyses, ResultListing listing) {
-    TableNaming naming(listing);
+    TableFiles files(folder, listing);
     for (const EvaluatedAnalysis& one : analyses)
-        for (DataTable& table : result_tables(made.project(), one)) {
-            const std::string stem = one.analysis->id + "-" + table.id;
-            naming.add(one.analysis->id, stem, std::move(table));
-        }
-    for (DataTable& table : asset_tables(made.assets())) {
-        const std::string stem = table.id;
-        naming.add("", stem, std::move(table));
-    }
-    auto written =
-        write_file_atomically(folder / "results.json", results_json(made.project(), analyses, listing));
-    for (const NamedTable& named : naming.tables)
-        if (written) written = write_file_atomically(folder / named.file, to_csv(named.table));
-    return written;
+        each_result_file(made.project(), one, [&](const std::string& id, const std::string& csv) {
+            files.add(one.analysis->id, one.analysis->id + "-" + id, id, csv);
+        });
+    for (const DataTable& table : asset_tables(made.assets()))
+        files.add("", table.id, table.id, to_csv(table));
+    if (!files.written) return files.written;
+    return write_file_atomically(folder / "results.json", results_json(made.project(), analyses, listing));
 }
 
 }  // namespace covaria

@@ -1,11 +1,13 @@
 // The tables of one analysis for CSV: every output, input, component, budget row, covariance and cell of a
 // histogram.
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/project/stated_requirements.h"
-#include "core/report/report.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
+#include "core/report/result_tables.h"
 #include "core/result/result_line.h"
 
 namespace covaria {
@@ -21,13 +23,32 @@ DataTable table_with(const std::string& id, const std::string& title, const std:
     return table;
 }
 
-DataTable budget_file(const UncertaintyResult& result) {
-    std::vector<BudgetPlace> places;
-    for (std::size_t i = 0; i < result.budget.rows.size() && i < result.outputs.size(); ++i)
-        for (const BudgetPlace& place : budget_places(result, i)) places.push_back(place);
+std::size_t outputs_with_budget(const UncertaintyResult& result) {
+    return std::min(result.budget.rows.size(), result.outputs.size());
+}
+
+DataTable budget_at(const UncertaintyResult& result, std::vector<BudgetPlace> places) {
     Table table = budget_table(result, std::move(places));
     for (Column& column : table.columns) column.unit.reset();  // the rows say it
     return data_table(table);
+}
+
+DataTable budget_file(const UncertaintyResult& result) {
+    std::vector<BudgetPlace> places;
+    for (std::size_t i = 0; i < outputs_with_budget(result); ++i)
+        for (const BudgetPlace& place : budget_places(result, i)) places.push_back(place);
+    return budget_at(result, std::move(places));
+}
+
+/// The same as a file, output by output: of hundreds of points all cells together take some gigabytes.
+std::string budget_csv(const UncertaintyResult& result) {
+    const std::string line_end = "\r\n";
+    std::string csv = to_csv(budget_at(result, {}));
+    for (std::size_t i = 0; i < outputs_with_budget(result); ++i) {
+        const std::string one = to_csv(budget_at(result, budget_places(result, i)));
+        csv += one.substr(one.find(line_end) + line_end.size());
+    }
+    return csv;
 }
 
 DataTable links_table(const std::vector<LinkedInput>& linked) {
@@ -78,6 +99,36 @@ DataTable matrix_table(const UncertaintyResult& result, const Eigen::MatrixXd& m
         }
         table.rows.push_back(std::move(row));
     }
+    return table;
+}
+
+constexpr std::size_t most_of_a_matrix =
+    1500;  // outputs, whose whole matrix is some hundred megabytes as a file
+
+/// Of thousands of outputs: the pairs of a group, of a point its three coordinates.
+DataTable pairs_table(const UncertaintyResult& result) {
+    DataTable table = table_with("covariance", "covariance",
+                                 {"group", "output", "other output", "unit", "other unit",
+                                  "covariance in the "
+                                  "product of the units",
+                                  "correlation"});
+    std::map<std::string, std::vector<std::size_t>> groups;
+    for (std::size_t j = 0; j < result.outputs.size(); ++j)
+        groups[result.outputs[j].quantity.group].push_back(j);
+    const auto u = [&](std::size_t j) { return result.outputs[j].standard_uncertainty; };
+    for (const auto& [group, members] : groups)
+        for (std::size_t k = 1; k < std::min(members.size(), most_of_a_matrix); ++k)
+            for (std::size_t i = 0; i < k; ++i) {
+                const OutputQuantity &a = result.outputs[members[i]].quantity,
+                                     &b = result.outputs[members[k]].quantity;
+                const double covariance = result.covariance(static_cast<Eigen::Index>(members[i]),
+                                                            static_cast<Eigen::Index>(members[k]));
+                const double product = u(members[i]) * u(members[k]);
+                if (!std::isfinite(product)) continue;
+                table.rows.push_back({group, a.symbol, b.symbol, a.unit.text(), b.unit.text(),
+                                      a.unit.interval_from_si(b.unit.interval_from_si(covariance)),
+                                      product > 0.0 ? covariance / product : 0.0});
+            }
     return table;
 }
 
@@ -153,10 +204,11 @@ std::string decision_key(const RequirementResult& r) {
 
 DataTable requirements_table(const UncertaintyResult& result,
                              const std::vector<RequirementResult>& verdicts) {
-    DataTable table = table_with(
-        "requirements", "Requirements",
-        {"group", "symbol", "unit", "U", "target", "target_met", "lower_limit", "upper_limit", "guard_band",
-         "decision", "p_conforming", "p_conforming_by", "global_consumer_risk", "global_producer_risk"});
+    DataTable table =
+        table_with("requirements", "Requirements",
+                   {"group", "symbol", "unit", "U", "target", "target_met", "lower_limit", "upper_limit",
+                    "guard_band", "decision", "p_conforming", "p_conforming_by", "global_consumer_risk",
+                    "global_producer_risk", "consumer_risk_if_accepted", "producer_risk_if_rejected"});
     for (const RequirementResult& r : verdicts) {
         const OutputResult& output = result.outputs[r.output];
         const OutputQuantity& q = output.quantity;
@@ -166,6 +218,9 @@ DataTable requirements_table(const UncertaintyResult& result,
             return si ? TableCell(value_in(q.unit, *si)) : TableCell{};
         };
         const auto number = [](bool known, double x) { return known ? TableCell(x) : TableCell{}; };
+        const auto of_prior = [&](double RequirementResult::GlobalRisks::*risk) {
+            return r.global_risks ? TableCell((*r.global_risks).*risk) : TableCell{};
+        };
         table.rows.push_back(
             {q.group, q.symbol, q.unit.text(), interval_in(q.unit, output.expanded_uncertainty),
              r.target_uncertainty ? TableCell(interval_in(q.unit, *r.target_uncertainty)) : TableCell{},
@@ -177,42 +232,64 @@ DataTable requirements_table(const UncertaintyResult& result,
              limited ? TableCell(interval_in(q.unit, r.guard_band)) : TableCell{},
              with_limits ? TableCell(decision_key(r)) : TableCell{}, number(limited, r.conformance),
              limited ? TableCell(distribution_key(r.conformance_by)) : TableCell{},
-             number(r.global_risks.has_value(), r.global_risks ? r.global_risks->consumer : 0.0),
-             number(r.global_risks.has_value(), r.global_risks ? r.global_risks->producer : 0.0)});
+             of_prior(&RequirementResult::GlobalRisks::consumer),
+             of_prior(&RequirementResult::GlobalRisks::producer),
+             of_prior(&RequirementResult::GlobalRisks::consumer_if_accepted),
+             of_prior(&RequirementResult::GlobalRisks::producer_if_rejected)});
     }
     return table;
 }
 
 }  // namespace
 
-std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated) {
+namespace {
+
+/// All but results and budget.
+void each_further_table(const Project& project, const EvaluatedAnalysis& evaluated,
+                        const std::function<void(DataTable)>& take) {
     const UncertaintyResult& result = *evaluated.result;
-    std::vector<DataTable> tables = {
-        data_table(results_table(result)),
-        budget_file(result),
-        matrix_table(result, existing_covariance(result), "covariance", true),
-        matrix_table(result, correlation_of(result.covariance), "correlation", false),
-        data_table(inputs_table(result.inputs, all_shares(result.inputs))),
-        data_table(regions_table(result))};
-    if (auto pairs = all_correlations(result.inputs); !pairs.empty())
-        tables.push_back(data_table(input_correlations_table(result.inputs, std::move(pairs))));
-    if (result.trials > 0) {
-        tables.push_back(histograms_table(result));
-        tables.push_back(convergence_table(result));
+    if (result.outputs.size() <= most_of_a_matrix) {
+        take(matrix_table(result, existing_covariance(result), "covariance", true));
+        take(matrix_table(result, correlation_of(result.covariance), "correlation", false));
+    } else {
+        take(pairs_table(result));
     }
-    if (!result.sobol.empty()) tables.push_back(sobol_table(result));
+    take(data_table(inputs_table(result.inputs, all_shares(result.inputs))));
+    take(data_table(regions_table(result)));
+    if (auto pairs = all_correlations(result.inputs); !pairs.empty())
+        take(data_table(input_correlations_table(result.inputs, std::move(pairs))));
+    if (result.trials > 0) {
+        take(histograms_table(result));
+        take(convergence_table(result));
+    }
+    if (!result.sobol.empty()) take(sobol_table(result));
     const AnalysisEntry* entry = evaluated.analysis ? project.find_analysis(evaluated.analysis->id) : nullptr;
-    if (entry && !entry->requirements.empty())
-        tables.push_back(requirements_table(result, judge(result, *entry)));
-    if (!result.contributors.empty()) tables.push_back(contributors_table(result));
+    if (entry && !entry->requirements.empty()) take(requirements_table(result, judge(result, *entry)));
+    if (!result.contributors.empty()) take(contributors_table(result));
     if (evaluated.analysis && !evaluated.analysis->linked.empty()) {
-        tables.push_back(links_table(evaluated.analysis->linked));
-        tables.push_back(analyses_table(result));
+        take(links_table(evaluated.analysis->linked));
+        take(analyses_table(result));
     }
     if (evaluated.analysis && evaluated.analysis->model)
-        for (DataTable& table : evaluated.analysis->model->evaluation()) tables.push_back(std::move(table));
-    for (const auto& study : evaluated.studies) tables.push_back(study_table(*study));
+        for (DataTable& table : evaluated.analysis->model->evaluation()) take(std::move(table));
+    for (const auto& study : evaluated.studies) take(study_table(*study));
+}
+
+}  // namespace
+
+std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated) {
+    std::vector<DataTable> tables{data_table(results_table(*evaluated.result)),
+                                  budget_file(*evaluated.result)};
+    each_further_table(project, evaluated, [&](DataTable table) { tables.push_back(std::move(table)); });
     return tables;
+}
+
+void each_result_file(const Project& project, const EvaluatedAnalysis& evaluated,
+                      const std::function<void(const std::string&, const std::string&)>& take) {
+    const auto take_table = [&](const DataTable& table) { take(table.id, to_csv(table)); };
+    take_table(data_table(results_table(*evaluated.result)));
+    take("budget", budget_csv(*evaluated.result));
+    each_further_table(project, evaluated, take_table);
 }
 
 std::vector<DataTable> asset_tables(const AssetLibrary& assets) {

@@ -22,13 +22,18 @@ std::string number_text(const OrderedJson& value) {
     return std::isfinite(number) ? format_exact(number) : "null";
 }
 
+/// Also of a name of a file that is no text in UTF-8.
+std::string text_of(const OrderedJson& value) {
+    return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
 std::string compact(const OrderedJson& value);
 
 template <class Items>
 std::string joined(const Items& items, bool keys) {
     std::string out;
     for (const auto& [key, item] : items)
-        out += (out.empty() ? "" : ", ") + (keys ? OrderedJson(key).dump() + ": " : "") + compact(item);
+        out += (out.empty() ? "" : ", ") + (keys ? text_of(OrderedJson(key)) + ": " : "") + compact(item);
     return out;
 }
 
@@ -36,7 +41,7 @@ std::string compact(const OrderedJson& value) {
     if (value.is_number_float()) return number_text(value);
     if (value.is_object()) return "{" + joined(value.items(), true) + "}";
     if (value.is_array()) return "[" + joined(value.items(), false) + "]";
-    return value.dump();
+    return text_of(value);
 }
 
 bool is_row_of_numbers(const OrderedJson& value) {
@@ -52,7 +57,7 @@ std::string pretty(const OrderedJson& value, const std::string& indent) {
     std::string out;
     for (const auto& [key, item] : value.items()) {
         out += (out.empty() ? "\n" : ",\n") + inner;
-        if (value.is_object()) out += OrderedJson(key).dump() + ": ";
+        if (value.is_object()) out += text_of(OrderedJson(key)) + ": ";
         out += pretty(item, inner);
     }
     return (value.is_object() ? "{" : "[") + out + "\n" + indent + (value.is_object() ? "}" : "]");
@@ -237,9 +242,13 @@ OrderedJson requirement_json(const EvaluatedAnalysis& evaluated, const Requireme
     json["guardBand"] = json_number(q.unit.interval_from_si(r.guard_band));
     json["conformance"] = {{"probability", json_number(r.conformance)},
                            {"distribution", distribution_key(r.conformance_by)}};
+    if (r.capability_index) json["capabilityIndex"] = json_number(*r.capability_index);
+    if (r.uncertainty_ratio) json["testUncertaintyRatio"] = json_number(*r.uncertainty_ratio);
     if (r.global_risks)
         json["globalRisks"] = {{"consumer", json_number(r.global_risks->consumer)},
-                               {"producer", json_number(r.global_risks->producer)}};
+                               {"producer", json_number(r.global_risks->producer)},
+                               {"consumerIfAccepted", json_number(r.global_risks->consumer_if_accepted)},
+                               {"producerIfRejected", json_number(r.global_risks->producer_if_rejected)}};
     return json;
 }
 

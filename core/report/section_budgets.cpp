@@ -8,6 +8,7 @@
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
 #include "core/report/result_statement.h"
+#include "core/result/representation.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
@@ -37,7 +38,9 @@ public:
         for (std::size_t i = 0; i < shown; ++i) table_.row(print_row(budget, keys_, i, in_));
         if (shown < places_.size()) add_rest(shown);
         add_total();
+        add_note_on_zeros();
         table_.note(result_line());
+        if (result_.trials > 0 && represents_measurand(result_)) table_.note(stated_line());
         return table_.take();
     }
 
@@ -63,17 +66,86 @@ private:
         table_.row(std::move(all));
     }
 
-    void add_rest(std::size_t first) {
+    /// Who brings it in; where one does all, where its figure comes from.
+    std::string source_of(std::size_t i, bool by_owner) const {
+        const BudgetComponent& component = result_.budget.components[row(i).component];
+        return by_owner ? component.owner : in_.say(component.origin);
+    }
+
+    /// What is not shown as rows of its own, by its sources, the largest share first.
+    struct Rest {
+        std::string source;
+        std::size_t components = 0, sources = 1;
         double square = 0.0, share = 0.0;
-        for (std::size_t i = first; i < places_.size(); ++i) {
-            square += row(i).contribution * row(i).contribution;
-            share += row(i).share;
+        void take(const Rest& other) {
+            components += other.components;
+            square += other.square;
+            share += other.share;
         }
-        const std::size_t rest = places_.size() - first;
-        push({{"component in words",
-               in_.say(rest == 1 ? tell<"1 further component">() : tell<"%1 further components">(rest))},
-              {"contribution", interval_in(output_.quantity.unit, std::sqrt(square))},
-              {"share of variance", 100.0 * share}});
+    };
+    std::vector<Rest> rest_from(std::size_t first, bool by_owner) const {
+        std::vector<Rest> all;
+        for (std::size_t i = first; i < places_.size(); ++i) {
+            const std::string source = source_of(i, by_owner);
+            auto known =
+                std::find_if(all.begin(), all.end(), [&](const Rest& rest) { return rest.source == source; });
+            if (known == all.end()) known = all.insert(all.end(), Rest{source});
+            known->take({source, 1, 1, row(i).contribution * row(i).contribution, row(i).share});
+        }
+        std::stable_sort(all.begin(), all.end(),
+                         [](const Rest& a, const Rest& b) { return a.share > b.share; });
+        return all;
+    }
+
+    void add_rest(std::size_t first) {
+        std::vector<Rest> rest = rest_from(first, true);
+        const bool by_owner = rest.size() > 1;
+        if (!by_owner) rest = rest_from(first, false);
+        while (rest.size() > most_sources) {
+            Rest& last = rest[rest.size() - 2];
+            last.take(rest.back());
+            last.sources += rest.back().sources;
+            rest.pop_back();
+        }
+        for (const Rest& part : rest)
+            push({{"component in words", in_.say(rest_words(part, rest.size() > 1, by_owner))},
+                  {"contribution", interval_in(output_.quantity.unit, std::sqrt(part.square))},
+                  {"share of variance", 100.0 * part.share}});
+    }
+
+    static Message rest_words(const Rest& rest, bool several, bool by_owner) {
+        const std::size_t n = rest.components;
+        if (rest.sources > 1) return tell<"%1 further components of %2 other sources">(n, rest.sources);
+        const Message source = !rest.source.empty() ? Message(rest.source)
+                               : by_owner           ? tell<"the set-up">()
+                                                    : tell<"other sources">();
+        if (!several && rest.source.empty())
+            return n == 1 ? tell<"1 further component">() : tell<"%1 further components">(n);
+        return n == 1 ? tell<"1 further component: %1">(source)
+                      : tell<"%1 further components: %2">(n, source);
+    }
+
+    /// Components without a row: which they are, or how many.
+    void add_note_on_zeros() {
+        std::vector<bool> has_row(result_.budget.components.size(), false);
+        for (std::size_t i = 0; i < places_.size(); ++i) has_row[row(i).component] = true;
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < has_row.size(); ++i) {
+            if (has_row[i]) continue;
+            const BudgetComponent& c = result_.budget.components[i];
+            const std::string name = in_.say(c.name);
+            const bool is_of_one = c.quantities.size() == 1;
+            names.push_back(is_of_one ? symbol_to_unicode(c.quantities.front()) + ", " + name : name);
+        }
+        if (names.empty()) return;
+        if (names.size() > most_named) {
+            table_.note(tell<"Left out: %1 components that contribute nothing (less than 10⁻⁹ of u_c).">(
+                names.size()));
+            return;
+        }
+        std::string list;
+        for (const std::string& name : names) list += (list.empty() ? "" : "; ") + name;
+        table_.note(tell<"Left out, because they contribute nothing (less than 10⁻⁹ of u_c): %1.">(list));
     }
 
     void add_total() {
@@ -109,8 +181,17 @@ private:
             probability_text(stated_probability(first, result_), in_));
     }
 
+    /// The result that is stated, where it is not that of the line above.
+    Message stated_line() const {
+        return tell<"Stated in the results: %1 = %2 (propagation of distributions).">(
+            output_label(output_.quantity), result_statement(output_, result_, in_, {}, digits_));
+    }
+
     const DocumentLanguage& in_;
     const UncertaintyResult& result_;
+    static constexpr std::size_t most_sources = 5;  // of further components
+    static constexpr std::size_t most_named = 6;    // components of zero
+
     const std::size_t most_rows_;
     const int digits_;  ///< of uncertainties
     const OutputResult& output_;

@@ -127,6 +127,9 @@ std::string limits_text(const RequirementResult& r, const OutputResult& output, 
         return grouped_digits(
             format_to_match(unit.from_si(si), unit.interval_from_si(output.expanded_uncertainty), 3), locale);
     };
+    const bool nothing_left = guard == infinity || (r.lower_limit && r.upper_limit &&
+                                                    *r.lower_limit + guard > *r.upper_limit - guard);
+    if (nothing_left) return "∅";
     if (r.lower_limit && r.upper_limit)
         return "[" + number(*r.lower_limit + guard) + (locale.decimal == "," ? "; " : ", ") +
                number(*r.upper_limit - guard) + "]";
@@ -140,7 +143,7 @@ std::string by_words(RequirementResult::Distribution by, const DocumentLanguage&
 
 std::string decision_words(const RequirementResult& r, const DocumentLanguage& in) {
     if (!r.not_judged.empty()) return in.say(words::not_judged);
-    return in.say(r.decision == Decision::accept ? words::accepted : words::rejected);
+    return in.say(r.decision == Decision::accept ? words::passes : words::fails);
 }
 
 /// Of a decision that was taken.
@@ -162,6 +165,15 @@ Message risks_of(const RequirementResult& r, const OutputQuantity& quantity, con
                      "prior: consumer's %3, producer's %4.">(symbol, risk, consumer, producer);
 }
 
+/// JCGM 106 9.5, of those that the rule accepts, or rejects.
+Message conditional_risks_of(const RequirementResult& r, const OutputQuantity& quantity,
+                             const DocumentLanguage& in) {
+    const auto text = [&in](double probability) { return probability_text(probability, in.numbers()); };
+    return tell<"%1: of what the rule accepts %2 does not conform, of what it rejects %3 does.">(
+        output_label(quantity), text(r.global_risks->consumer_if_accepted),
+        text(r.global_risks->producer_if_rejected));
+}
+
 bool has_tolerance(const RequirementResult& r) {
     return r.lower_limit || r.upper_limit;
 }
@@ -171,13 +183,12 @@ void add_conformity_row(TableBuilder& table, const RequirementResult& r, const O
     const bool judged = r.not_judged.empty();
     const OutputQuantity& quantity = output.quantity;
     const auto number = [](const std::optional<double>& x) { return x ? TableCell(*x) : TableCell{}; };
-    table.row({in.say(output_label(quantity)), unit_text(quantity.unit),
-               limits_text(r, output, 0.0, in.numbers()),
-               judged ? limits_text(r, output, r.guard_band, in.numbers()) : "",
-               judged ? decision_rule(r.guard_factor, in) : "", decision_words(r, in),
-               judged ? probability_text(r.conformance, in.numbers()) : "",
-               judged ? by_words(r.conformance_by, in) : "", number(r.uncertainty_ratio),
-               number(r.capability_index)});
+    table.row(
+        {in.say(output_label(quantity)), unit_text(quantity.unit), limits_text(r, output, 0.0, in.numbers()),
+         judged ? limits_text(r, output, r.guard_band, in.numbers()) : "", judged ? decision_rule(r, in) : "",
+         decision_words(r, in), judged ? probability_text(r.conformance, in.numbers()) : "",
+         judged ? by_words(r.conformance_by, in) : "", number(r.uncertainty_ratio),
+         number(r.capability_index)});
 }
 
 /// Nothing without tolerances.
@@ -201,25 +212,24 @@ void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAna
     auto table = conformity_table(verdicts, evaluated, tell<"Conformity with tolerances">(), in);
     if (!table) return;
     blocks.push_back(std::move(*table));
-    for (const RequirementResult& r : verdicts)
-        if (has_tolerance(r) && r.not_judged.empty())
-            blocks.push_back(
-                ParagraphBlock{in.say(risks_of(r, evaluated.result->outputs[r.output].quantity, in))});
+    for (const RequirementResult& r : verdicts) {
+        if (!has_tolerance(r) || !r.not_judged.empty()) continue;
+        const OutputQuantity& quantity = evaluated.result->outputs[r.output].quantity;
+        blocks.push_back(ParagraphBlock{in.say(risks_of(r, quantity, in))});
+        if (r.global_risks) blocks.push_back(ParagraphBlock{in.say(conditional_risks_of(r, quantity, in))});
+    }
 }
 
 }  // namespace
 
 void add_certified_conformity(Blocks& blocks, const ReportSource& source,
                               const std::vector<EvaluatedAnalysis>& analyses, const DocumentLanguage& in) {
-    bool headed = false;
     for (const EvaluatedAnalysis& evaluated : analyses) {
         const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);
         if (!entry) continue;
         const std::string title = analyses.size() > 1 ? evaluated.analysis->name : "";
         auto table = conformity_table(judge(*evaluated.result, *entry), evaluated, title, in);
         if (!table) continue;
-        if (!headed) blocks.push_back(HeadingBlock{2, in.say(words::conformity)});
-        headed = true;
         blocks.push_back(std::move(*table));
     }
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/project/stated_requirements.h"
+#include "core/report/date_words.h"
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
@@ -73,7 +74,8 @@ void add_title(Blocks& blocks, const ReportSource& source) {
     };
     if (!project.number.empty()) add(tell<"Number">(), project.number);
     if (!project.author.empty()) add(tell<"Author">(), project.author);
-    if (!project.certificate.issued.empty()) add(tell<"Date of issue">(), project.certificate.issued);
+    if (!project.certificate.issued.empty())
+        add(tell<"Date of issue">(), date_words(project.certificate.issued, in));
     for (const EvaluatedAnalysis& evaluated : source.analyses)
         add(evaluated.analysis->name, in.say(analysis_text(evaluated, in)));
     for (const EvaluatedAnalysis& evaluated : source.analyses)

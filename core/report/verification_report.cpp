@@ -1,11 +1,11 @@
 // The table of a verification, as a report and as text.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/version.h"
 #include "core/report/report_parts.h"
 #include "core/report/verification.h"
+#include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -18,18 +18,14 @@ std::string figure_text(double value, double resolution) {
     const double magnitude = std::max(std::abs(value), 1e-300);
     int digits = 9;
     if (resolution > 0.0) digits = static_cast<int>(std::ceil(std::log10(magnitude / resolution))) + 1;
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*g", std::clamp(digits, 2, 9), value);
-    return text;
+    return format_short(value, std::clamp(digits, 2, 9));
 }
 
 std::string published_text(const VerificationCheck& check) {
     if (!check.published) return "";
     if (check.half_digit <= 0.0) return figure_text(*check.published, 0.0);
     const int decimals = std::max(0, static_cast<int>(std::lround(-std::log10(2.0 * check.half_digit))));
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, *check.published);
-    return text;
+    return format_decimals(*check.published, decimals);
 }
 
 std::string reference_text(const CheckedFigure& f) {

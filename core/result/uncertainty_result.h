@@ -11,6 +11,7 @@
 #include "core/base/message.h"
 #include "core/model/output_quantity.h"
 #include "core/quantity/shared_inputs.h"
+#include "core/result/guard_rule.h"
 #include "core/result/trial_distribution.h"
 #include "core/result/variance_reduction.h"
 
@@ -160,6 +161,8 @@ struct OutputRequirement {
     std::optional<double> lower_limit = {}, upper_limit = {};
     double guard_factor = 1.0;  ///< r of the decision rule w = r U
     std::optional<double> prior_mean = {}, prior_standard_deviation = {};
+    GuardRule guard_rule = GuardRule::factor;
+    double target_risk = 0.02;  ///< of the rules that have one
 };
 
 /// A requirement and how the result stands to it: made of both whenever it is looked at.
@@ -181,6 +184,9 @@ struct RequirementResult : OutputRequirement {
     struct GlobalRisks {
         double consumer = 0.0;  ///< accepted and not conforming
         double producer = 0.0;  ///< rejected and conforming
+        /// Conditional ones: of what is accepted the part that does not conform, of what is rejected the part
+        /// that does. 0 where nothing is accepted, or rejected.
+        double consumer_if_accepted = 0.0, producer_if_rejected = 0.0;
     };
     std::optional<GlobalRisks> global_risks = {};
 };

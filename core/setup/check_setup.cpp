@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
 #include "core/setup/message_text.h"
 #include "core/setup/setup_schema.h"
 
@@ -45,7 +46,7 @@ Message unit_problem(const Title& title, const Quantity& given, const Unit& expe
                    : tell<"%1 is %2; %3 is %4">(in_quotes(title()), dimension_words(expected), value,
                                                 dimension_words(given.unit));
     }
-    if (given.unit.has_offset() && !expected.has_offset())
+    if (is_reading_for_difference(given.unit, expected))
         return tell<"%1 is a difference of temperatures: give it in K, not in %2">(in_quotes(title()),
                                                                                    given.unit.text());
     return {};
@@ -261,7 +262,7 @@ Message column_unit_objection(const FieldSpec& table, const ColumnSpec& column, 
                               : tell<"column '%1' of '%2' is %3; '%4' is the unit of %5">(
                                     column.key, of, expected, unit.text(), dimension_words(unit));
     }
-    if (unit.has_offset() && !column.unit.has_offset())
+    if (is_reading_for_difference(unit, column.unit))
         return tell<"column '%1' of '%2' is a difference of temperatures: give it in K, not in %3">(
             column.key, of, unit.text());
     return {};

@@ -14,14 +14,11 @@ ChangedProject::ChangedProject(const ChangedNumbers& numbers)
 // All axes of one table or asset begin from the unchanged set-up, cell by cell.
 void ChangedProject::set(std::span<const double> values) {
     values_.assign(values.begin(), values.end());
-    const Project& base = numbers_.made->project();
     for (std::size_t axis = 0; axis < values_.size(); ++axis) {
         const StudyTarget& target = numbers_.targets[axis];
         if (!target.in_setup()) continue;
-        const bool own = target.asset == StudyTarget::analysis;
         vary_setup(target, numbers_.axes[axis], values_[axis],
-                   own ? base.analyses.front().setup : base.assets[target.asset].setup,
-                   own ? project_.analyses.front().setup : project_.assets[target.asset].setup);
+                   varied_setup(target, 0, numbers_.made->project()), varied_setup(target, 0, project_));
     }
 }
 

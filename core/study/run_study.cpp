@@ -51,6 +51,14 @@ private:
     std::map<std::string, std::size_t> known_;  ///< by what they say in English
 };
 
+/// A file may say anything: numbers of other outputs would be looked for where there are none.
+bool is_of(const StudyPlan& plan, const EvaluatedPoint& evaluated) {
+    const StudyPoint& point = evaluated.point;
+    if (!evaluated.reason.empty()) return point.values.empty() && point.places.empty();
+    return point.values.size() == plan.outputs.size() && point.places.size() == plan.triples.size() &&
+           point.failed_trials <= plan.options.trials;
+}
+
 }  // namespace
 
 std::uint64_t units_of_study(const PreparedStudy& study) {
@@ -82,7 +90,10 @@ Result<StudyResult> run_study(const PreparedStudy& study, const RunControl& cont
     };
     const PartialBytes<EvaluatedPoint> bytes{
         [](const EvaluatedPoint& point, ByteWriter& writer) { point.write(writer); },
-        [](ByteReader& reader, EvaluatedPoint& point) { point.read(reader); }};
+        [&plan](ByteReader& reader, EvaluatedPoint& point) {
+            point.read(reader);
+            if (!is_of(plan, point)) reader.refuse();
+        }};
     if (run_units(work, bytes, monitor) == WorkEnd::cancelled)
         return fail(ErrorCode::cancelled, tell<"the study was stopped">());
     return result;

@@ -12,17 +12,19 @@ void give_default(const SetupSchema* schema, const std::string& key, Setup& setu
     if (field && !setup.values.contains(key)) setup.values[key] = value_of(*field, setup);
 }
 
+const SetupSchema* schema_of(const StudyTarget& target, std::size_t own, const Project& project) {
+    if (target.asset != StudyTarget::analysis) return schema_of(project.assets[target.asset]);
+    return schema_of(project.analyses[target.upstream == StudyTarget::analysis ? own : target.upstream]);
+}
+
 bool find_targets(const InputSet& inputs, const std::vector<StudyAxis>& axes, Project& part,
                   std::vector<StudyTarget>& targets) {
     AnalysisEntry& entry = part.analyses.front();
     for (const StudyAxis& axis : axes) {
         auto target = find_study_target(part, entry, &inputs, axis);
         if (!target) return false;
-        if (target->in_setup() && target->asset == StudyTarget::analysis)
-            give_default(schema_of(entry), target->key, entry.setup);
-        else if (target->in_setup())
-            give_default(schema_of(part.assets[target->asset]), target->key,
-                         part.assets[target->asset].setup);
+        if (target->in_setup())
+            give_default(schema_of(*target, 0, part), target->key, varied_setup(*target, 0, part));
         targets.push_back(std::move(*target));
     }
     return true;
@@ -53,6 +55,9 @@ Project analysis_part(const Project& project, const AnalysisEntry& entry) {
 void refuse_idle_asset(const MadeProject& made, const std::string& analysis, const std::string& asset,
                        const std::string& path, Problems& problems) {
     if (asset.empty()) return;
+    const Project& project = made.project();
+    const auto upstream = analyses_used_by(project, *project.find_analysis(analysis));
+    if (std::find(upstream.begin(), upstream.end(), asset) != upstream.end()) return;
     const auto used = made.assets_used_by(analysis);
     if (std::find(used.begin(), used.end(), asset) == used.end())
         problems.error(path,

@@ -12,6 +12,9 @@ namespace covaria {
 /// The assets that the analysis uses, the analysis, which comes first, and those that it takes inputs from.
 Project analysis_part(const Project& project, const AnalysisEntry& entry);
 
+/// Of the set-up that `varied_setup` gives.
+const SetupSchema* schema_of(const StudyTarget& target, std::size_t own, const Project& project);
+
 /// Of each axis, in the part, whose set-ups get the defaults that are varied; false: one is not found (of an
 /// asset that the analysis does not use).
 bool find_targets(const InputSet& inputs, const std::vector<StudyAxis>& axes, Project& part,

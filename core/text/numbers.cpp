@@ -27,7 +27,10 @@ double past_tie(double value) {
 }
 
 std::string fixed(double value, int decimals) {
-    std::array<char, 400> text{};
+    // 309 digits before the point, and no double has more than 1074 behind it.
+    constexpr int most_decimals = 1074;
+    std::array<char, 1400> text{};
+    decimals = std::clamp(decimals, 0, most_decimals);
     if (tie_width * std::abs(value) < 0.01 * std::pow(10.0, -decimals)) value = past_tie(value);
     const auto end =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
@@ -100,7 +103,7 @@ bool is_ordinary(double size) {
 std::string format_decimals(double value, int decimals) {
     if (!std::isfinite(value)) return not_finite(value);
     if (decimals >= 0) return without_negative_zero(fixed(value, decimals));
-    const double step = std::pow(10.0, -decimals);
+    const double step = std::pow(10.0, std::min(-decimals, std::numeric_limits<double>::max_exponent10));
     return without_negative_zero(fixed(std::round(past_tie(value) / step) * step, 0));
 }
 

@@ -12,11 +12,35 @@ namespace {
 
 constexpr std::array<double, 4> steps{1.0, 2.0, 5.0, 10.0};
 
+// Below it, powers of ten and their halves have no digits left.
+constexpr double smallest_decade = 1e-300;
+
 double decade_below(double value) {
-    return std::pow(10.0, std::floor(std::log10(value)));
+    return std::max(smallest_decade, std::pow(10.0, std::floor(std::log10(value))));
 }
 
 }  // namespace
+
+double resolution_at(double value) {
+    const double size = std::abs(value);
+    return size - std::nextafter(size, -1.0);
+}
+
+std::vector<double> multiples_between(double low, double high, double step, std::size_t most) {
+    std::vector<double> multiples;
+    const double slack = 1e-9 * high - 1e-9 * low;
+    const double first = std::ceil((low - slack) / step), last = std::floor((high + slack) / step);
+    const double count = last - first + 1.0;
+    if (!(step > 0.0) || !std::isfinite(first) || !(count >= 1.0 && count <= static_cast<double>(most)))
+        return multiples;
+    const auto whole = static_cast<std::size_t>(count);
+    for (std::size_t i = 0; i < whole; ++i) {
+        const double at = (first + static_cast<double>(i)) * step;
+        const bool is_another = multiples.empty() || at > multiples.back();
+        if (is_another && at >= low - slack && at <= high + slack) multiples.push_back(at);
+    }
+    return multiples;
+}
 
 double nearest_round_number(double value) {
     const double decade = decade_below(value);
@@ -47,6 +71,7 @@ double rounded_down(double value, int digits) {
 }
 
 int decimals_of_step(double step) {
+    if (!(step > 0.0) || !std::isfinite(step)) return 0;
     return std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
 }
 

@@ -1,9 +1,17 @@
 // Round numbers: 1, 2, 5 times a power of ten.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace covaria {
+
+/// The distance from `value` to the next number of that size: steps of an axis that are smaller are none.
+double resolution_at(double value);
+/// The multiples of `step` in [low, high], rising, each another number. They are counted as whole numbers, so
+/// that no range and no step makes it go on for ever. Empty where there would be more than `most`.
+std::vector<double> multiples_between(double low, double high, double step, std::size_t most);
 
 double nearest_round_number(double value);  ///< in ratio; value > 0
 double round_number_below(double value);    ///< the largest that is not larger; value > 0

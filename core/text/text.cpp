@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/printable.h"
 #include "core/base/superscript.h"
 
 namespace covaria {
@@ -161,10 +162,12 @@ std::string to_html(const Text& text) {
 std::string escape_html(std::string_view text) {
     static constexpr std::array<Replacement, 4> table{
         {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}}};
+    const std::string shown = printable(text);
     std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const std::string_view entity = found_in(table, text.substr(i, 1));
-        out += entity.empty() ? text.substr(i, 1) : entity;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const std::string_view letter = std::string_view(shown).substr(i, 1);
+        const std::string_view entity = found_in(table, letter);
+        out += entity.empty() ? letter : entity;
     }
     return out;
 }

@@ -1,9 +1,11 @@
 // Digital Calibration Certificate 3.2.1: administrative data of the project's certificate, results in D-SI.
 #include "core/base/version.h"
+#include "core/made/certificate_gaps.h"
 #include "core/project/certificate.h"
 #include "core/project/stated_requirements.h"
 #include "core/report/certificate_parts.h"
 #include "core/result/representation.h"
+#include "core/result/result_line.h"
 #include "core/writers/dcc_xml.h"
 #include "core/writers/dsi_values.h"
 #include "core/writers/formats.h"
@@ -81,7 +83,7 @@ private:
         add_text(core, "dcc:beginPerformanceDate", calibrated.substr(0, slash));
         add_text(core, "dcc:endPerformanceDate",
                  slash == std::string::npos ? calibrated : calibrated.substr(slash + 1));
-        add_text(core, "dcc:performanceLocation", is_blank(certificate_.place) ? "laboratory" : "other");
+        add_text(core, "dcc:performanceLocation", site_of(certificate_).key);
         add_text(core, "dcc:issueDate", line_of(&C::issued));
     }
 
@@ -113,13 +115,42 @@ private:
     }
 
     void write_statements(xml_node statements) const {
-        for (const auto member :
-             {&C::place, &C::condition, &C::deviations, &C::traceability, &C::adjustment, &C::remarks}) {
+        for (const auto member : {&C::place, &C::specification, &C::condition, &C::deviations,
+                                  &C::traceability, &C::adjustment, &C::remarks}) {
             if (is_blank(certificate_.*member)) continue;
             xml_node statement = statements.append_child("dcc:statement");
             add_name(statement, certificate_field(member).title);
             add_contents(statement.append_child("dcc:declaration"), certificate_.*member);
         }
+    }
+
+    /// Data have no "±" that U could stand after: the elements are called by what they are.
+    static std::string uncertainty_words(const UncertaintyResult& result) {
+        const std::string by = result.trials == 0
+                                   ? "The standard uncertainty was determined by the law of propagation of "
+                                     "uncertainty in accordance with JCGM 100."
+                                   : "The distribution was determined by the propagation of distributions in "
+                                     "accordance with JCGM 101.";
+        switch (expanded_by(result)) {
+            case ExpandedBy::fixed_factor:
+                return "The expanded uncertainty is the standard uncertainty multiplied by the fixed "
+                       "coverage "
+                       "factor; the coverage probability is that of the interval of this half-width about "
+                       "the value.\n" +
+                       by;
+            case ExpandedBy::interval:
+                return "The expanded uncertainty is half the width of the probabilistically symmetric "
+                       "coverage interval of the coverage probability; the coverage factor is its ratio to "
+                       "the standard uncertainty.\n" +
+                       by;
+            case ExpandedBy::degrees_of_freedom:
+                break;
+        }
+        return "The expanded uncertainty is the standard uncertainty multiplied by the coverage factor, "
+               "which "
+               "for a normal distribution, or for a t distribution of the effective degrees of freedom where "
+               "they are stated, corresponds to the coverage probability.\n" +
+               by;
     }
 
     /// Method of the calibration, then that of the uncertainties; conditions.
@@ -131,12 +162,7 @@ private:
         method = methods.append_child("dcc:usedMethod");
         const bool trials = result.trials > 0;
         add_name(method, trials ? "Propagation of distributions" : "Law of propagation of uncertainty");
-        std::string words;
-        report_parts::Blocks blocks;
-        report_parts::add_uncertainty_statement(blocks, result);
-        for (const ReportBlock& block : blocks)
-            if (const auto* paragraph = std::get_if<ParagraphBlock>(&block)) words += paragraph->text + "\n";
-        add_contents(method.append_child("dcc:description"), words);
+        add_contents(method.append_child("dcc:description"), uncertainty_words(result));
         add_text(method, "dcc:norm", trials ? "JCGM 101:2008" : "JCGM 100:2008");
         xml_node condition =
             node.append_child("dcc:influenceConditions").append_child("dcc:influenceCondition");
@@ -161,7 +187,8 @@ private:
             const auto outputs = report_parts::measurands_of(result, group);
             xml_node one = list.append_child("dcc:result");
             add_name(one, xml_line(group).empty() ? name : xml_line(group));
-            auto added = add_quantities(one.append_child("dcc:data"), result, group, outputs, verdicts);
+            auto added = add_quantities(one.append_child("dcc:data"), result, group, outputs,
+                                        {verdicts, line_of(&C::specification)});
             if (!added) return with_analysis(added.error(), analysis.id);
             quantities_ += outputs.size();
         }
@@ -194,11 +221,13 @@ private:
 };
 
 Problems missing_for_dcc(const Project& project) {
-    return missing_in_digital(project.certificate);
+    return missing_in_digital(project.certificate, stated_conformity(project, certified_ids(project)));
 }
 
 Result<WrittenFile> write_dcc(const WriterSource& source) {
-    const Problems missing = missing_for_dcc(source.made.project());
+    const Project& project = source.made.project();
+    const Problems missing =
+        missing_in_digital(project.certificate, stated_conformity(project, ids_of(source.analyses)));
     if (missing.has_errors())
         return fail(ErrorCode::bad_input, first_error(missing, ""), missing.items().front().path);
     return DccWriter(source).write();

@@ -33,8 +33,8 @@ double factor_of(const CoverageRegion& region) {
 
 class ValueElements {
 public:
-    ValueElements(const UncertaintyResult& result, const std::vector<RequirementResult>& verdicts)
-        : result_(result), verdicts_(verdicts) {}
+    ValueElements(const UncertaintyResult& result, const StatedConformity& conformity)
+        : result_(result), conformity_(conformity) {}
 
     Result<void> add_scalar(xml_node data, std::size_t i) const {
         const OutputResult& output = result_.outputs[i];
@@ -105,7 +105,7 @@ private:
                 add_name(meta, "Effective degrees of freedom of " + label_of(result_.outputs[i]));
                 add_number(meta.append_child("dcc:data"), "nu_eff", dsi_unit_for(Unit()), nu);
             }
-            for (const RequirementResult& verdict : verdicts_)
+            for (const RequirementResult& verdict : conformity_.verdicts)
                 if (verdict.output == i && verdict.not_judged.empty() &&
                     verdict.decision != RequirementResult::Decision::none)
                     add_conformity(list.append_child("dcc:metaData"), verdict);
@@ -119,7 +119,8 @@ private:
         const DsiUnit unit = dsi_unit_for(output.quantity.unit);
         meta.append_attribute("refType") = "basic_conformity";
         add_name(meta, "Conformity of " + label_of(output));
-        add_text(meta, "dcc:convention", decision_rule(verdict.guard_factor));
+        add_text(meta, "dcc:convention", decision_rule(verdict));
+        if (!conformity_.specification.empty()) add_text(meta, "dcc:norm", conformity_.specification);
         add_text(meta, "dcc:norm", "JCGM 106:2012");
         add_text(meta, "dcc:conformity",
                  verdict.decision == RequirementResult::Decision::accept ? "pass" : "fail");
@@ -128,7 +129,8 @@ private:
             add_number(data, "lower limit", unit, unit.unit.from_si(*verdict.lower_limit));
         if (verdict.upper_limit)
             add_number(data, "upper limit", unit, unit.unit.from_si(*verdict.upper_limit));
-        add_number(data, "guard band", unit, unit.unit.interval_from_si(verdict.guard_band));
+        if (std::isfinite(verdict.guard_band))
+            add_number(data, "guard band", unit, unit.unit.interval_from_si(verdict.guard_band));
         add_number(data, "probability of conformance", dsi_unit_for(Unit()), verdict.conformance);
     }
 
@@ -184,7 +186,7 @@ private:
     }
 
     const UncertaintyResult& result_;
-    const std::vector<RequirementResult>& verdicts_;
+    const StatedConformity& conformity_;
 };
 
 /// The joint region of exactly these outputs that an ellipsoid of the D-SI can state; null: none.
@@ -202,9 +204,8 @@ const CoverageRegion* region_of(const UncertaintyResult& result, const std::stri
 }  // namespace
 
 Result<void> add_quantities(pugi::xml_node data, const UncertaintyResult& result, const std::string& group,
-                            const std::vector<std::size_t>& outputs,
-                            const std::vector<RequirementResult>& verdicts) {
-    const ValueElements elements(result, verdicts);
+                            const std::vector<std::size_t>& outputs, const StatedConformity& conformity) {
+    const ValueElements elements(result, conformity);
     const std::string name = xml_line(group).empty() ? "results" : xml_line(group);
     if (const CoverageRegion* region = region_of(result, group, outputs))
         return elements.add_list(data, name, *region);

@@ -11,11 +11,16 @@
 
 namespace covaria {
 
+/// What is said of the conformity of measurands with a tolerance.
+struct StatedConformity {
+    const std::vector<RequirementResult>& verdicts;
+    std::string specification = {};  ///< that it refers to
+};
+
 /// Measurands of a group as <dcc:quantity>: with a joint region as one list with the covariance matrix, else
-/// one by one. `verdicts` on them with a tolerance follow as metadata of their quantity. Error: an
+/// one by one. Conformity follows as metadata of their quantity. Error: an
 /// uncertainty that is not finite, for which the D-SI has no place.
 Result<void> add_quantities(pugi::xml_node data, const UncertaintyResult& result, const std::string& group,
-                            const std::vector<std::size_t>& outputs,
-                            const std::vector<RequirementResult>& verdicts = {});
+                            const std::vector<std::size_t>& outputs, const StatedConformity& conformity);
 
 }  // namespace covaria

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/base/c_numbers.h"
 #include "core/base/file_io.h"
 #include "core/base/utf8.h"
 #include "core/readers/entry_texts.h"
@@ -159,6 +160,7 @@ Result<std::string> XlsxBook::finish() {
     if (!sheets_->book) return failed();
     lxw_workbook* book = std::exchange(sheets_->book, nullptr);
     sheets_->sheet = nullptr;
+    const CNumbers with_points;  // of cells, which are written now
     if (workbook_close(book) != LXW_NO_ERROR) return failed();
     return read_file(sheets_->file);
 }

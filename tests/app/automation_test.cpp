@@ -52,21 +52,78 @@ TEST(Automation, ARowOfATableIsARun) {
     const std::string table = read_text(folder / "out" / "results.csv");
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4) << table;
     EXPECT_NE(table.find("\r\nA/1,table,,l,nm,50000"), std::string::npos) << table;
+    EXPECT_NE(table.find(",A-1-2,\r\n"), std::string::npos) << "the folder of the row: " << table;
 }
 
 TEST(Automation, ARowThatCannotBeRunIsSaidAndTheOthersAre) {
     const fs::path folder = fresh_folder("set-from-wrong");
     write_text(folder / "blocks.csv",
-               "serial,/analyses/table/setup/quantities/rows/l_S/value\nA,long\nB,50000523\n");
+               "serial,/analyses/table/setup/quantities/rows/l_S/value\nA 7,long\nB,50000523\n");
     const Outcome run = run_program({"run", gauge, "--analysis", "table", "--set-from",
                                      (folder / "blocks.csv").string(), "--out", (folder / "out").string()});
     EXPECT_EQ(run.status, 1);
     EXPECT_TRUE(fs::exists(folder / "out" / "B" / "results.json"));
     EXPECT_NE(run.err.find("1 of 2 rows"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("blocks.csv:2: row 1 (A 7): "), std::string::npos) << run.err;
+    EXPECT_FALSE(fs::exists(folder / "out" / "A-7")) << "no folder for what was never run";
+    const std::string table = read_text(folder / "out" / "results.csv");
+    EXPECT_NE(table.find("\r\nA 7,,,,,,,,,,,,,,\""), std::string::npos) << "a row that says why: " << table;
+    EXPECT_NE(table.find("\r\nB,table,,l,nm,50000"), std::string::npos) << table;
+    const auto said = run.err.find("row 1 (A 7)"), warned = run.err.find("warning", said);
+    EXPECT_TRUE(warned == std::string::npos || said < warned) << "before the first run: " << run.err;
     write_text(folder / "heads.csv", "value\n1\n");
     const Outcome heads = run_program({"run", gauge, "--set-from", (folder / "heads.csv").string()});
     EXPECT_EQ(heads.status, 1);
     EXPECT_NE(heads.err.find("heads.csv:1"), std::string::npos) << heads.err;
+}
+
+// An analysis that cannot be made keeps no other from being run that does not use it.
+TEST(Automation, WhatIsAskedForIsRunWhateverElseIsWrong) {
+    const fs::path folder = fresh_folder("other-errors");
+    const std::string file = (folder / "p.covaria").string(), out = (folder / "out").string();
+    const std::vector<std::string> run{"run", file, "--first-order", "--out", out, "--analysis"};
+    const auto with = [&](std::string analysis) {
+        std::vector<std::string> command = run;
+        command.push_back(std::move(analysis));
+        return run_program(command);
+    };
+    const auto analysis = [](const char* id, const char* equation, const char* links) {
+        return std::string(R"({"id": ")") + id +
+               R"(", "model": "measurement-equation", "setup": {"equations": [")" + equation +
+               R"("], "outputs": {"columns": ["symbol", "name", "unit"], "rows": [["y", "y", "1"]]},
+ "quantities": {"columns": ["symbol", "name", "unit", "value", "statement", "a"],
+ "rows": [["x", "x", "1", 1, "standard", 0.1]]}})" +
+               links + "}";
+    };
+    write_text(
+        file,
+        R"({"format": "covaria", "schemaVersion": 2, "title": "t", "assets": [], "analyses": [)" +
+            analysis("good", "y = x", "") + "," + analysis("bad", "y = x +", "") + "," +
+            analysis("user", "y = 2*x", R"(, "links": [{"input": "x", "analysis": "bad", "output": "y"}])") +
+            "]}");
+    const Outcome good = with("good");
+    EXPECT_EQ(good.status, 0) << good.err;
+    EXPECT_NE(good.err.find("error: /analyses/1/"), std::string::npos) << "and it is said: " << good.err;
+    EXPECT_TRUE(fs::exists(folder / "out/results.json"));
+    EXPECT_EQ(run_program({"check", file, "--analysis", "good"}).status, 0);
+    // What fails leaves nothing that looks like its result.
+    EXPECT_EQ(with("bad").status, 1);
+    EXPECT_FALSE(fs::exists(folder / "out/results.json"));
+    EXPECT_TRUE(fs::exists(folder / "out/results.before.json")) << "what was there is kept";
+    EXPECT_EQ(with("user").status, 1) << "it is made of the bad one";
+    EXPECT_EQ(run_program({"run", file, "--out", out}).status, 1) << "all are asked for";
+    EXPECT_EQ(with("good").status, 0);
+    EXPECT_TRUE(fs::exists(folder / "out/results.json"));
+    EXPECT_FALSE(fs::exists(folder / "out/results.before.json"));
+}
+
+TEST(Automation, OneFormatIsWrittenWhereOneIsWanted) {
+    const fs::path folder = fresh_folder("format");
+    const Outcome run = run_program({"run", gauge, "--analysis", "table", "--first-order", "--report",
+                                     "--format", "markdown", "--out", folder.string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(fs::exists(folder / "report.md"));
+    EXPECT_FALSE(fs::exists(folder / "report.pdf") || fs::exists(folder / "report.html"));
 }
 
 TEST(Automation, RequirementsAreTestCases) {
@@ -100,7 +157,7 @@ std::vector<std::string> with_certificate(std::vector<std::string> arguments) {
           "customer/name=Works", "customer/address=Road 2, Town", "item/description=Gauge block",
           "item/serialNumber=0815", "dates/calibrated=2026-04-17", "dates/issued=2026-04-20",
           "method=Comparison, MP-12", "environment=(20.0 ± 0.1) °C", "traceability=Certificate 55-2026",
-          "authorised/name=E. Muster"}) {
+          "specification=ISO 3650:1998, grade 1", "authorised/name=E. Muster"}) {
         arguments.emplace_back("--set");
         arguments.push_back(std::string("/certificate/") + value);
     }
@@ -116,6 +173,11 @@ TEST(Certificate, ValidateListsWhatIsMissing) {
     const Outcome with = run_program(with_certificate({"validate", gauge, "--certificate"}));
     EXPECT_EQ(with.status, 0) << with.err;
     EXPECT_EQ(with.err, "");
+    std::vector<std::string> accredited = with_certificate({"validate", gauge});
+    accredited.insert(accredited.end(), {"--set", "/certificate/laboratory/accreditation=D-K-1"});
+    const Outcome warned = run_program(accredited);
+    EXPECT_EQ(warned.status, 0) << "a warning";
+    EXPECT_NE(warned.err.find("about 95 % (ILAC-P14 5.3); here it is 99"), std::string::npos) << warned.err;
     const Outcome wrong = run_program({"validate", gauge, "--set", "/certificate/dates/issued=17.4.2026"});
     EXPECT_EQ(wrong.status, 1);
     EXPECT_NE(wrong.err.find("must be a date of the form 2026-04-17"), std::string::npos) << wrong.err;
@@ -141,8 +203,9 @@ TEST(Certificate, IsOneFileOfTheFormatThatItsNameAsksFor) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder / "new"), fs::directory_iterator()), 3);
     EXPECT_EQ(read_text(folder / "new" / "c.pdf").substr(0, 5), "%PDF-");
     const std::string html = read_text(folder / "new" / "c.html");
-    for (const char* part : {"Calibration certificate 2026-0417", "0815", "End of certificate 2026-0417",
-                             "l = (50 000 838 ± 92) nm, k = 2.91", "p = 99 %"})
+    for (const char* part :
+         {"Calibration certificate 2026-0417", "0815", "End of certificate 2026-0417", "17 April 2026",
+          "Date of issue: 20 April 2026", "l = (50 000 838 ± 92) nm, k = 2.91", "p = 99 %"})
         EXPECT_NE(html.find(part), std::string::npos) << part << "\n" << html;
     const Outcome wrong = run_program({"report", gauge, "-o", (folder / "c.docx").string()});
     EXPECT_EQ(wrong.status, 2) << wrong.err;

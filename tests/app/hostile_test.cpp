@@ -212,6 +212,101 @@ TEST(Hostile, NoResultDependsOnMemoryThatNobodySet) {
     }
 }
 
+/// The first control character that is neither a tab nor of a line end, in words; empty: there is none.
+std::string control_in(const std::string& text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]), next = static_cast<unsigned char>(text[i + 1]);
+        const bool of_line = c == '\n' || c == '\t' || (c == '\r' && next == '\n');
+        const bool second = c == 0xC2 && next >= 0x80 && next <= 0x9F;
+        if ((c < 0x20 && !of_line) || c == 0x7F || second)
+            return std::to_string(int(c)) + " at " + std::to_string(i) + ", behind '" +
+                   text.substr(i < 40 ? 0 : i - 40, std::min<std::size_t>(i, 40)) + "'";
+    }
+    return {};
+}
+
+/// `text` with what a terminal obeys in every text that people type.
+std::string with_escapes(std::string text, const std::vector<std::string>& typed) {
+    const std::string escapes = "\\u001b[2J\\u001b]0;x\\u0007\\u009b31m\\u007f";
+    for (const std::string& words : typed) {
+        const std::size_t at = text.find("\"" + words + "\"");
+        EXPECT_NE(at, std::string::npos) << words;
+        if (at != std::string::npos) text.insert(at + 1, escapes);
+    }
+    return text;
+}
+
+// Names and notes are anybody's; what is printed and written of them is shown, not obeyed.
+TEST(Hostile, NoControlCharacterLeavesTheProgram) {
+    const fs::path folder = fresh_folder("hostile-escapes");
+    const std::string project = (folder / "p.covaria").string(), out = (folder / "out").string();
+    write_text(project, with_escapes(R"json({"format": "covaria", "schemaVersion": 2, "title": "the title",
+ "notes": "the notes", "author": "the author", "certificate": {"number": "7", "laboratory": {"name": "the lab"}},
+ "assets": [], "analyses": [{"id": "a", "model": "measurement-equation", "name": "the name",
+ "notes": "of analysis", "setup": {"equations": ["y = x"], "outputs": {"columns": ["symbol", "name", "unit"],
+ "rows": [["y", "the output", "1"]]}, "quantities": {"columns": ["symbol", "name", "unit", "value", "statement",
+ "a"], "rows": [["x", "the input", "1", 1, "standard", 0.1]]}}, "options": {"trials": 1000},
+ "requirements": [{"symbol": "y", "targetUncertainty": {"value": 1, "unit": "1"}}]}]})json",
+                                     {"the title", "the notes", "the author", "the lab", "the name",
+                                      "of analysis", "the output", "the input"}));
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"run", project, "--report", "--certificate", "--out", out},
+          {"validate", project},
+          {"validate", corpus("terminal-escape.covaria")},
+          {"check", project, "--junit", out + "/junit.xml"},
+          {"compare", project, project, "--out", out},
+          {"export", project, "--as", "xlsx", "-o", out + "/x.xlsx"},
+          {"run", project, "--analysis", "\x1b[2J"},
+          {"run", "\x1b[2J.covaria"},
+          {"\x1b[2J", "--help"}}) {
+        const Outcome outcome = run_program(command);
+        EXPECT_EQ(control_in(outcome.out), "") << command[0];
+        EXPECT_EQ(control_in(outcome.err), "") << command[0];
+    }
+    std::size_t files = 0;
+    for (const char* ending : {".md", ".html", ".csv", ".json", ".svg", ".xml"})
+        for (const std::string& file : files_in(out, ending)) {
+            EXPECT_EQ(control_in(read_text(fs::path(out) / file)), "") << file;
+            ++files;
+        }
+    EXPECT_GT(files, 8u);
+}
+
+TEST(Hostile, WhatCannotBePrintedIsStatus1) {
+    const fs::path err = fresh_folder("hostile-full") / "err";
+    for (const char* command : {"describe", "--help", "--version", "library"}) {
+        const std::string line =
+            std::string("'") + COVARIA_PROGRAM + "' " + command + " > /dev/full 2> '" + err.string() + "'";
+        const int status = std::system(line.c_str());
+        EXPECT_EQ(WEXITSTATUS(status), 1) << command;
+        EXPECT_TRUE(contains(read_text(err), "standard output cannot be written")) << read_text(err);
+    }
+}
+
+// A picture or table that is called one of the project's folder and is another file of the machine.
+TEST(Hostile, NothingOutsideOfTheFolderIsReadByALink) {
+    const fs::path folder = fresh_folder("hostile-out"), home = folder / "home", project = folder / "project";
+    fs::create_directories(home);
+    fs::create_directories(project);
+    for (const auto& entry : fs::directory_iterator(fs::path(stewart).parent_path()))
+        if (entry.path().filename().string().starts_with("stewart-platform") &&
+            entry.path().extension() != ".png")
+            fs::copy_file(entry.path(), project / entry.path().filename());
+    const std::string file = (project / "stewart-platform.covaria").string();
+    ASSERT_EQ(run_program({"validate", file}).status, 0);
+    const fs::path table = project / "stewart-platform-artefact.csv";
+    fs::rename(table, home / "secret.csv");
+    fs::create_symlink(home / "secret.csv", table);
+    const Outcome refused = run_program({"validate", file});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_TRUE(contains(refused.err, "is a link that leads out of the project's folder")) << refused.err;
+    fs::remove(table);
+    fs::create_directories(project / "data");
+    fs::rename(home / "secret.csv", project / "data/table.csv");
+    fs::create_symlink("data/table.csv", table);
+    EXPECT_EQ(run_program({"validate", file}).status, 0) << "a link inside is one";
+}
+
 TEST(Hostile, ALinkedProjectFindsItsTables) {
     const fs::path folder = fresh_folder("hostile-link");
     fs::create_symlink(stewart, folder / "link.covaria");

@@ -57,6 +57,48 @@ TEST(Import, AsksForWhatTheFileDoesNotSay) {
     EXPECT_EQ(run_program({"import"}).status, 2);
 }
 
+// A column that is not understood is asked about with what can be typed, and what was typed then reads it.
+TEST(Import, AsksAboutColumnsAndMendsCellsOfABudget) {
+    const std::string file = data + "budgets/unknown-unit.xlsx";
+    const Outcome asked = run_program({"import", file});
+    EXPECT_EQ(asked.status, 2);
+    EXPECT_TRUE(has(asked.err, "column E 'Xyzzy'")) << asked.err;
+    EXPECT_TRUE(has(asked.err, "name,value,unit,u,?")) << asked.err;
+    const std::vector<std::string> stated{"import", file, "--columns", "?,?,?,?,-"};
+    const auto with = [&](std::vector<std::string> more) {
+        std::vector<std::string> words = stated;
+        words.insert(words.end(), more.begin(), more.end());
+        return run_program(words);
+    };
+    const Outcome unknown = with({});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_TRUE(has(unknown.err, "B!C3")) << unknown.err;
+    EXPECT_TRUE(has(unknown.err, "--cell PLACE=TEXT")) << unknown.err;
+    const Outcome mended = with({"--cell", "C3=mm"}), without = with({"--leave-out", "3"});
+    EXPECT_EQ(mended.status, 0) << mended.err;
+    EXPECT_EQ(without.status, 0) << without.err;
+    EXPECT_TRUE(has(mended.out, "43 quantities")) << mended.out;
+    EXPECT_TRUE(has(without.out, "42 quantities")) << without.out;
+    EXPECT_TRUE(has(without.out, "row 3 was left out")) << without.out;
+    EXPECT_EQ(run_program({"import", data + "points.csv", "--cell", "C3=mm"}).status, 2);
+}
+
+// Sheets of laboratories: heads of DAkkS-DKD-3 and M3003, a difference in degrees Celsius.
+TEST(Import, ReadsTheBudgetsOfLaboratories) {
+    struct Case {
+        const char *file, *words;
+    };
+    for (const Case& c :
+         {Case{"budget-sensitivitaet", "y = 2*lS + 3*dx"}, Case{"b5", "y = 2*lS + 3*dx"},
+          Case{"budget-m3003", "U(y), k = 2: the file states 0.052 µm"}, Case{"degc-a", "in K"},
+          Case{"degc-b", "in K"}, Case{"degc-c", "in K"}, Case{"degc-d", "u(y) by its contributions"}}) {
+        const Outcome read = run_program({"import", data + "budgets/" + c.file + ".xlsx"});
+        EXPECT_EQ(read.status, 0) << c.file << read.err;
+        EXPECT_TRUE(has(read.out, c.words)) << c.file << read.out;
+        EXPECT_FALSE(has(read.out, "FIND OUT WHY")) << c.file << read.out;
+    }
+}
+
 TEST(Import, ListsItsReaders) {
     const Outcome list = run_program({"import", "--list"});
     EXPECT_EQ(list.status, 0);

@@ -77,6 +77,38 @@ BENCHMARK(first_order_of_a_large_network)
     ->Iterations(3)
     ->Unit(benchmark::kMillisecond);
 
+/// Forty points of poses that a network of three trackers measures: each of their coordinates has a share in
+/// each of 360 readings.
+void poses_by_a_network(benchmark::State& state) {
+    Project project = bench::large_network(3, 1);
+    AssetEntry network{.id = "network", .kind = "sensor-network", .name = "network"};
+    network.setup.values["sensors"] =
+        SetupTable{{Unit{}}, {{std::string("T0")}, {std::string("T1")}, {std::string("T2")}}};
+    project.assets.push_back(network);
+    project.analyses = {*load_project(data_directory() / "projects/stewart-platform.covaria")
+                             .project.find_analysis("printed")};
+    AnalysisEntry& poses = project.analyses.front();
+    poses.studies.clear();
+    poses.designs.clear();
+    for (const char* side : {"base", "moving"}) {
+        poses.setup.values[std::string(side) + "_uncertainty"] = std::string("asset");
+        poses.setup.values[std::string(side) + "_asset"] = network.id;
+    }
+    poses.options.method = Method::first_order;
+    for (auto _ : state) {
+        Problems problems;
+        const auto analysis = made_analysis(project, poses.id, problems);
+        if (!analysis) return state.SkipWithError("no analysis");
+        const auto result = evaluate_first_order(*analysis->propagated, analysis->options);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < analysis->inputs.quantities.size(); ++i)
+            sum += standard_uncertainty_of(analysis->inputs, i);
+        benchmark::DoNotOptimize(sum);
+        benchmark::DoNotOptimize(result);
+    }
+}
+BENCHMARK(poses_by_a_network)->Unit(benchmark::kMillisecond);
+
 }  // namespace
 
 BENCHMARK_MAIN();

@@ -400,7 +400,7 @@ private:
 
 ChartFonts fonts_for(double width) {
     const int size = width < 340.0 ? 10 : width < 560.0 ? 11 : 12;
-    QFont font(text_family());
+    QFont font(text_families());
     font.setPixelSize(size);
     font.setHintingPreference(QFont::PreferNoHinting);
     // As in the report: alternates of parentheses and signs would be lost when text is copied out of a PDF.

@@ -24,6 +24,9 @@ void keep_inside(double& low, double& high, double least, double most) {
     const double size = std::clamp(high - low, least_zoomed_part * (most - least), most - least);
     low = std::clamp(low, least, most - size);
     high = low + size;
+    if (high > low) return;  // else there is no number between them to zoom in to
+    low = least;
+    high = most;
 }
 
 PlotView inside_whole(PlotView view, const PlotView& whole) {

@@ -8,11 +8,15 @@
 namespace covaria::ui {
 namespace {
 
+// Axes end here: the range of one that reaches from the smallest double to the largest is none.
+constexpr double farthest = 1e300;
+
 struct Range {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
     void include(double value) {
         if (!std::isfinite(value)) return;
+        value = std::clamp(value, -farthest, farthest);
         low = std::min(low, value);
         high = std::max(high, value);
     }
@@ -24,6 +28,7 @@ void widen(Range& range, double margin) {
     if (!(range.high > range.low)) by = range.low == 0.0 ? 1.0 : 0.1 * std::abs(range.low);
     range.low -= by;
     range.high += by;
+    if (!(range.high > range.low)) range.high = range.low + std::numeric_limits<double>::min();
 }
 
 /// Bars stand on zero; there is no room below it unless values need it. Negative values are wider by their
@@ -74,8 +79,18 @@ Range y_range(const PlotSpecification& plot) {
 
 Range range_of(const PlotAxis& axis, Range from_data) {
     if (!axis.categories.empty()) return {-0.5, static_cast<double>(axis.categories.size()) - 0.5};
-    if (axis.high > axis.low) return {on_axis(axis, axis.low), on_axis(axis, axis.high)};
-    return from_data;
+    if (!(axis.high > axis.low)) return from_data;
+    Range stated;
+    stated.include(on_axis(axis, axis.low));
+    stated.include(on_axis(axis, axis.high));
+    return stated.high > stated.low ? stated : from_data;
+}
+
+/// How far on the way from one end of an axis to the other. What is far outside stays there, at a place that
+/// painters can compute with.
+double part_of(double coordinate, double low, double high) {
+    constexpr double far_outside = 1e5;
+    return std::clamp((coordinate - low) / (high - low), -far_outside, far_outside);
 }
 
 }  // namespace
@@ -99,11 +114,11 @@ double from_axis(const PlotAxis& axis, double coordinate) {
 }
 
 double PlotGeometry::x_at(double coordinate) const {
-    return area.left() + area.width() * (coordinate - view.x_low) / (view.x_high - view.x_low);
+    return area.left() + area.width() * part_of(coordinate, view.x_low, view.x_high);
 }
 
 double PlotGeometry::y_at(double coordinate) const {
-    const double part = (coordinate - view.y_low) / (view.y_high - view.y_low);
+    const double part = part_of(coordinate, view.y_low, view.y_high);
     return y_down ? area.top() + area.height() * part : area.bottom() - area.height() * part;
 }
 

@@ -22,7 +22,10 @@ struct Part {
 };
 
 QPointF point(const PlotSpecification& plot, const PlotSeries& series, std::size_t i) {
-    return {on_axis(plot.x, series.x[i]), on_axis(plot.y, series.y[i])};
+    // Beyond every axis; the way between two such places is a number.
+    constexpr double outside = 1e305;
+    return {std::clamp(on_axis(plot.x, series.x[i]), -outside, outside),
+            std::clamp(on_axis(plot.y, series.y[i]), -outside, outside)};
 }
 
 void append(PlotSeries& series, const PlotSpecification& plot, QPointF place) {

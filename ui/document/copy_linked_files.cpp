@@ -1,5 +1,6 @@
 #include "ui/document/copy_linked_files.h"
 
+#include "core/base/own_folder.h"
 #include "core/project/linked_files.h"
 
 namespace covaria::ui {
@@ -10,7 +11,8 @@ Result<void> copy_linked_files(const Project& project, const std::filesystem::pa
         const fs::path relative(name);
         const fs::path target = folder / relative;
         std::error_code error;
-        if (relative.is_absolute() || fs::exists(target, error)) continue;
+        if (relative.is_absolute() || is_led_out_of(project.directory, relative) || fs::exists(target, error))
+            continue;
         fs::create_directories(target.parent_path(), error);
         if (fs::copy_file(project.directory / relative, target, error)) continue;
         return fail(Error{ErrorCode::io,
@@ -22,7 +24,7 @@ Result<void> copy_linked_files(const Project& project, const std::filesystem::pa
     }
     for (const fs::path name : context_files(project)) {
         std::error_code error;  // what is missing is warned of where it is used
-        if (!name.is_relative()) continue;
+        if (!name.is_relative() || is_led_out_of(project.directory, name)) continue;
         fs::create_directories((folder / name).parent_path(), error);
         fs::copy_file(project.directory / name, folder / name, fs::copy_options::skip_existing, error);
     }

@@ -225,8 +225,14 @@ void Document::adopt_opened(const QString& file, const LoadedProject& loaded) {
 
 void Document::open_in_background(const QString& file) {
     const auto load = [this, file](const std::stop_token&) -> JobQueue::Delivery {
+        // Before it is read: who writes it meanwhile is noticed.
+        const QByteArray content = FileWatch::content_of(file);
         auto loaded = std::make_shared<const LoadedProject>(load_file(file));
-        return [this, file, loaded] { finish_open(file, *loaded); };
+        return [this, file, loaded, content] {
+            finish_open(file, *loaded);
+            if (loaded->is_whole && watch_.file() == QFileInfo(file).absoluteFilePath())
+                watch_.was_read_as(content);
+        };
     };
     open_job_.start(load, [this, file](const Error& error) {
         Problems problems;
@@ -243,6 +249,9 @@ void Document::finish_open(const QString& file, const LoadedProject& loaded) {
 Result<void> Document::save() {
     if (file_.isEmpty())
         return fail(ErrorCode::usage, to_std(tr("The project has no file yet: choose a name for it.")));
+    if (!watch_.is_as_seen())
+        return fail(ErrorCode::cancelled,
+                    to_std(tr("Another program has changed the file since it was read.")));
     return save_as(file_);
 }
 

@@ -73,6 +73,7 @@ public:
     Problems open(const QString& file);
     /// The same with the reading done in a worker thread; ends with `open_finished`. The latest call wins.
     void open_in_background(const QString& file);
+    /// Error{cancelled}: somebody has changed the file since it was read; `save_as` its name replaces it.
     Result<void> save();
     /// CSV files the project refers to are copied beside the new file where they are not there yet.
     Result<void> save_as(const QString& file);

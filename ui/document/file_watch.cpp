@@ -33,6 +33,19 @@ void FileWatch::watch(const QString& file) {
     rearm();
 }
 
+QByteArray FileWatch::content_of(const QString& file) {
+    return content_hash(file);
+}
+
+void FileWatch::was_read_as(const QByteArray& content) {
+    seen_ = content;
+    look();
+}
+
+bool FileWatch::is_as_seen() const {
+    return !QFileInfo::exists(file_) || content_hash(file_) == seen_;
+}
+
 void FileWatch::rearm() {
     // The folder is watched too: replacing the file by renaming ends the watch on the file itself.
     if (file_.isEmpty()) return;

@@ -9,12 +9,13 @@ namespace covaria::ui {
 namespace {
 
 struct Columns {
-    std::size_t quantity, number, series, value;
+    std::size_t quantity, number, series, value, weight;
     explicit Columns(const FieldSpec& table)
         : quantity(SetupSchema::column(table, "quantity")),
           number(SetupSchema::column(table, "number")),
           series(SetupSchema::column(table, "series")),
-          value(SetupSchema::column(table, "value")) {}
+          value(SetupSchema::column(table, "value")),
+          weight(SetupSchema::column(table, "weight")) {}
 };
 
 std::string text_in(const SetupCell& cell) {
@@ -49,21 +50,36 @@ const FieldSpec* observing_table(const Project& project, const SetupAddress& add
     return schema ? schema->find(&FieldSpec::observes_quantities) : nullptr;
 }
 
-std::vector<double> observations_of(const Project& project, const SetupAddress& address,
-                                    const std::string& symbol) {
+namespace {
+
+std::vector<double> numbers_in(const Project& project, const SetupAddress& address, const std::string& symbol,
+                               std::size_t Columns::*column) {
     const FieldSpec* field = observing_table(project, address);
     const Setup* setup = find_setup(project, address);
-    std::vector<double> values;
-    if (!field || !setup) return values;
+    std::vector<double> numbers;
+    if (!field || !setup) return numbers;
     const SetupTable table = table_of(*field, *setup);
     const Columns at(*field);
     for (const std::size_t row : rows_of(table, at, symbol))
-        if (const auto* value = std::get_if<double>(&table.rows[row][at.value])) values.push_back(*value);
-    return values;
+        if (const auto* number = std::get_if<double>(&table.rows[row][at.*column]))
+            numbers.push_back(*number);
+    return numbers;
+}
+
+}  // namespace
+
+std::vector<double> observations_of(const Project& project, const SetupAddress& address,
+                                    const std::string& symbol) {
+    return numbers_in(project, address, symbol, &Columns::value);
+}
+
+std::vector<double> weights_of(const Project& project, const SetupAddress& address,
+                               const std::string& symbol) {
+    return numbers_in(project, address, symbol, &Columns::weight);
 }
 
 void set_observations(Project& project, const SetupAddress& address, const std::string& symbol,
-                      const std::vector<double>& values) {
+                      const std::vector<double>& values, const std::vector<double>& weights) {
     const FieldSpec* field = observing_table(project, address);
     Setup* setup = find_setup(project, address);
     if (!field || !setup) return;
@@ -78,6 +94,8 @@ void set_observations(Project& project, const SetupAddress& address, const std::
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (old.size() == values.size()) rows[i] = table.rows[old[i]];
         rows[i][at.value] = values[i];
+        rows[i][at.weight] =
+            i < weights.size() ? SetupCell(weights[i]) : empty_cell(field->columns[at.weight]);
     }
     const std::size_t place = old.empty() ? table.rows.size() : old.front();
     for (auto row = old.rbegin(); row != old.rend(); ++row)

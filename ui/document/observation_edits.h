@@ -14,9 +14,13 @@ const FieldSpec* observing_table(const Project& project, const SetupAddress& add
 /// Of the series that is measured now, in the unit of the quantity.
 std::vector<double> observations_of(const Project& project, const SetupAddress& address,
                                     const std::string& symbol);
-/// Takes the place of that series. As many as before keep their numbers, else they have none.
+/// Their weights, as many as values (a histogram: less the last); empty: they have none.
+std::vector<double> weights_of(const Project& project, const SetupAddress& address,
+                               const std::string& symbol);
+/// Takes the place of that series. As many as before keep their numbers, else they have none; behind the last
+/// of the weights there is none.
 void set_observations(Project& project, const SetupAddress& address, const std::string& symbol,
-                      const std::vector<double>& values);
+                      const std::vector<double>& values, const std::vector<double>& weights = {});
 /// The file that the rows are read from, and which cannot be edited here; empty: none.
 std::string file_of_observations(const Project& project, const SetupAddress& address);
 

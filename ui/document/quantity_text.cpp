@@ -17,6 +17,22 @@ QString plain_number(QString text) {
     return text;
 }
 
+/// With what to type, where the decimal sign is that of another language.
+QString not_a_number(const QString& text, const QLocale& locale) {
+    const QString words = tr("“%1” is not a number.").arg(text);
+    const bool comma = locale.decimalPoint() == QLatin1String(",");
+    QString right = text;
+    right.replace(comma ? u'.' : u',', comma ? u',' : u'.');
+    static const QRegularExpression number(
+        QStringLiteral("^([+\\-−]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+\\-−]?\\d+)?)\\s*([^\\d.,\\s].*)?$"));
+    const QRegularExpressionMatch match = number.match(right);
+    if (right == text || !match.hasMatch() || !parse_number(match.captured(1), locale)) return words;
+    static const QRegularExpression thousands(QStringLiteral("^[+\\-−]?[1-9]\\d{0,2},\\d{3}(?!\\d)"));
+    if (comma || !thousands.match(text).hasMatch())
+        return words + QLatin1Char(' ') + tr("Type it as %1.").arg(right);
+    return words + QLatin1Char(' ') + tr("Type it as %1, or as %2.").arg(right, QString(text).remove(u','));
+}
+
 }  // namespace
 
 QString without_groups(const QString& text) {
@@ -62,7 +78,7 @@ Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& 
     const QRegularExpressionMatch match = pattern.match(trimmed);
     const std::optional<double> value =
         match.hasMatch() ? parse_number(match.captured(1), locale) : std::nullopt;
-    if (!value) return fail(ErrorCode::bad_input, to_std(tr("“%1” is not a number.").arg(trimmed)));
+    if (!value) return fail(ErrorCode::bad_input, to_std(not_a_number(trimmed, locale)));
     const QString unit_text = match.captured(2);
     if (unit_text.isEmpty()) return std::optional<Quantity>(Quantity{*value, unit});
     const Result<Unit> typed = parse_unit(unit_text);

@@ -10,7 +10,9 @@
 #include <QStandardPaths>
 #include <QUuid>
 #include <algorithm>
+#include <filesystem>
 
+#include "core/base/file_mode.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -23,6 +25,15 @@ QJsonObject read_entry(const QString& recovery_file) {
     QFile file(recovery_file);
     if (!file.open(QIODevice::ReadOnly)) return {};
     return QJsonDocument::fromJson(file.readAll()).object();
+}
+
+/// Who may not read the project may not read the copy of it either; one that has no file yet is of its user.
+unsigned mode_of(const QString& project_file) {
+    constexpr unsigned of_the_user = 0600, all = 0777;
+    std::error_code unknown;
+    const auto status = std::filesystem::status(to_path(project_file), unknown);
+    if (unknown || project_file.isEmpty() || !std::filesystem::exists(status)) return of_the_user;
+    return (static_cast<unsigned>(status.permissions()) & all) | of_the_user;
 }
 
 bool owner_is_alive(const QString& recovery_file) {
@@ -50,7 +61,7 @@ Result<void> RecoveryStore::write(const QString& recovery_file, const Project& p
                             {"title", to_qt(project.title)},
                             {"project", to_qt(project_text(project))}};
     const QByteArray bytes = QJsonDocument(entry).toJson();
-    return write_file_atomically(to_path(recovery_file), bytes.toStdString());
+    return write_file_with_mode(to_path(recovery_file), bytes.toStdString(), mode_of(original_file));
 }
 
 void RecoveryStore::remove_leftovers() const {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/base/temperature.h"
 #include "ui/document/quantity_text.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
@@ -19,6 +20,8 @@ Result<SetupCell> parse_number_cell(const ColumnSpec& column, const Unit& unit, 
                                     const QLocale& locale) {
     const auto quantity = parse_quantity(text, unit, locale);
     if (!quantity) return fail(quantity.error());
+    if (is_reading_for_difference((**quantity).unit, column.unit))
+        return fail(ErrorCode::bad_input, reading_objection((**quantity).unit, column.unit));
     const double value = converted((**quantity).value, (**quantity).unit, unit);
     if (column.kind == FieldKind::integer && value != std::round(value))
         return refuse(tr("“%1” is not a whole number.").arg(text.trimmed()));

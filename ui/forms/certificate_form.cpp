@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/made/certificate_gaps.h"
 #include "core/manual/help_page.h"
 #include "core/manual/markdown.h"
 #include "core/report/certificate_defaults.h"
@@ -30,6 +31,12 @@ QString clause_words(const CertificateField& field) {
     return QStringLiteral("%1 %2").arg(QLatin1String(standard), QLatin1String(field.clause));
 }
 
+QString demand_words(const CertificateField& field) {
+    if (field.required) return CertificateForm::tr("Required by %1.");
+    return field.required_for_conformity ? CertificateForm::tr("Required by %1 where conformity is stated.")
+                                         : CertificateForm::tr("Asked for by %1 where it applies.");
+}
+
 /// The field as other forms know fields; named by its place in the project.
 FieldSpec spec_of(const CertificateField& field) {
     FieldSpec spec;
@@ -39,22 +46,37 @@ FieldSpec spec_of(const CertificateField& field) {
     if (field.kind == CertificateText::language)
         for (const CertificateLanguage& one : certificate_languages())
             spec.choices.push_back({one.code, one.name});
-    if (*field.clause)
-        spec.help += to_std(QLatin1Char(' ') +
-                            (field.required ? CertificateForm::tr("Required by %1.")
-                                            : CertificateForm::tr("Asked for by %1 where it applies."))
-                                .arg(clause_words(field)));
+    if (field.kind == CertificateText::site)
+        for (const CertificateSite& one : certificate_sites()) spec.choices.push_back({one.key, one.words});
+    if (*field.clause) spec.help += to_std(QLatin1Char(' ') + demand_words(field).arg(clause_words(field)));
     return spec;
 }
 
-/// Documents of a project without a language are English.
-class LanguageEditor : public ListEditor {
+/// A list whose empty choice says what stands for it.
+class ChoiceEditor : public ListEditor {
 public:
-    using ListEditor::ListEditor;
+    ChoiceEditor(const FieldSpec& field, QString none, QWidget* parent)
+        : ListEditor(field, parent), none_(std::move(none)) {}
 
 protected:
-    QString empty_words() const override { return CertificateForm::tr("English (none chosen)"); }
+    QString empty_words() const override { return none_; }
+
+private:
+    QString none_;
 };
+
+Conformity conformity_in(const Project& project) {
+    return stated_conformity(project, certified_ids(project));
+}
+
+/// Names of results that the made project lacks; none before it is made.
+QStringList unnamed_results(Document& document) {
+    QStringList words;
+    if (const auto& made = document.maker().made())
+        for (const CertificateGap& gap : certificate_gaps(*made, certified_ids(made->project())))
+            if (!gap.path.starts_with("/certificate/")) words << to_qt(gap.what);
+    return words;
+}
 
 }  // namespace
 
@@ -71,6 +93,7 @@ CertificateForm::CertificateForm(Document& document, QWidget* parent)
     refresh();
     refresh_problems();
     connect(&document_, &Document::project_changed, this, &CertificateForm::refresh);
+    connect(&document_.maker(), &ProjectMaker::made_changed, this, &CertificateForm::refresh_state);
     connect(&document_, &Document::problems_changed, this, &CertificateForm::refresh_problems);
 }
 
@@ -127,7 +150,9 @@ FieldEditor* CertificateForm::make_editor(const CertificateField& field) {
         case CertificateText::lines:
             return new ProseEditor(spec, fields_);
         case CertificateText::language:
-            return new LanguageEditor(spec, fields_);
+            return new ChoiceEditor(spec, tr("English (none chosen)"), fields_);
+        case CertificateText::site:
+            return new ChoiceEditor(spec, tr("in the laboratory, or at the place stated"), fields_);
         case CertificateText::picture:
             return new FileEditor(spec, document_, tr("Pictures (*.png *.jpg *.jpeg)"), fields_);
         case CertificateText::date:
@@ -147,19 +172,31 @@ void CertificateForm::write(const CertificateField& field, const std::string& te
 
 void CertificateForm::refresh() {
     const Certificate& certificate = document_.project().certificate;
-    QStringList missing;
-    int required = 0;
+    const Conformity conformity = conformity_in(document_.project());
     const DocumentLanguage in = language_of_window();
     for (const Row& row : rows_) {
         const std::string& text = certificate.*row.field->member;
         row.editor->set_value(text.empty() ? SetupValue() : SetupValue(text));
-        const bool lacks = is_missing(*row.field, certificate);
-        row.editor->set_hint(lacks ? clause_words(*row.field)
-                                   : to_qt(said_in_place_of(row.field->member, in)));
-        if (row.field->required) ++required;
-        if (lacks) missing << core_text(row.field->title);
+        row.editor->set_hint(is_missing(*row.field, certificate, conformity)
+                                 ? clause_words(*row.field)
+                                 : to_qt(said_in_place_of(row.field->member, in)));
+    }
+    refresh_state();
+}
+
+void CertificateForm::refresh_state() {
+    const Conformity conformity = conformity_in(document_.project());
+    QStringList missing;
+    qsizetype required = 0;
+    for (const Row& row : rows_) {
+        if (is_missing(*row.field, {}, conformity)) ++required;
+        if (is_missing(*row.field, document_.project().certificate, conformity))
+            missing << core_text(row.field->title);
     }
     next_->setEnabled(!missing.isEmpty());
+    const QStringList unnamed = unnamed_results(document_);
+    required += unnamed.size();
+    missing << unnamed;
     if (missing.isEmpty())
         show_note(
             *state_,
@@ -202,7 +239,8 @@ void CertificateForm::focus_next_missing() {
     const std::size_t first = start == rows_.end() ? 0 : std::size_t(start - rows_.begin()) + 1;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Row& row = rows_[(first + i) % rows_.size()];
-        if (!is_missing(*row.field, document_.project().certificate)) continue;
+        if (!is_missing(*row.field, document_.project().certificate, conformity_in(document_.project())))
+            continue;
         row.editor->focus_part({});
         return bring_into_view(*row.editor);
     }

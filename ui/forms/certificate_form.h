@@ -35,6 +35,7 @@ private:
     FieldEditor* make_editor(const CertificateField& field);
     void write(const CertificateField& field, const std::string& text);
     void refresh();
+    void refresh_state();  ///< what is missing, also of what only the made project knows
     void refresh_problems();
 
     Document& document_;

@@ -20,6 +20,17 @@ struct Curve {
     bool bars = false;
 };
 
+Discrete without_far_tails(const Discrete& all) {
+    const double most = *std::max_element(all.probabilities.begin(), all.probabilities.end());
+    Discrete seen;
+    for (std::size_t i = 0; i < all.values.size(); ++i) {
+        if (all.probabilities[i] < tail * most) continue;
+        seen.values.push_back(all.values[i]);
+        seen.probabilities.push_back(all.probabilities[i]);
+    }
+    return seen;
+}
+
 Curve bars_of(const Discrete& discrete) {
     Curve curve;
     const auto [low, high] = std::minmax_element(discrete.values.begin(), discrete.values.end());
@@ -31,9 +42,7 @@ Curve bars_of(const Discrete& discrete) {
 }
 
 Curve curve_of(const Distribution& distribution) {
-    if (const auto* discrete = std::get_if<Discrete>(&distribution.parameters());
-        discrete && !discrete->values.empty())
-        return bars_of(*discrete);
+    if (distribution.has_jumps()) return bars_of(without_far_tails(values_with_probabilities(distribution)));
     Curve curve;
     const double low = distribution.quantile(tail);
     const double high = distribution.quantile(1.0 - tail);

@@ -20,13 +20,20 @@ namespace covaria::ui {
 
 namespace {
 
-const std::string list_keys[] = {"values", "probabilities"};
+/// Of the values or edges, and of the probabilities.
+std::string list_key(const std::string& distribution, std::size_t part) {
+    const DistributionKindInfo* kind = find_distribution_kind(distribution);
+    return part == 0 && kind ? std::string(kind->list) : "probabilities";
+}
 
 /// A distribution of the kind with parameters that are always possible.
 Result<Distribution> any_of_kind(const DistributionKindInfo& kind) {
     static const std::map<std::string_view, double> usual{
-        {"low", -1.0},  {"beta", 0.5},     {"inexactness", 0.1},        {"shape", 2.0},
-        {"alpha", 2.0}, {"log_mean", 0.0}, {"degrees_of_freedom", 10.0}};
+        {"low", -1.0},   {"beta", 0.5},     {"inexactness", 0.1},         {"shape", 2.0},
+        {"alpha", 2.0},  {"log_mean", 0.0}, {"degrees_of_freedom", 10.0}, {"location", 0.0},
+        {"number", 9.0}, {"trials", 10.0},  {"probability", 0.5},         {"zero", 0.0}};
+    if (kind.key == "histogram")
+        return distribution_from(kind.key, std::vector<double>{-1.0, 0.0, 1.0, 0.5, 0.5});
     if (kind.parameters.empty()) return distribution_from(kind.key, std::vector<double>{-1.0, 1.0, 0.5, 0.5});
     std::vector<double> parameters;
     for (const DistributionParameterInfo& info : kind.parameters) {
@@ -101,6 +108,10 @@ bool DistributionEdit::is_list() const {
     return kind && kind->parameters.empty();
 }
 
+bool DistributionEdit::is_histogram() const {
+    return component_.distribution == "histogram";
+}
+
 void DistributionEdit::set_place(UnreadTexts& unread, const TextPlace& place) {
     unread_ = &unread;
     place_ = place;
@@ -151,7 +162,7 @@ void DistributionEdit::rebuild_parameters() {
     const DistributionKindInfo* kind = find_distribution_kind(shown_kind_);
     if (!kind) return;
     if (is_list()) {
-        add_list(tr("Values"), 0);
+        add_list(is_histogram() ? tr("Edges of the cells") : tr("Values"), 0);
         add_list(tr("Probabilities"), 1);
     }
     for (std::size_t i = 0; i < kind->parameters.size(); ++i) add_parameter(i, kind->parameters[i]);
@@ -195,8 +206,10 @@ void DistributionEdit::set_list(std::size_t part, const QString& text) {
     if (!numbers || !other) return;
     std::vector<double> all = part == 0 ? *numbers : *other;
     const std::vector<double>& probabilities = part == 0 ? *other : *numbers;
-    const bool complete = all.size() == probabilities.size();
-    complain(1, complete ? QString() : tr("There must be as many probabilities as values."));
+    const bool complete = all.size() == probabilities.size() + (is_histogram() ? 1 : 0);
+    complain(1, complete         ? QString()
+                : is_histogram() ? tr("There must be one edge more than probabilities.")
+                                 : tr("There must be as many probabilities as values."));
     if (complete) complain(0, {});
     all.insert(all.end(), probabilities.begin(), probabilities.end());
     if (!complete || all == component_.parameters) return;
@@ -214,10 +227,11 @@ void DistributionEdit::show_values() {
         edits_[i]->set_quantity(Quantity{component_.parameters[i], unit});
     }
     for (std::size_t part = 0; part < lists_.size(); ++part) {
-        const UnreadText* kept = unread_ ? unread_->find(place_of(list_keys[part])) : nullptr;
+        const UnreadText* kept =
+            unread_ ? unread_->find(place_of(list_key(component_.distribution, part))) : nullptr;
         const QString text = list_text(part);
         if (kept && kept->instead_of != to_std(text)) {
-            unread_->remove(place_of(list_keys[part]));
+            unread_->remove(place_of(list_key(component_.distribution, part)));
             kept = nullptr;
         }
         lists_[part]->setText(kept ? kept->text : text);
@@ -226,10 +240,11 @@ void DistributionEdit::show_values() {
 }
 
 QString DistributionEdit::list_text(std::size_t part) const {
-    const std::size_t half = component_.parameters.size() / 2;
+    const std::size_t first = first_list_size(component_.parameters.size());
+    const std::size_t begin = part == 0 ? 0 : first;
+    const std::size_t end = part == 0 ? first : component_.parameters.size();
     QStringList texts;
-    for (std::size_t i = 0; i < half; ++i)
-        texts << number_text(component_.parameters[part * half + i], locale());
+    for (std::size_t i = begin; i < end; ++i) texts << number_text(component_.parameters[i], locale());
     return texts.join("; ");
 }
 
@@ -237,7 +252,7 @@ QString DistributionEdit::list_text(std::size_t part) const {
 void DistributionEdit::complain(std::size_t list, const QString& complaint) {
     mark(*lists_[list], complaint, {});
     if (!unread_) return;
-    const TextPlace place = place_of(list_keys[list]);
+    const TextPlace place = place_of(list_key(component_.distribution, list));
     if (complaint.isEmpty())
         unread_->remove(place);
     else

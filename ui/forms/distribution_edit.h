@@ -42,6 +42,7 @@ private:
     void show_values();
     void show_summary();
     bool is_list() const;
+    bool is_histogram() const;
     TextPlace place_of(const std::string& part) const { return {place_.entry, place_.part + "/" + part}; }
     void complain(std::size_t list, const QString& complaint);
     QString list_text(std::size_t part) const;

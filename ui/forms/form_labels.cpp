@@ -2,6 +2,7 @@
 
 #include <QAbstractItemView>
 #include <QTimer>
+#include <algorithm>
 
 #include "core/text/symbol.h"
 #include "ui/theme/core_text.h"
@@ -65,6 +66,18 @@ void keep_letters(QLineEdit& edit, int letters) {
     follow_font(edit, [&edit, letters] {
         edit.setMinimumWidth(letters * edit.fontMetrics().horizontalAdvance(QLatin1Char('0')) + 12);
     });
+}
+
+void keep_whole_text(QLineEdit& edit, int letters) {
+    constexpr int frame = 16;  // the frame, and room for the cursor
+    const auto widen = [&edit, letters] {
+        const QFontMetrics metrics = edit.fontMetrics();
+        edit.setMinimumWidth(std::max(letters * metrics.horizontalAdvance(QLatin1Char('0')),
+                                      metrics.horizontalAdvance(edit.text())) +
+                             frame);
+    };
+    follow_font(edit, widen);
+    QObject::connect(&edit, &QLineEdit::textChanged, &edit, widen);
 }
 
 void keep_placeholder(QLineEdit& edit) {

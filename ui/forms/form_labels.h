@@ -22,6 +22,8 @@ void narrow_if_need_be(QComboBox& box);
 
 /// Room for so many letters at least: a form that has less puts the field under its label.
 void keep_letters(QLineEdit& edit, int letters = 12);
+/// Likewise, and for all that it says: of a number that is cut off nobody sees the sign, or the size.
+void keep_whole_text(QLineEdit& edit, int letters);
 /// Wide enough for what it says while it is empty.
 void keep_placeholder(QLineEdit& edit);
 

@@ -13,7 +13,7 @@
 #include <algorithm>
 
 #include "core/base/file_io.h"
-#include "core/base/guarded.h"
+#include "core/made/import_reading.h"
 #include "core/made/made_project.h"
 #include "core/readers/proposal_text.h"
 #include "core/readers/text_encoding.h"
@@ -24,6 +24,9 @@
 namespace covaria::ui {
 
 namespace {
+
+constexpr int left_out_role = Qt::UserRole, row_role = Qt::UserRole + 1;  // of the head of a row
+const QColor complaint_color(213, 94, 0, 60);
 
 /// With its place, as the command line prints it.
 QString words_of(const Error& error) {
@@ -56,6 +59,7 @@ ImportDialog::ImportDialog(const QString& file, QWidget* parent)
       units_(new QTableWidget(0, 2, this)),
       units_label_(new QLabel(tr("Units that the &file does not state"), this)),
       table_(new QTableWidget(this)),
+      leave_out_(new QPushButton(tr("&Leave Out or Read the Row"), this)),
       preview_(new QPlainTextEdit(this)),
       stamp_(new QCheckBox(tr("&Note the file with its size, time and SHA-256 in what is added"), this)) {
     setWindowTitle(tr("Import %1").arg(QFileInfo(file).fileName()));
@@ -90,14 +94,15 @@ ImportDialog::ImportDialog(const QString& file, QWidget* parent)
     connect(sheets_, &QComboBox::currentIndexChanged, this, &ImportDialog::change_reader);
     connect(unit_, &QComboBox::currentIndexChanged, this, &ImportDialog::read);
     connect(units_, &QTableWidget::cellChanged, this, &ImportDialog::read);
+    connect(table_, &QTableWidget::cellChanged, this, &ImportDialog::read);
+    connect(leave_out_, &QPushButton::clicked, this, [this] { leave_out_row(table_->currentRow()); });
     change_reader();
 }
 
 void ImportDialog::make_layout() {
     table_->setAccessibleName(table_label_->text());
-    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->horizontalHeader()->hide();
-    table_->verticalHeader()->hide();
+    leave_out_->setObjectName(QStringLiteral("leave_out"));
     preview_->setAccessibleName(tr("What becomes of the file"));
     preview_->setReadOnly(true);
     preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -115,6 +120,7 @@ void ImportDialog::make_layout() {
     layout->addLayout(form);
     layout->addWidget(table_label_);
     layout->addWidget(table_, 1);
+    layout->addWidget(leave_out_, 0, Qt::AlignLeft);
     units_label_->setBuddy(units_);
     units_->setHorizontalHeaderLabels({tr("Quantity"), tr("Unit")});
     units_->horizontalHeader()->setStretchLastSection(true);
@@ -169,9 +175,59 @@ ReadChoice ImportDialog::choice() const {
     for (int column = 0; table_chosen_ && column < table_->columnCount(); ++column) {
         const auto* box = qobject_cast<QComboBox*>(table_->cellWidget(0, column));
         const std::string word = box ? to_std(box->currentData().toString()) : std::string();
-        choice.columns.push_back(word.empty() ? "-" : word);
+        choice.columns.push_back(word.empty() ? shown_.unknown : word);
     }
+    take_mended_cells(choice);
     return choice;
+}
+
+/// What was typed over in the table, and the rows whose mark was taken away.
+void ImportDialog::take_mended_cells(ReadChoice& choice) const {
+    for (std::size_t row = 0; row < shown_.row_numbers.size(); ++row) {
+        const int number = shown_.row_numbers[row], in_table = static_cast<int>(row) + 1;
+        const QTableWidgetItem* head = table_->verticalHeaderItem(in_table);
+        if (head && head->data(left_out_role).toBool()) choice.rows_left_out.insert(number);
+        for (std::size_t column = 0; column < shown_.letters.size(); ++column) {
+            const QTableWidgetItem* item = table_->item(in_table, static_cast<int>(column));
+            const std::string text = item ? to_std(item->text()) : std::string();
+            if (text != shown_.rows[row][column])
+                choice.cells[shown_.letters[column] + std::to_string(number)] = text;
+        }
+    }
+}
+
+void ImportDialog::clear_marks() {
+    const QSignalBlocker quiet(table_);
+    for (int row = 1; row < table_->rowCount(); ++row)
+        for (int column = 0; column < table_->columnCount(); ++column)
+            if (QTableWidgetItem* item = table_->item(row, column)) item->setBackground(QBrush());
+}
+
+/// The row that could not be read, in sight.
+void ImportDialog::mark_line(int line) {
+    const auto found = std::find(shown_.row_numbers.begin(), shown_.row_numbers.end(), line);
+    if (found == shown_.row_numbers.end()) return;
+    const int row = static_cast<int>(found - shown_.row_numbers.begin()) + 1;
+    const QSignalBlocker quiet(table_);
+    for (int column = 0; column < table_->columnCount(); ++column)
+        if (QTableWidgetItem* item = table_->item(row, column)) item->setBackground(complaint_color);
+    if (QTableWidgetItem* first = table_->item(row, 0)) table_->scrollToItem(first);
+}
+
+void ImportDialog::leave_out_row(int row) {
+    QTableWidgetItem* head = row > 0 ? table_->verticalHeaderItem(row) : nullptr;
+    if (!head) return;
+    const bool out = !head->data(left_out_role).toBool();
+    const QSignalBlocker quiet(table_);
+    head->setData(left_out_role, out);
+    QFont font = head->font();
+    font.setStrikeOut(out);
+    head->setFont(font);
+    head->setText(out ? tr("%1, left out").arg(head->data(row_role).toInt())
+                      : QString::number(head->data(row_role).toInt()));
+    for (int column = 0; column < table_->columnCount(); ++column)
+        if (QTableWidgetItem* item = table_->item(row, column)) item->setFont(font);
+    read();
 }
 
 void ImportDialog::change_reader() {
@@ -195,12 +251,23 @@ void ImportDialog::show_table() {
     if (table) sheets_->setCurrentIndex(sheets_->findData(to_qt(table->sheet)));
     for (QWidget* widget : std::initializer_list<QWidget*>{sheets_, sheets_label_})
         widget->setVisible(sheets_->count() > 0);
+    shown_ = table ? *table : SourceTable();
+    const bool mendable = !shown_.row_numbers.empty();
     table_->setVisible(table.has_value());
     table_label_->setVisible(table.has_value());
+    table_label_->setText(mendable ? tr("What each column is read as; cells can be typed over")
+                                   : tr("Columns of the file and what each is read as"));
+    table_->setAccessibleName(table_label_->text());
+    table_->setEditTriggers(mendable ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                                           QAbstractItemView::AnyKeyPressed
+                                     : QAbstractItemView::EditTriggers(QAbstractItemView::NoEditTriggers));
+    table_->verticalHeader()->setVisible(mendable);
+    leave_out_->setVisible(mendable);
     if (table) offer_columns(*table);
 }
 
 void ImportDialog::offer_columns(const SourceTable& table) {
+    const QSignalBlocker quiet(table_);
     table_->clear();
     table_->setColumnCount(static_cast<int>(table.columns.size()));
     table_->setRowCount(static_cast<int>(table.rows.size()) + 1);
@@ -224,24 +291,31 @@ void ImportDialog::offer_columns(const SourceTable& table) {
                 table_->setItem(static_cast<int>(row) + 1, column,
                                 new QTableWidgetItem(to_qt(cells[static_cast<std::size_t>(column)])));
     }
+    auto* top = new QTableWidgetItem;
+    table_->setVerticalHeaderItem(0, top);
+    for (std::size_t row = 0; row < table.row_numbers.size(); ++row) {
+        auto* head = new QTableWidgetItem(QString::number(table.row_numbers[row]));
+        head->setData(row_role, table.row_numbers[row]);
+        table_->setVerticalHeaderItem(static_cast<int>(row) + 1, head);
+    }
     table_->resizeColumnsToContents();
 }
 
 void ImportDialog::read() {
     proposals_.reset();
     preview_->clear();
+    clear_marks();
     QString failure = failure_;
     const Reader* chosen = reader();
     if (failure.isEmpty() && !chosen) failure = tr("Choose what the file is read as.");
     if (failure.isEmpty()) {
         const ReadChoice stated = choice();
-        auto guarded_read = guarded([&] { return chosen->read(text_, stated); });
-        if (!guarded_read)
-            failure = words_of(guarded_read.error());
-        else if (!*guarded_read)
-            failure = words_of(guarded_read->error());
-        else
-            proposals_ = std::move(**guarded_read);
+        if (auto read = read_proposals(*chosen, text_, stated)) {
+            proposals_ = std::move(*read);
+        } else {
+            failure = words_of(read.error());
+            mark_line(read.error().line);
+        }
     }
     if (proposals_) show_units();
     for (int row = 0; row < units_->rowCount() && failure.isEmpty(); ++row)

@@ -32,6 +32,10 @@ private:
     void change_reader();
     void show_table();
     void offer_columns(const SourceTable& table);
+    void take_mended_cells(ReadChoice& choice) const;
+    void clear_marks();
+    void mark_line(int line);
+    void leave_out_row(int row);
     void read();
     void show_units();
     QString stamp() const;
@@ -41,12 +45,14 @@ private:
     std::string text_;            ///< as readers take it
     bool reader_chosen_ = false;  ///< not only recognised
     bool table_chosen_ = false;   ///< people said what a column is
+    SourceTable shown_;           ///< as the file has it
     std::optional<Proposals> proposals_;
     QComboBox *readers_, *sheets_, *unit_;
     QLabel *sheets_label_, *table_label_, *summary_;
     QTableWidget* units_;  ///< what the file states no unit for, and the unit that is typed
     QLabel* units_label_;
     QTableWidget* table_;  ///< row 0: what each column is read as
+    QPushButton* leave_out_;
     QPlainTextEdit* preview_;
     QCheckBox* stamp_;
     QPushButton* accept_;

@@ -1,8 +1,9 @@
-// Six lines in two columns: lengths and angles.
+// Lengths, and angles beside them.
 #include "ui/forms/pose_editor.h"
 
 #include <QGridLayout>
 
+#include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
@@ -10,7 +11,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int letters = 10;  // "-9887.628 mm", of two fields beside each other
+constexpr int letters = 10;  // of two fields beside each other, at least
 
 void name(QLabel& label, const QString& symbol, const FieldSpec& field) {
     label.setText(symbol);
@@ -22,12 +23,20 @@ void name(QLabel& label, const QString& symbol, const FieldSpec& field) {
 PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)
     : FieldEditor(parent), field_(field), context_(context) {
     const std::array<QString, 3> axes{"x", "y", "z"};
-    auto* layout = new QGridLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setHorizontalSpacing(4);  // six numbers are wide
+    auto* flow = new FlowLayout(this);  // where six numbers are too wide, the angles are below
+    flow->setContentsMargins(0, 0, 0, 0);
+    std::array<QGridLayout*, 2> columns{};
+    for (QGridLayout*& column : columns) {
+        auto* part = new QWidget(this);
+        column = new QGridLayout(part);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setHorizontalSpacing(4);
+        flow->addWidget(part);
+    }
     for (std::size_t i = 0; i < edits_.size(); ++i) {
         auto* edit = edits_[i] = new QuantityEdit(this);
-        keep_letters(*edit, letters);
+        keep_whole_text(*edit, letters);
+        edit->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // no wider than it must be
         edit->setTextMargins(-1, 0, -1, 0);
         edit->set_keeps_unit(false);
         edit->set_optional(false);
@@ -43,9 +52,8 @@ PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWid
         else
             angles_[i - 3] = label;
         const int row = static_cast<int>(i % 3);
-        const int column = i < 3 ? 0 : 2;
-        layout->addWidget(label, row, column);
-        layout->addWidget(edit, row, column + 1);
+        columns[i / 3]->addWidget(label, row, 0);
+        columns[i / 3]->addWidget(edit, row, 1);
         connect(edit, &QuantityEdit::quantity_edited, this, [this, i] { collect(i); });
     }
     name_angles();

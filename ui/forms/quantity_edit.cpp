@@ -129,6 +129,7 @@ void QuantityEdit::show_quantity() {
                       to_qt(grouped_digits(format_typed(quantity_->value), number_locale(locale()))));
     if (hasFocus()) shown.replace(QChar(0x2212), QLatin1Char('-'));
     setText(shown);
+    if (!hasFocus()) setCursorPosition(0);  // where there is no room for all of it, the sign is in sight
     setModified(false);
 }
 

@@ -14,6 +14,7 @@
 #include "core/text/symbol.h"
 #include "ui/document/component_source.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/complaint.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/forms/form_labels.h"
 #include "ui/models/number_words.h"
@@ -127,17 +128,22 @@ QString conformity_words(const UncertaintyResult& result, const RequirementResul
     const bool accepted = r.decision == RequirementResult::Decision::accept;
     QString text = RequirementsForm::tr(
                        "By %5, guard band %1: the result is <b>%2</b>. Probability of conformance %3 %4.")
-                       .arg(number(unit, r.guard_band),
+                       .arg(std::isfinite(r.guard_band) ? number(unit, r.guard_band) : QStringLiteral("∞"),
                             accepted ? RequirementsForm::tr("accepted") : RequirementsForm::tr("rejected"),
                             percent(r.conformance), distribution_words(r.conformance_by),
-                            to_qt(decision_rule(r.guard_factor, language_of_window())));
+                            to_qt(decision_rule(r, language_of_window())));
     if (r.uncertainty_ratio && r.capability_index)
         text += RequirementsForm::tr("<br>TUR %1, C<sub>m</sub> %2.")
                     .arg(localized(format_significant(*r.uncertainty_ratio, 3)),
                          localized(format_significant(*r.capability_index, 3)));
     if (r.global_risks)
         text += RequirementsForm::tr("<br>Global risks of the rule: consumer's %1, producer's %2.")
-                    .arg(percent(r.global_risks->consumer), percent(r.global_risks->producer));
+                    .arg(percent(r.global_risks->consumer), percent(r.global_risks->producer)) +
+                RequirementsForm::tr(
+                    "<br>Of what the rule accepts %1 does not conform, of what it rejects %2 "
+                    "does.")
+                    .arg(percent(r.global_risks->consumer_if_accepted),
+                         percent(r.global_risks->producer_if_rejected));
     return text;
 }
 
@@ -179,7 +185,23 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
     refresh();
 }
 
+void RequirementsForm::add_choice(const RequirementField& field) {
+    rules_ = new QComboBox(this);
+    may_be_narrow(*rules_);
+    const QString title = core_text(field.title);
+    rules_->setObjectName(field.key);
+    rules_->setAccessibleName(title);
+    rules_->setToolTip(core_text(field.help));
+    for (const GuardRuleChoice& known : guard_rules()) rules_->addItem(core_text(known.choice.title));
+    layout_->addRow(title, rules_);
+    connect(rules_, &QComboBox::activated, this, [this, key = std::string(field.key)](int index) {
+        const GuardRule rule = guard_rules()[static_cast<std::size_t>(index)].rule;
+        change(key, [rule](Requirement& r) { r.guard_rule = rule; });
+    });
+}
+
 void RequirementsForm::add_row(const RequirementField& field) {
+    if (is_choice(field)) return add_choice(field);
     auto* edit = new QuantityEdit(this);
     keep_letters(*edit);
     const QString title = core_text(field.title);
@@ -188,7 +210,9 @@ void RequirementsForm::add_row(const RequirementField& field) {
     edit->set_help(core_text(field.help));
     layout_->addRow(title, edit);
     rows_.push_back({field, edit});
-    if (is_number(field)) edit->set_range({-10.0, 10.0});
+    if (is_number(field))
+        edit->set_range(std::string_view(field.key) == "targetRisk" ? Range{.low = 0.0, .high = 0.5}
+                                                                    : Range{.low = -10.0, .high = 10.0});
     connect(edit, &QuantityEdit::quantity_edited, this, [this, &field](const std::optional<Quantity>& value) {
         change(field.key, [&](Requirement& r) { set_value(r, field, value); });
     });
@@ -263,6 +287,10 @@ void RequirementsForm::refresh_outputs() {
 void RequirementsForm::refresh_values() {
     const Requirement* given = requirement();
     const OutputQuantity* of = output();
+    const GuardRule rule = given ? given->guard_rule : GuardRule::factor;
+    rules_->setEnabled(of != nullptr);
+    for (std::size_t i = 0; i < guard_rules().size(); ++i)
+        if (guard_rules()[i].rule == rule) rules_->setCurrentIndex(static_cast<int>(i));
     for (const Row& row : rows_) {
         row.edit->setEnabled(of != nullptr);
         if (!of) continue;
@@ -282,12 +310,15 @@ void RequirementsForm::refresh_problems() {
         given && entry ? entry_path(document_.project(), {SetupOwner::analysis, analysis_}) +
                              "/requirements/" + std::to_string(given - entry->requirements.data()) + "/"
                        : std::string();
-    for (const Row& row : rows_) {
+    const auto complaints = [&](const std::string& key) {
         QStringList messages;
         for (const Problem& problem : document_.problems().items())
-            if (!prefix.empty() && problem.path == prefix + row.field.key) messages << to_qt(problem.message);
-        row.edit->set_complaint(messages.join('\n'));
-    }
+            if (!prefix.empty() && problem.path == prefix + key) messages << to_qt(problem.message);
+        return messages.join('\n');
+    };
+    for (const RequirementField& field : requirement_fields())
+        if (is_choice(field)) mark(*rules_, complaints(field.key), core_text(field.help));
+    for (const Row& row : rows_) row.edit->set_complaint(complaints(row.field.key));
 }
 
 void RequirementsForm::refresh_verdict() {
@@ -363,6 +394,7 @@ bool RequirementsForm::focus_field(const std::string& path) {
             index < entry->requirements.size() && is_of(entry->requirements[index], known_[i]);
         if (named || (numbered && path.find('|') == std::string::npos)) outputs_->setCurrentIndex(int(i));
     }
+    if (path.ends_with("/guardRule")) rules_->setFocus(Qt::OtherFocusReason);
     for (const Row& row : rows_)
         if (path.ends_with(std::string("/") + row.field.key)) row.edit->setFocus(Qt::OtherFocusReason);
     return true;

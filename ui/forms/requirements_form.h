@@ -2,6 +2,7 @@
 // and what the present result says about them.
 #pragma once
 
+#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QWidget>
@@ -51,6 +52,7 @@ private:
         bool operator==(const Sought&) const = default;
     };
     void add_row(const RequirementField& field);
+    void add_choice(const RequirementField& field);
     void refresh();
     void refresh_outputs();
     void refresh_values();
@@ -68,6 +70,7 @@ private:
     QFormLayout* layout_;
     TypesetComboBox* outputs_;
     QLabel* verdict_;
+    QComboBox* rules_ = nullptr;  ///< of guard bands
     std::vector<Row> rows_;
     std::vector<OutputQuantity> known_;
     Sought sought_;

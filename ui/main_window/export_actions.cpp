@@ -6,6 +6,7 @@
 
 #include "core/base/file_io.h"
 #include "core/carried/report_data.h"
+#include "core/made/certificate_gaps.h"
 #include "core/report/result_files.h"
 #include "core/writers/writers.h"
 #include "ui/forms/finish_typing.h"
@@ -43,11 +44,10 @@ QString filter_of(ReportFormat format) {
 }
 
 /// "Customer (7.8.2.1 e)"
-QStringList missing_words(const Certificate& certificate) {
+QStringList missing_words(const MadeProject& made) {
     QStringList words;
-    for (const CertificateField& field : certificate_fields())
-        if (is_missing(field, certificate))
-            words << QStringLiteral("%1 (%2)").arg(core_text(field.title), QLatin1String(field.clause));
+    for (const CertificateGap& gap : certificate_gaps(made, certified_ids(made.project())))
+        words << QStringLiteral("%1 (%2)").arg(to_qt(gap.what), QLatin1String(gap.clause));
     return words;
 }
 
@@ -147,7 +147,7 @@ void ExportActions::ask_report(ReportFormat format) {
 void ExportActions::ask_certificate() {
     finish_typing();
     if (!has_results_or_runs()) return;
-    const QStringList missing = missing_words(document_.project().certificate);
+    const QStringList missing = missing_words(*MadeProject::make(document_.project(), runner_.made()));
     const QString question =
         tr("The certificate does not state what ISO/IEC 17025 requires of it:\n\n%1\n\n"
            "It says “not stated” in these places. They are fields of the project's page.")

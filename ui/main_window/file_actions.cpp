@@ -150,7 +150,16 @@ QString FileActions::suggested_file(const QString& ending) const {
 bool FileActions::save() {
     finish_typing();
     if (document_.file().isEmpty()) return save_as();
-    if (const auto saved = document_.save(); !saved) {
+    auto saved = document_.save();
+    if (!saved && saved.error().code == ErrorCode::cancelled) {
+        const QString question =
+            tr("%1 was changed by another program since it was read here. Saving replaces "
+               "what it holds now.");
+        if (!dialogs.confirm(question.arg(QFileInfo(document_.file()).fileName()), tr("Replace")))
+            return false;
+        saved = document_.save_as(document_.file());
+    }
+    if (!saved) {
         dialogs.show_message(tr("The project was not saved"), to_qt(saved.error().message));
         return false;
     }

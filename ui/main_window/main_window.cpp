@@ -317,6 +317,7 @@ void MainWindow::connect_panes() {
     connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
     connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
     connect(problems_, &ProblemsPane::place_wanted, this, &MainWindow::go_to);
+    connect(problems_, &ProblemsPane::refused, this, say);
     connect(results_, &ResultsPane::place_wanted, this, &MainWindow::go_to);
     connect(properties_, &PropertiesPane::place_wanted, this, &MainWindow::go_to);
     connect(&selection_, &Selection::analysis_changed, this, [this](const QString& id) {

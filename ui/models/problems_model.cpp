@@ -1,8 +1,12 @@
 // Problems in words, with the place as people name it.
 #include "ui/models/problems_model.h"
 
+#include <QFont>
+#include <QGuiApplication>
+#include <QPalette>
 #include <algorithm>
 
+#include "core/project/remedies.h"
 #include "core/text/symbol.h"
 #include "ui/document/correlated_pair.h"
 #include "ui/document/missing_fields.h"
@@ -58,6 +62,38 @@ QString in_words(const QString& key) {
     return words;
 }
 
+/// Of a member of one of the analysis' lists: "/links/0/analysis".
+QString member_words(const AnalysisEntry& analysis, const QStringList& parts) {
+    if (parts.size() < 2) return {};
+    const auto at = static_cast<std::size_t>(parts[1].toUInt());
+    const auto words = [&](const char* list, const auto& members, const auto& say) {
+        return parts[0] == QLatin1String(list) && at < members.size() ? say(members[at]) : QString();
+    };
+    const auto called = [&](const QString& what, const std::string& name) {
+        return name.empty() ? what + QLatin1Char(' ') + parts[1]
+                            : what + QStringLiteral(" “%1”").arg(to_qt(name));
+    };
+    const auto of_symbol = [](const QString& what, const std::string& symbol) {
+        return what.arg(to_qt(symbol_to_unicode(symbol)));
+    };
+    for (const QString& found :
+         {words(
+              "links", analysis.links,
+              [&](const InputLink& link) { return of_symbol(ProblemsModel::tr("link of %1"), link.input); }),
+          words("inputs", analysis.inputs,
+                [&](const InputEdit& e) { return of_symbol(ProblemsModel::tr("change of %1"), e.symbol); }),
+          words("requirements", analysis.requirements,
+                [&](const Requirement& r) {
+                    return of_symbol(ProblemsModel::tr("requirement on %1"), r.symbol);
+                }),
+          words("studies", analysis.studies,
+                [&](const Study& study) { return called(ProblemsModel::tr("study"), study.name); }),
+          words("designs", analysis.designs,
+                [&](const Design& design) { return called(ProblemsModel::tr("design"), design.name); })})
+        if (!found.isEmpty()) return found;
+    return {};
+}
+
 /// Of a part of an entry: "/setup/quantities/rows/2/value".
 QString part_words(const Project& project, const SetupAddress& address, const std::string& part) {
     QStringList parts = to_qt(part).split('/', Qt::SkipEmptyParts);
@@ -69,9 +105,22 @@ QString part_words(const Project& project, const SetupAddress& address, const st
     if (const auto pair = analysis ? pair_in(*analysis, part) : std::nullopt)
         return ProblemsModel::tr("correlation of %1 and %2")
             .arg(to_qt(symbol_to_unicode(pair->first)), to_qt(symbol_to_unicode(pair->second)));
+    const QString member = analysis ? member_words(*analysis, parts) : QString();
+    if (!member.isEmpty()) return member;
     if (parts.first() != QStringLiteral("setup")) return parts.join(QStringLiteral(" › "));
     parts.removeFirst();
     return field_words(find_schema(project, address), find_setup(project, address), parts);
+}
+
+/// As a link looks.
+QVariant remedy_data(const Remedy* remedy, int role) {
+    if (!remedy) return {};
+    if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return to_qt(remedy->words);
+    if (role == Qt::ForegroundRole) return QGuiApplication::palette().color(QPalette::Link);
+    if (role != Qt::FontRole) return {};
+    QFont font = QGuiApplication::font();
+    font.setUnderline(true);
+    return font;
 }
 
 }  // namespace
@@ -92,6 +141,32 @@ void ProblemsModel::show(const Problems& problems) {
 int ProblemsModel::errors() const {
     return static_cast<int>(std::count_if(problems_.begin(), problems_.end(),
                                           [](const Problem& p) { return p.severity == Severity::error; }));
+}
+
+int ProblemsModel::remedies() const {
+    std::size_t most = 0;
+    for (const Problem& problem : problems_) most = std::max(most, problem.remedies.size());
+    return std::min(static_cast<int>(most), column_count - remedy_column);
+}
+
+const Remedy* ProblemsModel::remedy_at(const QModelIndex& index) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid) || index.column() < remedy_column) return nullptr;
+    const auto& remedies = problems_[static_cast<std::size_t>(index.row())].remedies;
+    const auto at = static_cast<std::size_t>(index.column() - remedy_column);
+    return at < remedies.size() ? &remedies[at] : nullptr;
+}
+
+bool ProblemsModel::take_remedy(const QModelIndex& index) {
+    const Remedy* found = remedy_at(index);
+    if (!found) return false;
+    const Remedy remedy = *found;  // the problems change with the project
+    const auto changed = mended(document_.project(), remedy);
+    if (!changed) {
+        emit remedy_refused(to_qt(changed.error().message));
+        return false;
+    }
+    document_.apply(to_qt(remedy.words), [&](Project& project) { project = *changed; });
+    return true;
 }
 
 int ProblemsModel::rowCount(const QModelIndex& parent) const {
@@ -130,6 +205,7 @@ QString ProblemsModel::missing_words(const Document& document, const std::string
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const Problem& problem = problems_[static_cast<std::size_t>(index.row())];
+    if (index.column() >= remedy_column) return remedy_data(remedy_at(index), role);
     switch (role) {
         case path_role:
             return to_qt(problem.path);
@@ -161,6 +237,7 @@ bool ProblemsModel::is_to_give(const Problem& problem) const {
 QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (role != Qt::DisplayRole) return {};
     if (orientation == Qt::Vertical) return section + 1;
+    if (section >= remedy_column) return section == remedy_column ? tr("Way out") : tr("or");
     return section == severity_column ? tr("Kind") : section == place_column ? tr("Place") : tr("Problem");
 }
 

@@ -10,7 +10,14 @@ namespace covaria::ui {
 class ProblemsModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { severity_column, place_column, message_column, column_count };
+    /// The ways out of a problem stand side by side from `remedy_column` on.
+    enum Column {
+        severity_column,
+        place_column,
+        message_column,
+        remedy_column,
+        column_count = remedy_column + 3
+    };
     explicit ProblemsModel(Document& document, QObject* parent = nullptr);
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -21,6 +28,10 @@ public:
     /// Shows these (of a file that could not be opened) until the document's problems change.
     void show(const Problems& problems);
     int errors() const;
+    /// How many ways out the problems have at most.
+    int remedies() const;
+    /// Takes the way out that stands in this cell; as one step that can be undone. False: there is none.
+    bool take_remedy(const QModelIndex& index);
 
     /// Where the path points, in words: "Pose analysis: Base points, row 3".
     static QString place_words(const Project& project, const std::string& path);
@@ -28,8 +39,13 @@ public:
     /// the entry where it is that of another; empty: nothing.
     static QString missing_words(const Document& document, const std::string& analysis);
 
+signals:
+    /// Why a way out cannot be taken.
+    void remedy_refused(const QString& why);
+
 private:
     bool is_to_give(const Problem& problem) const;
+    const Remedy* remedy_at(const QModelIndex& index) const;
 
     Document& document_;
     std::vector<Problem> problems_;

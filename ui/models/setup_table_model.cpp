@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/temperature.h"
 #include "core/setup/text_columns.h"
 #include "core/text/head_with_unit.h"
 #include "core/text/symbol.h"
@@ -82,6 +83,9 @@ int SetupTableModel::columnCount(const QModelIndex& parent) const {
 QString SetupTableModel::complaint(const CellPosition& at) const {
     if (const auto found = rejected_.find(at); found != rejected_.end()) return found->second.reason;
     if (const auto found = problems_.find(at); found != problems_.end()) return found->second;
+    // What is wrong with a row as a whole is one cell too: where it begins.
+    if (const auto found = problems_.find({at.first, -1}); at.second == 0 && found != problems_.end())
+        return found->second;
     return {};
 }
 
@@ -249,6 +253,8 @@ std::map<int, SetupTableModel::TypedCell> SetupTableModel::cells_of_value(int ro
     if (written.isEmpty())
         return {{at("value"), {number_text(value, QLocale())}}, {at("unit"), {to_qt(typed->text())}}};
     const Unit of_row = Unit::parse(to_std(written)).value_or(Unit());
+    if (const Message objection = reading_objection(*typed, of_row); !objection.empty())
+        return {{at("value"), {text, to_qt(objection)}}};
     if (typed->dimension() == of_row.dimension())
         return {{at("value"), {number_text(converted(value, *typed, of_row), QLocale())}}};
     return {{at("value"),

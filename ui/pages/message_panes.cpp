@@ -23,9 +23,24 @@ ProblemsPane::ProblemsPane(Document& document, QWidget* parent) : QTreeView(pare
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     header()->setStretchLastSection(false);  // long messages scroll instead of being cut
     header()->moveSection(ProblemsModel::message_column, ProblemsModel::place_column);
-    const auto go = [this](const QModelIndex& index) { emit place_wanted(index.data(path_role).toString()); };
+    for (int i = 0; ProblemsModel::remedy_column + i < ProblemsModel::column_count;
+         ++i)  // long messages end far away
+        header()->moveSection(header()->visualIndex(ProblemsModel::remedy_column + i), 1 + i);
+    const auto go = [this](const QModelIndex& index) {
+        const QString path = index.siblingAtColumn(ProblemsModel::message_column).data(path_role).toString();
+        if (model_.take_remedy(index)) return;
+        emit place_wanted(path);
+    };
     connect(this, &QTreeView::clicked, this, go);
     connect(this, &QTreeView::activated, this, go);
+    connect(&model_, &ProblemsModel::remedy_refused, this, &ProblemsPane::refused);
+    connect(&model_, &QAbstractItemModel::modelReset, this, &ProblemsPane::show_remedies);
+    show_remedies();
+}
+
+void ProblemsPane::show_remedies() {
+    for (int i = 0; ProblemsModel::remedy_column + i < ProblemsModel::column_count; ++i)
+        setColumnHidden(ProblemsModel::remedy_column + i, i >= model_.remedies());
 }
 
 void ProblemsPane::paintEvent(QPaintEvent* event) {

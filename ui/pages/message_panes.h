@@ -8,7 +8,7 @@
 
 namespace covaria::ui {
 
-/// A click (or Enter) goes to the field.
+/// A click (or Enter) goes to the field, on a way out takes it.
 class ProblemsPane : public QTreeView {
     Q_OBJECT
 public:
@@ -18,11 +18,14 @@ public:
 signals:
     /// JSON pointer into the project.
     void place_wanted(const QString& path);
+    /// A way out cannot be taken: why.
+    void refused(const QString& why);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void show_remedies();
     ProblemsModel model_;
 };
 

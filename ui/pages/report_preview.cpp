@@ -7,6 +7,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "core/made/certificate_gaps.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/current_results.h"
 #include "ui/pages/page_bar.h"
@@ -188,7 +189,9 @@ void ReportPreview::show_pages(const std::vector<PrintedPage>& pages, const std:
 QString ReportPreview::page_words() const {
     const QString pages =
         pages_.size() == 1 ? tr("1 page, as printed") : tr("%1 pages, as printed").arg(pages_.size());
-    const auto missing = missing_in(document_.project().certificate).items().size();
+    const auto& made = document_.maker().made();
+    const auto missing =
+        made ? certificate_gaps(*made, certified_ids(made->project())).size() : std::size_t{0};
     if (kind() == DocumentKind::report || missing == 0) return pages;
     return missing == 1 ? tr("%1; one required text is not stated").arg(pages)
                         : tr("%1; %2 required texts are not stated").arg(pages).arg(missing);

@@ -28,6 +28,7 @@ public:
             break_page(item);
         if (!at_top()) y_ += item.space_before;
         if (!item.heading.empty()) pages_.headings.push_back({item.heading, item.heading_level, page_, y_});
+        if (item.leads_to) pages_.links.push_back({page_, y_, item.height, *item.leads_to});
         put(item.height, item.paint);
     }
 

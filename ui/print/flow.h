@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct FlowItem {
     std::string heading = {};                       ///< that a reader may go to
     int heading_level = 0;
     bool begins_page = false;
+    std::optional<std::size_t> leads_to = {};  ///< number of the heading, of all in their order
 };
 
 struct PlacedItem {
@@ -42,9 +44,17 @@ struct PlacedHeading {
     double y = 0.0;  ///< from the top of the text area
 };
 
+/// A line that leads to a heading.
+struct PlacedLink {
+    int page = 0;
+    double y = 0.0, height = 0.0;  ///< from the top of the text area
+    std::size_t heading = 0;
+};
+
 struct FlowedPages {
     std::vector<PlacedItem> items;  ///< in order of pages
     std::vector<PlacedHeading> headings = {};
+    std::vector<PlacedLink> links = {};
     int pages = 1;
 };
 

@@ -47,8 +47,8 @@ PageStyle::PageStyle(QPaintDevice* device, PaperSize paper) : device_(device) {
     const QSizeF millimetres = page_size_of(paper).size(QPageSize::Millimeter);
     sheet_ = QRectF(0.0, 0.0, mm(millimetres.width()), mm(millimetres.height()));
     text_area_ = sheet_.adjusted(mm(20.0), mm(25.0), -mm(20.0), -mm(22.0));
-    text_family_ = text_family();
-    figures_family_ = figures_family();
+    text_families_ = text_families();
+    figures_families_ = figures_families();
 }
 
 PageStyle PageStyle::with_fonts(double scale) const {
@@ -67,7 +67,7 @@ double PageStyle::points(double length) const {
 
 QFont PageStyle::font(TextRole role) const {
     const RoleSpec spec = spec_of(role);
-    QFont font(text_family_);
+    QFont font(text_families_);
     font.setPointSizeF(font_scale_ * spec.size);
     font.setWeight(spec.weight);
     // Inter swaps marks beside figures and capitals for glyphs that PDF readers cannot map back to text.
@@ -77,7 +77,7 @@ QFont PageStyle::font(TextRole role) const {
 }
 
 QFont PageStyle::figures_font() const {
-    QFont font(figures_family_);
+    QFont font(figures_families_);
     font.setPointSizeF(font_scale_ * spec_of(TextRole::table).size);
     font.setHintingPreference(QFont::PreferNoHinting);
     return font;

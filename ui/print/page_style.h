@@ -46,7 +46,7 @@ public:
 private:
     QPaintDevice* device_;
     QRectF sheet_, text_area_;
-    QString text_family_, figures_family_;
+    QStringList text_families_, figures_families_;
     double font_scale_ = 1.0;
 };
 

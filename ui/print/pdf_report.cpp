@@ -11,7 +11,6 @@
 
 #include "core/base/file_io.h"
 #include "core/base/version.h"
-#include "ui/print/pdf_outline.h"
 #include "ui/print/report_pages.h"
 
 namespace covaria::ui {
@@ -71,9 +70,10 @@ Result<std::string> pdf_bytes(const ReportDocument& document, const PdfOptions& 
         pages.paint(page, painter);
     }
     if (!painter.end()) return fail(ErrorCode::io, "the PDF of the report could not be finished");
-    const auto bookmarked = with_bookmarks(buffer.data().toStdString(), pages.bookmarks());
-    if (!bookmarked) return fail(bookmarked.error());
-    return archived_pdf(*bookmarked, {document.title, std::string("Covaria ") + version()}, options.attached);
+    return archived_pdf(
+        buffer.data().toStdString(),
+        {document.title, std::string("Covaria ") + version(), document.author, document.language},
+        options.attached, {pages.bookmarks(), pages.links()});
 }
 
 Result<void> write_pdf(const ReportDocument& document, const PdfOptions& options,

@@ -257,6 +257,7 @@ private:
                              page.paint(p, at + QPointF(width - room, 0.0));
                          },
                          {}});
+        items.back().leads_to = index;
     }
 
     void add_text(TextRole role, const QString& html, double indent, const QColor& color) {

@@ -77,15 +77,29 @@ void ReportPages::paint(int page, QPainter& painter) const {
         if (item.page == page) item.paint(painter, style_.text_area().topLeft() + QPointF(0.0, item.y));
 }
 
-std::vector<Bookmark> ReportPages::bookmarks() const {
-    std::vector<Bookmark> bookmarks;
-    const double points = style_.points(1.0);
+double ReportPages::height_in_points(double y) const {
+    return (style_.sheet().height() - style_.text_area().top() - y) / style_.points(1.0);
+}
+
+PdfPlace ReportPages::place_of(const PlacedHeading& heading) const {
+    return {heading.page, height_in_points(heading.y) + 4.0};
+}
+
+std::vector<PdfBookmark> ReportPages::bookmarks() const {
+    std::vector<PdfBookmark> bookmarks;
     for (const PlacedHeading& heading : pages_.headings)
-        if (heading.level <= 2)
-            bookmarks.push_back(
-                {heading.text, heading.level, heading.page,
-                 (style_.sheet().height() - style_.text_area().top() - heading.y) / points + 4.0});
+        if (heading.level <= 2) bookmarks.push_back({heading.text, heading.level, place_of(heading)});
     return bookmarks;
+}
+
+std::vector<PdfLink> ReportPages::links() const {
+    std::vector<PdfLink> links;
+    const double left = style_.text_area().left() / style_.points(1.0),
+                 right = style_.text_area().right() / style_.points(1.0);
+    for (const PlacedLink& link : pages_.links)
+        links.push_back({link.page, left, height_in_points(link.y + link.height), right,
+                         height_in_points(link.y), place_of(pages_.headings.at(link.heading))});
+    return links;
 }
 
 std::vector<PrintedPage> printed_pages(const ReportDocument& document, const PdfOptions& options) {
@@ -102,8 +116,8 @@ std::vector<PrintedPage> printed_pages(const ReportDocument& document, const Pdf
         painter.end();
         printed.push_back({inches, static_cast<const QPicture&>(drawing)});
     }
-    for (const Bookmark& bookmark : pages.bookmarks())
-        printed[std::size_t(bookmark.page)].headings.push_back(bookmark.title);
+    for (const PdfBookmark& bookmark : pages.bookmarks())
+        printed[std::size_t(bookmark.to.page)].headings.push_back(bookmark.title);
     return printed;
 }
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "ui/print/flow.h"
-#include "ui/print/pdf_outline.h"
 #include "ui/print/pdf_report.h"
 
 namespace covaria::ui {
@@ -24,9 +23,15 @@ public:
     int count() const { return pages_.pages; }
     void paint(int page, QPainter& painter) const;
     /// Headings of the first two levels.
-    std::vector<Bookmark> bookmarks() const;
+    std::vector<PdfBookmark> bookmarks() const;
+    /// Of the lines of contents to their headings.
+    std::vector<PdfLink> links() const;
 
 private:
+    /// From the bottom of the page in points; `y` from the top of the text area.
+    double height_in_points(double y) const;
+    PdfPlace place_of(const PlacedHeading& heading) const;
+
     const ReportDocument& document_;
     const PdfOptions& options_;
     PageStyle style_;

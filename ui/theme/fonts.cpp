@@ -53,7 +53,27 @@ QString han_family() {
     }
 }
 
+/// Letters that the family lacks (superscript capitals, arrows) come from families that are named, in this
+/// order: else fontconfig chooses by the locale of the environment, and lines of a report are higher where
+/// somebody else lives.
+QStringList with_fallbacks(const QString& family) {
+    QStringList families{family};
+    const QStringList installed = QFontDatabase::families();
+    for (const QString& other :
+         {QStringLiteral("DejaVu Sans"), QStringLiteral("Liberation Sans"), han_family()})
+        if (other != family && installed.contains(other)) families << other;
+    return families;
+}
+
 }  // namespace
+
+QStringList text_families() {
+    return with_fallbacks(text_family());
+}
+
+QStringList figures_families() {
+    return with_fallbacks(figures_family());
+}
 
 QString text_family() {
     static const QString family = installed_of_ours().constFirst();
@@ -72,7 +92,7 @@ QString figures_family() {
 QFont application_font(const FontChoice& chosen) {
     QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
     const bool is_ours = chosen.family.isEmpty() || !QFontDatabase::hasFamily(chosen.family);
-    font.setFamilies({is_ours ? text_family() : chosen.family, han_family()});
+    font.setFamilies(with_fallbacks(is_ours ? text_family() : chosen.family));
     if (chosen.points > 0) font.setPointSize(chosen.points);
     return font;
 }
@@ -80,7 +100,7 @@ QFont application_font(const FontChoice& chosen) {
 QFont with_tabular_figures(QFont font) {
     const QString family = QGuiApplication::font().families().value(0);
     const bool is_chosen = font.families().value(0) == family && family != text_family();
-    font.setFamilies({is_chosen && has_tabular_figures(family) ? family : figures_family(), han_family()});
+    font.setFamilies(with_fallbacks(is_chosen && has_tabular_figures(family) ? family : figures_family()));
     return font;
 }
 

@@ -4,6 +4,7 @@
 
 #include <QFont>
 #include <QString>
+#include <QStringList>
 
 namespace covaria::ui {
 
@@ -16,6 +17,9 @@ struct FontChoice {
 
 /// Family of running text.
 QString text_family();
+/// The same, and those that its missing letters come from.
+QStringList text_families();
+QStringList figures_families();
 /// Family of numbers: the first whose figures are all equally wide.
 QString figures_family();
 

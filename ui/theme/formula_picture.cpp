@@ -156,22 +156,16 @@ private:
         return beside(beside(mark(open), inside), mark(close));
     }
 
+    /// A letter drawn higher than it is, not its outline: who reads the text of a document finds it.
     Box tall(const QString& mark, const QFont& font, double ascent, double descent) const {
-        QPainterPath glyph;
-        glyph.addText(0.0, 0.0, font, mark);
-        // Outlines have the logical size of the font: bring them to the size on the device.
-        const QRectF outline = glyph.boundingRect();
+        const QFontMetricsF m = metrics(font);
+        const QRectF outline = m.tightBoundingRect(mark);
+        const double higher = (ascent + descent) / std::max(outline.height(), 1e-9);
         Box box;
-        box.width = metrics(font).horizontalAdvance(mark);
+        box.width = m.horizontalAdvance(mark);
         box.ascent = ascent;
         box.descent = descent;
-        const double width = std::min(box.width, 0.6 * box.width);
-        QTransform stretch;
-        stretch.translate(0.5 * (box.width - width), -ascent);
-        stretch.scale(width / std::max(outline.width(), 1e-9),
-                      (ascent + descent) / std::max(outline.height(), 1e-9));
-        stretch.translate(-outline.left(), -outline.top());
-        box.filled = stretch.map(glyph);
+        box.texts.push_back({QPointF(0.0, -ascent - higher * outline.top()), mark, font, higher});
         return box;
     }
 
@@ -231,7 +225,11 @@ void FormulaPicture::paint(QPainter& painter, QPointF top_left, const QColor& co
     painter.setPen(color);
     for (const Piece& text : box_.texts) {
         painter.setFont(text.font);
-        painter.drawText(text.at, text.text);
+        painter.save();
+        painter.translate(text.at);
+        painter.scale(1.0, text.stretch);
+        painter.drawText(QPointF(0.0, 0.0), text.text);
+        painter.restore();
     }
     painter.fillPath(box_.filled, color);
     painter.strokePath(box_.drawn, QPen(color, box_.pen, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));

@@ -31,11 +31,12 @@ public:
         QPointF at;  ///< of its baseline
         QString text;
         QFont font;
+        double stretch = 1.0;  ///< of its letters, upwards and downwards
     };
     struct Box {
         double width = 0.0, ascent = 0.0, descent = 0.0;
         QVector<Piece> texts;
-        QPainterPath filled;  ///< fraction bars, parentheses
+        QPainterPath filled;  ///< fraction bars
         QPainterPath drawn;   ///< root signs
         double pen = 0.0;     ///< of what is drawn
     };

@@ -23,16 +23,18 @@ LengthUnit unit_for(double size, bool in_inches) {
     return {"mm", 1e3};
 }
 
-std::vector<AxisTick> ticks_between(double low, double high, double step, const Scene& scene) {
+constexpr std::size_t most_ticks = 64;  // on an axis of one tenth of the longest there are as many
+
+std::vector<AxisTick> ticks_between(double low, double high, double wanted, const Scene& scene) {
     std::vector<AxisTick> ticks;
-    const double step_shown = step * scene.unit.per_metre;
-    const int decimals = decimals_of_step(step_shown);
-    const auto first = static_cast<long>(std::ceil(low / step - 1e-9));
-    const auto last = static_cast<long>(std::floor(high / step + 1e-9));
-    for (long i = first; i <= last; ++i) {
-        const double at = static_cast<double>(i) * step;
-        ticks.push_back({at, grouped_number(at * scene.unit.per_metre, decimals, scene.numbers)});
-    }
+    const double per_metre = scene.unit.per_metre;
+    // Far from the origin, places that are near to each other are the same number.
+    const double told_apart = 4.0 * resolution_at(std::max(std::abs(low), std::abs(high)));
+    const double step =
+        wanted >= told_apart ? wanted : round_number_above(told_apart * per_metre) / per_metre;
+    const int decimals = decimals_of_step(step * per_metre);
+    for (const double at : multiples_between(low, high, step, most_ticks))
+        ticks.push_back({at, grouped_number(at * per_metre, decimals, scene.numbers)});
     return ticks;
 }
 
@@ -117,10 +119,13 @@ void add_axes(Scene& scene) {
 
 std::vector<AxisTick> colour_ticks(const SceneMap& map, const NumberLocale& numbers) {
     std::vector<AxisTick> ticks;
-    const double step = round_number_below((map.high - map.low) / 4.0);
-    if (!(step > 0)) return ticks;
+    constexpr double parts = 4.0;  // at least
+    const double told_apart = 4.0 * resolution_at(std::max(std::abs(map.low), std::abs(map.high)));
+    if (!(map.high > map.low)) return ticks;
+    const double wanted = round_number_below(map.high / parts - map.low / parts);
+    const double step = wanted >= told_apart ? wanted : round_number_above(told_apart);
     const int decimals = decimals_of_step(step);
-    for (double at = std::ceil(map.low / step - 1e-9) * step; at <= map.high + 1e-9 * step; at += step)
+    for (const double at : multiples_between(map.low, map.high, step, most_ticks))
         ticks.push_back({at, grouped_number(at, decimals, numbers)});
     return ticks;
 }

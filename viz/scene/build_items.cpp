@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/text/numbers.h"
 #include "viz/scene/build_parts.h"
 
 namespace covaria::detail {
@@ -16,6 +17,7 @@ constexpr double seat_height = 0.75 * point_radius;
 constexpr double plate_margin = 0.032;
 constexpr double glyph_size = 0.09;
 constexpr double longest_vector = 0.6;
+constexpr double one_place = 1e-15;    // m: what is no farther apart is
 constexpr double smallest_size = 0.1;  // m, when everything is in one place
 
 double diagonal_of(const SceneBuild& build) {
@@ -42,7 +44,7 @@ double diagonal_of(const SceneBuild& build) {
             }
     if (box.isEmpty()) return 0.0;
     const double diagonal = box.diagonal().norm();
-    return std::isfinite(diagonal) && diagonal > 0 ? diagonal : smallest_size;
+    return std::isfinite(diagonal) && diagonal > one_place ? diagonal : smallest_size;
 }
 
 void add_frames(SceneBuild& build) {
@@ -222,9 +224,7 @@ double vector_scale(const SceneBuild& build, VectorKind kind) {
 /// "F 79.93 N"
 std::string label_of(const LayoutVector& vector, const NumberLocale& numbers) {
     if (!vector.is_measured) return vector.name;
-    char magnitude[32];
-    std::snprintf(magnitude, sizeof magnitude, "%.4g", vector.vector_W.norm());
-    return vector.name + " " + typeset_number(magnitude, numbers) +
+    return vector.name + " " + typeset_number(format_short(vector.vector_W.norm(), 4), numbers) +
            (vector.kind == VectorKind::moment ? " N·m" : " N");
 }
 

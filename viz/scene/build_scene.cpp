@@ -5,6 +5,7 @@
 
 #include "core/base/own_names.h"
 #include "viz/scene/build_parts.h"
+#include "viz/scene/near_part.h"
 
 namespace covaria {
 namespace {
@@ -37,7 +38,13 @@ std::string detail::SceneBuild::unique_id(const std::string& kind, const std::st
     return id;
 }
 
-Scene build_scene(const SceneSource& source, const SceneOptions& options) {
+Scene build_scene(const SceneSource& whole, const SceneOptions& options) {
+    SceneSource source = whole;
+    detail::NearPart part;
+    if (whole.layout) {
+        part = detail::near_part(*whole.layout);
+        source.layout = &part.layout;
+    }
     Scene scene;
     scene.title = source.title;
     scene.probability = options.probability;
@@ -47,6 +54,8 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     scene.group_title = options.language.say(said_name(scene.group));
     if (!source.layout) return scene;
     for (const Message& note : source.layout->notes) scene.notes.push_back(options.language.say(note));
+    if (!part.left_out.empty())
+        scene.notes.push_back(options.language.say(detail::words_of_left_out(part.left_out)));
     const PointUncertainties uncertainties(source.result, source.linked);
     const PointUncertainties before(source.compared ? source.compared->before.get() : nullptr);
     detail::SceneBuild build{source, options, uncertainties, before, scene};

@@ -6,6 +6,7 @@
 #include "core/text/numbers.h"
 #include "core/text/round_numbers.h"
 #include "viz/scene/build_parts.h"
+#include "viz/scene/near_part.h"
 
 namespace covaria::detail {
 namespace {
@@ -116,6 +117,7 @@ void add_cloud(SceneBuild& build, const UncertainPoint& p) {
                 (*trials)(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(k)]), t) - (*estimates)[k];
         if (!d.allFinite()) continue;
         const Eigen::Vector3d offset = build.scene.magnification * (p.point->R_WQ * d);
+        if (!is_near(offset)) continue;
         for (int k = 0; k < 3; ++k) cloud.offsets.push_back(static_cast<float>(offset[k]));
         cloud.trials.push_back(static_cast<std::uint32_t>(t));
     }
@@ -161,9 +163,9 @@ void add_uncertainties(SceneBuild& build) {
     scene.magnification = magnification_of(build.options, automatic_magnification(points, scene.size));
     const auto draw = [&](const UncertainPoint& p, Role role, const CoverageEllipsoid& ellipsoid,
                           std::vector<SceneEllipsoid>& into) {
-        if (build.options.ellipsoids && ellipsoid.rank > 0)
-            into.push_back({*p.drawn, role, scene.magnification * ellipsoid.axes, ellipsoid.rank,
-                            ellipsoid.coverage_factor});
+        const Eigen::Matrix3d axes = scene.magnification * ellipsoid.axes;
+        if (build.options.ellipsoids && ellipsoid.rank > 0 && is_near(axes.rowwise().norm()))
+            into.push_back({*p.drawn, role, axes, ellipsoid.rank, ellipsoid.coverage_factor});
     };
     for (const UncertainPoint& p : points) {
         draw(p, p.role, p.ellipsoid, scene.ellipsoids);

@@ -10,6 +10,7 @@
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "viz/scene/build_parts.h"
+#include "viz/scene/near_part.h"
 
 namespace covaria {
 
@@ -33,7 +34,8 @@ double extent_of(const DesignResult& design) {
     for (const LayoutPoint& point : design.places.layout.points) box.extend(point.p_W);
     for (const LayoutBody& body : design.places.layout.bodies)
         if (body.outline_W.empty()) box.extend(body.X_WB.translation());
-    return box.isEmpty() ? 0.0 : box.diagonal().norm();
+    const bool is_drawn = !box.isEmpty() && detail::is_near(box.min()) && detail::is_near(box.max());
+    return is_drawn ? box.diagonal().norm() : 0.0;
 }
 
 void scale_colours(SceneMap& map) {
@@ -132,6 +134,7 @@ void add_tracks(Scene& scene, const DesignResult& design, double extent, const D
 
 void add_obstacles(Scene& scene, const DesignResult& design) {
     for (const DesignObstacle& box : design.places.obstacles) {
+        if (!detail::is_near(box.low) || !detail::is_near(box.high)) continue;
         std::vector<Eigen::Vector3d> corners;
         for (int i = 0; i < 8; ++i) {
             Eigen::Vector3d corner = box.low;

@@ -10,6 +10,7 @@
 #include "core/text/numbers.h"
 #include "core/text/round_numbers.h"
 #include "viz/scene/build_parts.h"
+#include "viz/scene/near_part.h"
 #include "viz/scene/point_uncertainty.h"
 
 namespace covaria {
@@ -66,6 +67,10 @@ SceneMap map_of(const StudyResult& study, const StudyQuantity& quantity, std::si
         const bool in_slice = !wanted.slice_axis || *wanted.slice_axis >= study.axes.size() ||
                               study.indices_of(i)[*wanted.slice_axis] == wanted.slice;
         map.shown.push_back(in_slice);
+        if (!detail::is_near(map.positions.back())) {
+            map.positions.back().setZero();
+            map.values.back() = std::numeric_limits<double>::quiet_NaN();
+        }
         if (!std::isfinite(map.values.back())) continue;
         map.low = std::min(map.low, map.values.back());
         map.high = std::max(map.high, map.values.back());
@@ -128,13 +133,14 @@ void add_ellipsoids(const StudyResult& study, std::size_t triple, const SceneOpt
     scene.magnification =
         detail::magnification_of(options, automatic_magnification(ellipsoids, 5.0 * scene.map->radius));
     for (std::size_t k = 0; k < drawn.size(); ++k) {
-        if (ellipsoids[k].rank == 0) continue;
+        const Eigen::Matrix3d axes = scene.magnification * ellipsoids[k].axes;
+        if (ellipsoids[k].rank == 0 || !detail::is_near(axes.rowwise().norm())) continue;
         SceneItem item;
         item.id = "map:" + std::to_string(drawn[k]);
         item.name = study.triples[triple].name;
         item.position = scene.map->positions[drawn[k]];
-        scene.ellipsoids.push_back({item, Role::output, scene.magnification * ellipsoids[k].axes,
-                                    ellipsoids[k].rank, ellipsoids[k].coverage_factor});
+        scene.ellipsoids.push_back(
+            {item, Role::output, axes, ellipsoids[k].rank, ellipsoids[k].coverage_factor});
     }
     const DocumentLanguage& in = options.language;
     scene.legend.push_back(

@@ -1,6 +1,5 @@
 // Telescopic ballbars on kinematic supports that measure their lengths to one ball at once (Brosed et al.).
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/own_names.h"
 #include "core/kinds/ballbar/assets.h"
@@ -8,6 +7,7 @@
 #include "core/kinds/points/stated_figure.h"
 #include "core/quantity/input_quantity.h"
 #include "core/setup/fields.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 
@@ -270,9 +270,7 @@ private:
 };
 
 std::string in_mm(double length) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f mm", 1e3 * length);
-    return text;
+    return format_decimals(1e3 * length, 3) + " mm";
 }
 
 void check_triangle(const BallbarSource& ballbars, Problems& problems) {

@@ -2,23 +2,17 @@
 // points.
 #include <Eigen/LU>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "core/kinds/ballbar/equations.h"
 #include "core/math/decompositions.h"
+#include "core/text/numbers.h"
 
 namespace covaria::tcp {
 
 namespace {
 
 constexpr double short_arc = 60.0 * std::numbers::pi / 180.0;
-
-std::string text_of(const char* format, double value) {
-    char text[48];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 Message about(const Sequence& sequence) {
     return tell<"the rotation about %1">(axis_letters[sequence.axis]);
@@ -42,7 +36,7 @@ void check_sequence(const TcpSetup& setup, const Sequence& sequence, Problems& p
         problems.warning(sequence.source,
                          tell<"the arc of %1 spans only %2°: uncertainties grow as the inverse square of the "
                               "span and may be %3 times those of half a turn">(
-                             about(sequence), text_of("%.3g", degrees), text_of("%.0f", factor)));
+                             about(sequence), format_short(degrees), format_decimals(factor, 0)));
     }
 }
 
@@ -72,7 +66,7 @@ void check_points(const TcpSetup& setup, Problems& problems) {
             problems.error(point.source,
                            tell<"point %1 is %2 mm on the other side of the supports' plane, where the "
                                 "ballbars look for no solution; change their placement or their side">(
-                               point.name, text_of("%.3f", -1e3 * height)));
+                               point.name, format_decimals(-1e3 * height, 3)));
             continue;
         }
         const double u = height_uncertainty(setup, point);
@@ -81,7 +75,7 @@ void check_points(const TcpSetup& setup, Problems& problems) {
                              tell<"point %1 is only %2 mm from the supports' plane, with a standard "
                                   "uncertainty of %3 mm in that direction: in some trials the lengths will "
                                   "not meet (negative root), and u is not to be trusted">(
-                                 point.name, text_of("%.3g", 1e3 * height), text_of("%.2g", 1e3 * u)));
+                                 point.name, format_short(1e3 * height), format_short(1e3 * u, 2)));
     }
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/kinds/curve/equations.h"
+#include <Eigen/Cholesky>
+
+#include "core/kinds/curve/covariance.h"
 
 namespace covaria::curve {
 
@@ -30,7 +32,11 @@ public:
         fit_.polynomials = *made;
         tabulate();
         solve();
-        if (setup_.has_u_x() && !solve_with_both()) return std::nullopt;
+        if (setup_.has_covariance()) {
+            if (!(setup_.has_u_x() ? solve_with_covariance() : solve_generalised())) return std::nullopt;
+        } else if (setup_.has_u_x() && !solve_with_both()) {
+            return std::nullopt;
+        }
         judge();
         make_gain();
         make_powers();
@@ -82,6 +88,44 @@ private:
         return settled;
     }
 
+    Values<double> weights_of_terms() const {
+        Values<double> q{};
+        for (std::size_t j = 0; j < fit_.polynomials.count; ++j) q[j] = double(q_[j]);
+        return q;
+    }
+
+    bool solve_with_covariance() {
+        Values<double> q = weights_of_terms();
+        const PointCovariance covariance(setup_, fit_.polynomials);
+        const bool settled = fit_with_covariance<double>(
+            covariance, fit_.polynomials, n_, [&](std::size_t i) { return setup_.points[i].x; },
+            [&](std::size_t i) { return setup_.points[i].y; }, q, fit_.chi_squared);
+        for (std::size_t j = 0; j < fit_.polynomials.count; ++j) q_[j] = q[j];
+        return settled;
+    }
+
+    /// x are exact: q = (Phi^T V^-1 Phi)^-1 Phi^T V^-1 y (ISO/TS 28037:2010, 9), from residuals on, which
+    /// keeps the digits.
+    bool solve_generalised() {
+        const auto n = Eigen::Index(n_), count = Eigen::Index(fit_.polynomials.count);
+        const Eigen::LLT<Eigen::MatrixXd> factor(setup_.covariance.bottomRightCorner(n, n));
+        if (factor.info() != Eigen::Success) return false;
+        Eigen::MatrixXd phi(n, count);
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (Eigen::Index j = 0; j < count; ++j) phi(i, j) = double(phi_[std::size_t(i)][std::size_t(j)]);
+        const Eigen::MatrixXd weighted = factor.solve(phi);
+        fit_.gain = (phi.transpose() * weighted).llt().solve(weighted.transpose());
+        Eigen::VectorXd r(n);
+        for (int pass = 0; pass < 3; ++pass) {
+            for (Eigen::Index i = 0; i < n; ++i) r[i] = double(residual(std::size_t(i)));
+            const Eigen::VectorXd change = fit_.gain * r;
+            for (Eigen::Index j = 0; j < count; ++j) q_[std::size_t(j)] += Wide(change[j]);
+        }
+        for (Eigen::Index i = 0; i < n; ++i) r[i] = double(residual(std::size_t(i)));
+        fit_.chi_squared = r.dot(factor.solve(r));
+        return true;
+    }
+
     void judge() {
         Wide squares = 0.0L, chi = 0.0L;
         Values<double> q{};
@@ -91,14 +135,14 @@ private:
             const Wide r = residual(i);
             fit_.residuals.push_back(double(r));
             squares += r * r;
-            if (setup_.from_residuals) continue;
+            if (setup_.from_residuals || setup_.has_covariance()) continue;
             const Point& p = setup_.points[i];
             const auto foot = foot_of<double>(fit_.polynomials, q, fit_.polynomials.t_of(p.x), p.y,
                                               p.u_y * p.u_y, p.u_x * p.u_x / (width * width));
             chi += Wide(foot.residual) * foot.residual * foot.weight;
         }
         fit_.sum_of_squares = double(squares);
-        fit_.chi_squared = double(chi);
+        if (!setup_.has_covariance()) fit_.chi_squared = double(chi);
         const double nu = setup_.degrees_of_freedom();
         if (nu > 0.0) fit_.standard_deviation = std::sqrt(double(squares / nu));
         fit_.u_of_q = fit_.standard_deviation / std::sqrt(double(n_));
@@ -110,7 +154,7 @@ private:
     }
 
     void make_gain() {
-        if (setup_.from_residuals || setup_.has_u_x()) return;
+        if (setup_.from_residuals || setup_.has_u_x() || setup_.has_covariance()) return;
         fit_.gain.resize(Eigen::Index(fit_.polynomials.count), Eigen::Index(n_));
         for (std::size_t i = 0; i < n_; ++i)
             for (std::size_t j = 0; j < fit_.polynomials.count; ++j)

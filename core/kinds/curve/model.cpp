@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/own_names.h"
-#include "core/kinds/curve/equations.h"
+#include "core/kinds/curve/covariance.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
 
@@ -44,7 +44,8 @@ const std::vector<ModelEquation>& curve_equations() {
     static const std::vector<ModelEquation> all{
         {"b(x) = y₁ + y₂ (x − x₀) + y₃ (x − x₀)² + …", tell<"JCGM 100, Eq H.12">()},
         {"min Σ (y_i − b(x_i))²", tell<"from the residuals, JCGM 100 H.3.2">()},
-        {"min Σ (y_i − b(ξ_i))²/u²(y_i) + (x_i − ξ_i)²/u²(x_i)", tell<"as stated, York et al. 2004">()}};
+        {"min Σ (y_i − b(ξ_i))²/u²(y_i) + (x_i − ξ_i)²/u²(x_i)", tell<"as stated, York et al. 2004">()},
+        {"min vᵀ V⁻¹ v, v = (x − ξ, y − b(ξ))", tell<"as stated with correlations, ISO/TS 28037, 10">()}};
     return all;
 }
 
@@ -86,7 +87,7 @@ public:
     Layout layout(std::span<const double>) const override { return {}; }
     std::vector<ModelEquation> formulas() const override {
         const std::vector<ModelEquation>& all = curve_equations();
-        return {curve_equation(setup_), all[setup_.from_residuals ? 1 : 2]};
+        return {curve_equation(setup_), all[setup_.from_residuals ? 1 : setup_.has_covariance() ? 3 : 2]};
     }
     std::vector<DataTable> evaluation() const override {
         return curve::curve_evaluation(setup_, fit_, inverse_);
@@ -144,8 +145,13 @@ private:
         const auto place = [&](std::size_t i) {
             return of_x_[i] == InputSet::npos ? Real(setup_.points[i].x) : Real(x[of_x_[i]]);
         };
-        const mask_of<Real> settled = curve::fit_with_both<Real>(
-            setup_, fit_.polynomials, place, [&](std::size_t i) { return Real(x[i]); }, change);
+        const auto height = [&](std::size_t i) { return Real(x[i]); };
+        Real squares(0.0);
+        const mask_of<Real> settled =
+            covariance_
+                ? curve::fit_with_covariance<Real>(*covariance_, fit_.polynomials, setup_.points.size(),
+                                                   place, height, change, squares)
+                : curve::fit_with_both<Real>(setup_, fit_.polynomials, place, height, change);
         for (std::size_t j = 0; j < n; ++j) change[j] = change[j] - Real(fit_.q[j]);
         return settled;
     }
@@ -190,10 +196,30 @@ private:
         for (std::size_t i = 0; i < setup_.points.size(); ++i)
             add_coordinate(i, "y", setup_.points[i].y, setup_.points[i].u_y, setup_.y_unit);
         for (std::size_t i = 0; i < setup_.points.size(); ++i) {
-            of_x_.push_back(setup_.points[i].u_x > 0.0 ? inputs_.quantities.size() : InputSet::npos);
-            if (setup_.points[i].u_x > 0.0)
-                add_coordinate(i, "x", setup_.points[i].x, setup_.points[i].u_x, setup_.x_unit);
+            const bool uncertain = setup_.points[i].u_x > 0.0 || setup_.common_u_x > 0.0;
+            of_x_.push_back(uncertain ? inputs_.quantities.size() : InputSet::npos);
+            if (uncertain) add_coordinate(i, "x", setup_.points[i].x, setup_.points[i].u_x, setup_.x_unit);
         }
+        if (setup_.common_u_x > 0.0) add_common("x", setup_.common_u_x, setup_.x_unit);
+        if (setup_.common_u_y > 0.0) add_common("y", setup_.common_u_y, setup_.y_unit);
+        for (const curve::StatedCorrelation& stated : setup_.correlations)
+            inputs_.correlations.push_back(
+                {component_of(stated.first), component_of(stated.second), stated.coefficient});
+        if (setup_.has_covariance() && setup_.has_u_x()) covariance_.emplace(setup_, fit_.polynomials);
+    }
+
+    /// One component that all coordinates of an axis have.
+    void add_common(const char* axis, double u, const Unit& unit) {
+        const std::size_t component =
+            inputs_.add(stated(std::string(axis) + ".common", tell<"common deviation of all %1">(axis), unit,
+                               u, tell<"stated for all points">()));
+        for (InputQuantity& quantity : inputs_.quantities)
+            if (quantity.symbol.starts_with(std::string(axis) + "_"))
+                quantity.shares.push_back({component, 1.0});
+    }
+
+    std::size_t component_of(const std::string& coordinate) const {
+        return inputs_.quantities[inputs_.find(coordinate)].shares.front().component;
     }
 
     void add_observation(std::size_t i) {
@@ -241,7 +267,8 @@ private:
     InputSet inputs_;
     VarianceEstimate estimate_;  ///< the residuals' s
     std::vector<OutputQuantity> outputs_;
-    std::vector<std::size_t> of_x_;  ///< input of each point's x; npos: a constant
+    std::optional<curve::PointCovariance> covariance_;  ///< with uncertainties in x
+    std::vector<std::size_t> of_x_;                     ///< input of each point's x; npos: a constant
     std::size_t first_observation_ = 0;
 };
 

@@ -27,6 +27,16 @@ Columns<StatedPoint> point_columns() {
              {.range = {.low = 0.0}, .optional = true});
 }
 
+Columns<StatedCorrelation> correlation_columns() {
+    return Columns<StatedCorrelation>()
+        .add(&StatedCorrelation::first, "first", "first",
+             "A coordinate of a point by its number: y_1 is the y of the first point.")
+        .add(&StatedCorrelation::second, "second", "second",
+             "Another one: y_2, or the x_1 of the same point.")
+        .add(&StatedCorrelation::coefficient, "coefficient", "coefficient",
+             "Correlation coefficient of their stated uncertainties.", {.range = {.low = -1.0, .high = 1.0}});
+}
+
 Columns<Prediction> prediction_columns() {
     return Columns<Prediction>()
         .add(&Prediction::x, "x", "x", "In the unit of x.")
@@ -57,6 +67,20 @@ void add_points(Fields<CurveSetup>& fields) {
         .table(&CurveSetup::stated_points, "points", "Points",
                "Points of the calibration, typed, pasted or from a CSV file.", point_columns(),
                {.min_rows = 2, .measured = true});
+}
+
+void add_covariance(Fields<CurveSetup>& fields) {
+    fields.section("Covariance of the points")
+        .add(&CurveSetup::common_u_x, "common_u_x", "Common u of x",
+             "Standard uncertainty of a deviation that all x share beside their own (one standard, one "
+             "temperature), in the unit of x. Used with stated uncertainties, in the weights too.",
+             {.range = {.low = 0.0}, .default_value = Quantity{0.0, Unit{}}})
+        .add(&CurveSetup::common_u_y, "common_u_y", "Common u of y", "Likewise of all y, in the unit of y.",
+             {.range = {.low = 0.0}, .default_value = Quantity{0.0, Unit{}}})
+        .table(&CurveSetup::correlations, "correlations", "Correlations of the points",
+               "Correlation coefficients between coordinates of the points (ISO/TS 28037): they change the "
+               "curve, which minimises v^T V^-1 v, and its uncertainty. Used with stated uncertainties.",
+               correlation_columns(), {.optional = true});
 }
 
 void add_curve(Fields<CurveSetup>& fields) {
@@ -95,6 +119,7 @@ const Fields<CurveSetup>& curve_fields() {
         Fields<CurveSetup> made;
         add_points(made);
         add_curve(made);
+        add_covariance(made);
         add_use(made);
         return made;
     }();

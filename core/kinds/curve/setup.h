@@ -1,6 +1,7 @@
 // The set-up of "calibration curve": points, polynomial, where it is used.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,20 @@ struct StatedPoint {
     std::optional<double> u_x, u_y;
 };
 
+/// Between the deviations of two coordinates: "y_1", "x_2".
+struct StatedCorrelation {
+    std::string first, second;
+    double coefficient = 0.0;
+};
+
+/// A coordinate of a point: x_i before y_i in the covariance matrix of all.
+struct Coordinate {
+    bool is_y = false;
+    std::size_t point = 0;
+};
+/// Empty: there is no such coordinate.
+std::optional<Coordinate> coordinate_of(const std::string& symbol, std::size_t points);
+
 struct Prediction {
     std::string name;
     double x = 0.0;  ///< SI
@@ -38,6 +53,9 @@ struct Observation {
 struct CurveSetup {
     std::vector<StatedPoint> stated_points;
     std::vector<Point> points;
+    std::vector<StatedCorrelation> correlations;
+    double common_u_x = 0.0, common_u_y = 0.0;  ///< of deviations that all x, all y share; SI once read
+    Eigen::MatrixXd covariance;                 ///< of all x, then all y; empty where none are correlated
     std::vector<Prediction> predictions;
     std::vector<Observation> observations;
     std::size_t degree = 1;
@@ -46,6 +64,7 @@ struct CurveSetup {
     bool from_residuals = true;
     Unit x_unit, y_unit;
     bool has_u_x() const;
+    bool has_covariance() const { return covariance.size() > 0; }
     std::size_t first_power() const { return through_origin ? 1 : 0; }
     std::size_t coefficients() const { return degree + 1 - first_power(); }
     double degrees_of_freedom() const { return double(points.size()) - double(coefficients()); }

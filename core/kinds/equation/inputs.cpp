@@ -3,9 +3,11 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/temperature.h"
 #include "core/equation/operations.h"
 #include "core/kinds/ballbar/ballbar.h"
 #include "core/kinds/equation/observations.h"
+#include "core/kinds/equation/sampled.h"
 #include "core/kinds/equation/setup.h"
 #include "core/kinds/instruments/sensor.h"
 #include "core/quantity/input_quantity.h"
@@ -142,8 +144,11 @@ private:
         made.name = first || at(row).name.empty() ? draft.quantity.name : Message(at(row).name);
         made.unit = unit.interval();
         if (kind == "instrument") return reading(draft, row);
-        const bool done = kind == "observations" || kind == "pooled" ? observed(draft, row, kind, made)
-                                                                     : stated(draft, row, unit, made);
+        const bool is_observed = kind == "observations" || kind == "pooled";
+        const bool is_sampled = kind == "sample" || kind == "histogram";
+        const bool done = is_observed  ? observed(draft, row, kind, made)
+                          : is_sampled ? sampled(draft, row, made)
+                                       : stated(draft, row, unit, made);
         if (done) add(draft, row, std::move(made));
     }
 
@@ -151,7 +156,32 @@ private:
         component.id = draft.quantity.symbol + "." + std::to_string(++draft.components);
         if (!at(row).source.empty()) component.origin = at(row).source;
         component.source = place_of(row);
-        draft.quantity.shares.push_back({result_.inputs.add(std::move(component)), 1.0});
+        const std::size_t index = result_.inputs.add(std::move(component));
+        draft.quantity.shares.push_back({index, 1.0});
+        if (!at(row).ensemble.empty()) join_ensemble(row, index);
+    }
+
+    /// Quantities that one evaluation gave rest on its estimate of variance (JCGM 102 5.3.2).
+    void join_ensemble(std::size_t row, std::size_t index) {
+        const UncertaintyComponent& component = result_.inputs.components[index];
+        const double nu = degrees_of_freedom_of(component);
+        const auto [first, is_new] = ensembles_.try_emplace(at(row).ensemble, nu);
+        const std::string_view kind = component.distribution.kind();
+        if (at(row).statement == "observations")
+            refuse(
+                row, &StatedComponent::ensemble,
+                tell<"observations have degrees of freedom of their own; those made together have the same "
+                     "numbers in the table of observations">());
+        else if ((kind != "normal" && kind != "student-t") || !std::isfinite(nu))
+            refuse(
+                row, &StatedComponent::ensemble,
+                tell<"the members of an ensemble have a standard or expanded uncertainty with finite nu">());
+        else if (!is_new && first->second != nu)
+            refuse(row, &StatedComponent::ensemble,
+                   tell<"the members of ensemble '%1' have one and the same nu; it is %2 in the first, %3 "
+                        "here">(at(row).ensemble, format_short(first->second, 6), format_short(nu, 6)));
+        else
+            result_.inputs.rest_on_estimate("ensemble " + at(row).ensemble, index);
     }
 
     bool stated(Draft& draft, std::size_t row, const Unit& unit, UncertaintyComponent& made) {
@@ -163,10 +193,10 @@ private:
         if (!good) refuse(row, &StatedComponent::stated_unit, stated.error().message);
         const auto figure = [&](const std::optional<double>& value, bool has_unit) -> std::optional<double> {
             if (!value || !has_unit || !good) return value;
-            const auto si = figure_in_si(*value, *stated, unit, kind_key == "limits", draft.estimate);
+            const auto si = figure_in_si(*value, *stated, draft.unit, kind_key == "limits", draft.estimate);
             if (si) return *si;
             good = false;
-            refuse(row, &StatedComponent::statement, si.error().message);
+            refuse_statement(draft, row, si.error().message);
             return value;
         };
         const Statement statement{kind_key,
@@ -174,11 +204,12 @@ private:
                                   figure(at(row).b, kind.b_has_unit),
                                   at(row).nu,
                                   at(row).r_u,
-                                  draft.estimate};
+                                  draft.estimate,
+                                  draft.unit};
         if (!good) return false;
         const auto component = stated_component(statement);
         if (!component) {
-            refuse(row, &StatedComponent::statement, component.error().message);
+            refuse_statement(draft, row, component.error().message);
             return false;
         }
         if (component->estimate) draft.estimate = component->estimate;
@@ -188,6 +219,12 @@ private:
         made.normal_draws = component->type == EvaluationType::type_a && stated_.normal_means;
         made.origin = Message::declared(component->words);
         return true;
+    }
+
+    void refuse_statement(const Draft& draft, std::size_t row, const Message& message) {
+        refuse(row, &StatedComponent::statement, message);
+        if (is_reading(draft.unit) && draft.estimate)
+            problems_.items().back().remedies = remedies_for_part(stated_, row, draft.unit, *draft.estimate);
     }
 
     bool observed(Draft& draft, std::size_t row, const std::string& kind, UncertaintyComponent& made) {
@@ -215,6 +252,26 @@ private:
         made.origin = kind == "pooled" ? tell<"pooled standard deviation">()
                                        : tell<"mean of %1 observations">(mean->count);
         if (kind == "observations") draft.observed = result_.inputs.components.size();
+        return true;
+    }
+
+    bool sampled(Draft& draft, std::size_t row, UncertaintyComponent& made) {
+        const bool histogram = at(row).statement == "histogram";
+        if (draft.estimate) {
+            refuse(row, &StatedComponent::value,
+                   tell<"the sample gives the estimate: leave the value empty">());
+            return false;
+        }
+        const auto drawn =
+            sampled_distribution(stated_.observations, draft.quantity.symbol, draft.unit, histogram);
+        if (!drawn) {
+            refuse(row, &StatedComponent::statement, drawn.error().message);
+            return false;
+        }
+        draft.estimate = drawn->mean();
+        made.unit = draft.unit.interval();
+        made.distribution = drawn->shifted(-*draft.estimate);
+        made.origin = histogram ? tell<"histogram">() : tell<"sample of values">();
         return true;
     }
 
@@ -289,6 +346,7 @@ private:
     std::vector<Draft> drafts_;
     std::map<std::string, std::size_t> index_;
     std::map<std::string, std::size_t> shared_;
+    std::map<std::string, double> ensembles_;  ///< their degrees of freedom
     StatedQuantities result_;
 };
 

@@ -190,9 +190,11 @@ std::vector<std::string> equation_notes() {
     return {
         "Dimensions are checked where the equations are read; plane angle counts as a number, because the "
         "radian is "
-        "one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of "
-        "temperatures is "
-        "given in K.",
+        "one in the SI. A temperature in °C is taken in kelvin only where two make a ratio; a difference of "
+        "temperatures is given in K.",
+        "Angles that inverse functions give or that were read, their sums and whole multiples are on the "
+        "circle where "
+        "the result is given in a unit of angle.",
         "Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations "
         "define "
         "implicitly follow JCGM 102 6.3.",

@@ -35,11 +35,16 @@ ColumnSpec statement_column() {
             "How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width "
             "(and inexactness, or ratio of top to base); lower and upper limit; step of the "
             "indication; permissible error and % of the value; number of counts; number of "
-            "observations in the mean (pooled). Empty: a constant."};
+            "observations in the mean (pooled); standard deviation (Laplace, Weibull about the value), scale "
+            "(and shape); expected number of events; number of trials and probability in %. A sample is "
+            "drawn as it is listed among the observations, a histogram has the edges of its cells there. "
+            "Empty: a constant."};
     for (const StatementKind& kind : statement_kinds())
         column.choices.push_back({std::string(kind.key), std::string(kind.title)});
     column.choices.push_back({"observations", "observations (Type A)"});
     column.choices.push_back({"pooled", "pooled observations (Type A)"});
+    column.choices.push_back({"sample", "sample of values"});
+    column.choices.push_back({"histogram", "histogram"});
     column.choices.push_back({"instrument", "reading of an instrument"});
     return column;
 }
@@ -59,6 +64,12 @@ void add_figures(Columns<StatedComponent>& columns) {
              {.unit = Unit::of("%"), .range = {.low = 0.0}, .optional = true})
         .add(&Row::source, "source", "source",
              "Where the figure comes from: certificate, data sheet, handbook.", maybe)
+        .add(&Row::ensemble, "ensemble", "ensemble",
+             "Name of the evaluation that gave several quantities together, with one and the same nu: their "
+             "uncertainties rest on one estimate of variance, and they are drawn from a multivariate t "
+             "distribution (JCGM 102 5.3.2). Correlation coefficients between them stand with the "
+             "correlations of the analysis.",
+             maybe)
         .add(&Row::instrument, {.key = "instrument",
                                 .title = "instrument",
                                 .optional = true,
@@ -90,8 +101,13 @@ Columns<Observation> observation_columns() {
              "Number of the simultaneous observation; empty: the quantity was observed by itself.", maybe)
         .add(&Row::series, "series", "series",
              "Name of an earlier series of the same procedure, for a pooled standard deviation.", maybe)
-        .add(&Row::value, "value", "value", "Observed value, in the unit of the quantity.",
-             {.observed = true});
+        .add(&Row::value, "value", "value",
+             "Observed value, value of a sample or edge of a histogram, in the unit of the quantity.",
+             {.observed = true})
+        .add(&Row::weight, "weight", "weight",
+             "Of a value of a sample, or of the cell of a histogram that begins at this edge: counts, or "
+             "parts of any sum. Empty: one in a sample, none behind the last edge.",
+             {.range = {.low = 0.0}, .optional = true});
 }
 
 void add_equations(Fields<Stated>& fields) {
@@ -100,7 +116,9 @@ void add_equations(Fields<Stated>& fields) {
              "One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a "
              "number "
              "has its unit in brackets: 3 [mm]. "
-             "'solve y = 1: y^2 = x' finds y in every trial, from its starting value. '#' starts a comment.",
+             "'solve y = 1: y^2 = x' finds y in every trial, from its starting value. complex(a, b) and "
+             "polar(r, phi) make complex numbers, re, im, abs and arg real ones of them. '#' starts a "
+             "comment.",
              {.default_value = std::string("y = x_1 + x_2"), .several_lines = true})
         .table(&Stated::outputs, "outputs", "Results",
                "What is reported, and in which unit. Without rows: every name that an equation defines "

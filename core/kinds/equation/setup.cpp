@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/equation/complex_numbers.h"
 #include "core/setup/message_text.h"
 #include "core/text/symbol.h"
 
@@ -39,15 +40,19 @@ public:
         if (found.empty() && setup.parsed.statements.empty())
             found.push_back({{}, tell<"there is no equation: write one, y = x_1 + x_2">()});
         StatedQuantities stated = read_quantities(stated_, problems_);
+        const equation::ParsedText real = equation::in_real_numbers(setup.parsed, found);
         check_names(setup.parsed, stated);
-        const auto wanted = wanted_outputs(setup.parsed, setup.outputs);
+        const auto wanted = wanted_outputs(real, setup.outputs);
         if (found.empty() && !problems_.has_errors()) {
-            equation::Compiled compiled = equation::compile(setup.parsed, stated.symbols, wanted, found);
+            equation::Compiled compiled = equation::compile(real, stated.symbols, wanted, found);
             setup.program = std::move(compiled.program);
-            for (std::size_t j = 0; j < compiled.output_units.size(); ++j)
-                setup.outputs[j].unit = compiled.output_units[j];
+            for (std::size_t j = 0; j < compiled.outputs.size(); ++j) {
+                setup.outputs[j].unit = compiled.outputs[j].unit;
+                setup.outputs[j].periodic = compiled.outputs[j].on_circle;
+                setup.outputs[j].temperature = compiled.outputs[j].temperature;
+            }
         }
-        report(found, problems_);
+        report(found, stated_, problems_);
         setup.inputs = std::move(stated.inputs);
         setup.observed = std::move(stated.observed);
         if (problems_.has_errors()) return std::nullopt;
@@ -92,7 +97,13 @@ private:
             std::vector<std::string> names;
             for (const equation::Statement& s : parsed.statements)
                 for (const equation::Definition& d : s.defined) names.push_back(d.name);
-            problems_.error(path, tell<"no equation defines '%1'%2">(symbol, did_you_mean(symbol, names)));
+            if (parsed.find(equation::real_part_of(symbol)))
+                problems_.error(path, tell<"'%1' is complex: list its parts %2 and %3, or define abs(%1) and "
+                                           "arg(%1) and list these">(symbol, equation::real_part_of(symbol),
+                                                                     equation::imaginary_part_of(symbol)));
+            else
+                problems_.error(path,
+                                tell<"no equation defines '%1'%2">(symbol, did_you_mean(symbol, names)));
         }
         if (std::any_of(wanted.begin(), wanted.end(), [&](const auto& w) { return w.name == symbol; }))
             problems_.error(path, tell<"'%1' is listed twice">(symbol));
@@ -168,7 +179,7 @@ Setup with_rows_for_names(const Setup& setup) {
     };
     for (const equation::SymbolUse& use : equation::free_symbols(parsed))
         add_row(fields.key(&StatedEquations::components), use.name);
-    for (const equation::Definition& d : last_definitions(parsed))
+    for (const equation::Definition& d : last_definitions(equation::in_real_numbers(parsed, ignored)))
         add_row(fields.key(&StatedEquations::outputs), d.name);
     std::erase_if(completed.values,
                   [](const auto& entry) { return std::holds_alternative<std::monostate>(entry.second); });

@@ -32,6 +32,7 @@ struct StatedComponent {
     std::string stated_unit;  ///< of a and b; empty: the row's
     std::optional<double> nu, r_u;
     std::string source;
+    std::string ensemble;  ///< of quantities whose uncertainties one evaluation gave
     Referred instrument;
 };
 
@@ -39,7 +40,8 @@ struct Observation {
     std::string quantity;
     std::optional<int> number;  ///< of the simultaneous observation
     std::string series;
-    double value = 0.0;  ///< as typed, in the unit of the quantity
+    double value = 0.0;            ///< as typed, in the unit of the quantity
+    std::optional<double> weight;  ///< of a value of a sample, or of the cell that begins at an edge
 };
 
 /// The set-up as typed.
@@ -95,5 +97,12 @@ StatedQuantities read_quantities(const StatedEquations& stated, Problems& proble
 /// "/equations/1/14-16": line and columns, from 0 and 1.
 std::string path_of(const equation::Place& place);
 void report(const equation::TextProblems& found, Problems& problems);
+/// With the ways out of those that are about temperatures in degC.
+void report(const equation::TextProblems& found, const StatedEquations& stated, Problems& problems);
+
+/// Of a figure of a row that is stated as a part (in %, ppm) of a temperature in degC: the same part of its
+/// reading, in K. `estimate`: SI.
+std::vector<Remedy> remedies_for_part(const StatedEquations& stated, std::size_t row, const Unit& unit,
+                                      double estimate);
 
 }  // namespace covaria::equation_model

@@ -24,6 +24,7 @@ PlotSeries series_of(const ObservedQuantity& quantity, std::size_t index) {
     series.role = role_of_series(index, quantity.series.size());
     if (quantity.series.size() > 1)
         series.name = observed.name.empty() ? known_text<"present series">() : observed.name;
+    series.is_named = !observed.name.empty();
     for (std::size_t i = 0; i < observed.values.size(); ++i) series.x.push_back(static_cast<double>(i + 1));
     series.y = observed.values;
     return series;

@@ -56,6 +56,11 @@ Eigen::VectorXd shared_uncertainties(const SensorSource& sensor) {
     return u;
 }
 
+Eigen::Matrix<double, 6, 6> station_moves(const SensorSource& sensor) {
+    if (!sensor.station_correlations().empty()) return station_factor(sensor);
+    return Eigen::Matrix<double, 6, 1>(shared_uncertainties(sensor).tail<6>()).asDiagonal();
+}
+
 Eigen::Matrix<double, 3, Eigen::Dynamic> shared_effects(const SensorSource& sensor,
                                                         const LinearReading& reading) {
     const auto own = static_cast<Eigen::Index>(sensor.systematic().size());

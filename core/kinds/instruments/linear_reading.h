@@ -24,6 +24,9 @@ LinearReading linear_reading(const StationGeometry& station, const Eigen::Vector
 std::vector<UncertaintyComponent> shared_components(const SensorSource& sensor);
 /// Their standard uncertainties.
 Eigen::VectorXd shared_uncertainties(const SensorSource& sensor);
+/// Moves of the station, six coordinates by the last six of them, per standard uncertainty: their covariance
+/// is F Fᵀ.
+Eigen::Matrix<double, 6, 6> station_moves(const SensorSource& sensor);
 /// Change of the readings, less what the sensor is taken to see from its station, per unit of each of them:
 /// 3 (by Observable) x components. A station that is thought to be further along makes a target seem further
 /// along too: its columns are minus `to_station`.

@@ -10,10 +10,10 @@ namespace covaria {
 /// the point undetermined.
 bool localises(const Eigen::MatrixXd& to_point);
 
-/// Standard uncertainties of readings as their weights need them. A reading whose own figure is 0 (what it
-/// shares with others may not be) counts as the limit of a small one: at least 1e-5 of its uncertainty in
-/// all. The loss against the limit is of the order of the square. `shared`: rows x deviations of standard
-/// uncertainty one.
+/// Standard uncertainties of readings as their weights need them: those stated. Only a reading whose own
+/// figure is 0 (what it shares with others may not be) counts as the limit of a small one: 1e-5 of its
+/// uncertainty in all, or of the smallest figure of the others where that is less. The loss against the limit
+/// is of the order of the square. `shared`: rows x deviations of standard uncertainty one.
 Eigen::VectorXd weighting_uncertainties(const Eigen::MatrixXd& to_points, const Eigen::VectorXd& u,
                                         const Eigen::MatrixXd& shared);
 

@@ -64,7 +64,7 @@ private:
     void add(const network::JointSetUp& joint, std::size_t target, const network::Sight& sight, Observable o,
              const Eigen::VectorXd& gain) {
         const Sensor& sensor = setup_.sensors[sight.sensor];
-        const LinearReading reading = sensitivity_of(setup_, sight, setup_.targets[target].nominal);
+        const LinearReading reading = sensitivity_of(setup_, setup_.targets[target], sight);
         UncertaintyComponent component = sensor->reading(o, reading.v);
         component.name = tell<"%1, %2">(sensor.name, words_of(o));
         component.stated_by = sensor.id;
@@ -111,7 +111,8 @@ public:
         Problems problems;
         std::optional<NetworkSetup> setup = setup_for(points, problems);
         if (!setup) return {};
-        network::prepare_weights(*setup, problems);
+        network::divide_set_ups(*setup, problems);
+        network::find_weights(*setup, problems);
         if (problems.has_errors()) return {};
         return Deviations(*setup).all();
     }

@@ -200,12 +200,114 @@ mask_of<Real> settle(Linearised<Real>& at, const Part& part, const Place<Real>* 
     return done;
 }
 
+/// Targets and stations of one trial together, from where they are at the estimates on: steps with the
+/// linearisation found there, which end where the sum of squares of readings and of what is stated of the
+/// stations is least.
+template <class Real, class In>
+class Finding {
+public:
+    Finding(const NetworkSetup& setup, const JointSetUp& joint, const In& x)
+        : setup_(setup), joint_(joint), part_(part_of(setup, joint)), x_(x) {
+        at_.read(part_, x);
+        for (std::size_t s = 0; s < setup.sensors.size(); ++s)
+            for (std::size_t i = 0; i < 6; ++i) {
+                const double found =
+                    setup.found.empty() ? 0.0 : setup.found[joint.index * setup.sensors.size() + s].moved[i];
+                moved_[s][i] = Real(setup.sensors[s]->station().coordinates[i] + found) -
+                               Real(x[setup.station_input(joint.index, s) + i]);
+            }
+    }
+
+    mask_of<Real> run(Vector3<Real>* X) {
+        using namespace real_functions;
+        constexpr bool with_derivatives = std::is_same_v<Real, Dual>;
+        constexpr int most = 60;
+        mask_of<Real> done(false);
+        for (std::size_t t = 0; t < part_.count; ++t) X[t] = part_.targets[t].nominal.template cast<Real>();
+        for (int k = 0; k < most; ++k) {
+            linearise(X);
+            const Real change2 = move_targets(done, X) + move_stations(done);
+            done = done || (change2 < Real(last_step * last_step));
+            if (all(done) && (!with_derivatives || k >= 7)) break;
+        }
+        return done;
+    }
+
+private:
+    void linearise(const Vector3<Real>* X) {
+        for (std::size_t s = 0; s < setup_.sensors.size(); ++s)
+            places_[s] = place_of<Real>(setup_, x_, joint_.index, s, moved_[s].data());
+        std::size_t row = 0;
+        for (std::size_t t = 0; t < part_.count; ++t)
+            for (const Sight& sight : part_.targets[t].sights)
+                for (const bool has : sight.has)
+                    if (has) {
+                        const std::array<double, 6>& by = joint_.by_station[row];
+                        Real sum(0.0);
+                        for (std::size_t i = 0; i < 6; ++i) sum += Real(by[i]) * moved_[sight.sensor][i];
+                        raised_[row++] = sum;
+                    }
+        at_.take(part_, places_.data(), x_, X, raised_.data());
+        at_.weigh_together(part_, at_.residuals.data(), at_.weighted.data(), shared_.data());
+    }
+
+    template <class Value>
+    static Value taken(const mask_of<Real>& done, const Value& before, const Value& after) {
+        using namespace real_functions;
+        if constexpr (std::is_same_v<Real, Dual>) return after;
+        return Value(select(done, before, after));
+    }
+
+    /// Square of how far.
+    Real move_targets(const mask_of<Real>& done, Vector3<Real>* X) {
+        std::array<Real, 3 * most_joint_targets> descent;
+        at_.transpose(part_, at_.weighted.data(), descent.data());
+        const double* inverse = part_.inverse_normal;
+        Real square(0.0);
+        for (std::size_t t = 0; t < part_.count; ++t)
+            for (int c = 0; c < 3; ++c) {
+                Real step(0.0);
+                for (std::size_t i = 0; i < part_.unknowns(); ++i) step += Real(*inverse++) * descent[i];
+                square += step * step;
+                X[t][c] = taken<Real>(done, X[t][c], Real(X[t][c] + step));
+            }
+        return square;
+    }
+
+    Real move_stations(const mask_of<Real>& done) {
+        std::array<std::array<Real, 6>, most_sensors> moved;
+        for (std::size_t s = 0; s < setup_.sensors.size(); ++s) moved[s].fill(Real(0.0));
+        for (std::size_t k = 0; k < joint_.moves.size(); ++k)
+            for (std::size_t i = 0; i < 6; ++i)
+                moved[joint_.moves[k].sensor][i] += Real(joint_.moves[k].by[i]) * shared_[k];
+        Real square(0.0);
+        for (std::size_t s = 0; s < setup_.sensors.size(); ++s)
+            for (std::size_t i = 0; i < 6; ++i) {
+                const Real change = moved[s][i] - moved_[s][i];
+                square += change * change;
+                moved_[s][i] = taken<Real>(done, moved_[s][i], moved[s][i]);
+            }
+        return square;
+    }
+
+    const NetworkSetup& setup_;
+    const JointSetUp& joint_;
+    const Part part_;
+    const In& x_;
+    Linearised<Real> at_;
+    std::array<Place<Real>, most_sensors> places_;
+    std::array<std::array<Real, 6>, most_sensors> moved_;  ///< from where they were drawn
+    std::array<Real, most_joint_rows> raised_;
+    std::array<Real, most_shared> shared_;
+};
+
 /// All targets of a set-up together, X[t] for target first + t: from the estimates on, which are near; where
 /// that does not settle soon, from the linear estimates.
 template <class Real, class In>
 mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& joint, const Place<Real>* places,
                                const In& x, Vector3<Real>* X) {
     using namespace real_functions;
+    if (joint.finds_stations()) return Finding<Real, In>(setup, joint, x).run(X);
     constexpr int soon = std::is_same_v<Real, Dual> ? most_steps : 6;
     const Part part = part_of(setup, joint);
     Linearised<Real> at;

@@ -21,14 +21,14 @@ std::string label_of(const std::string& name, std::size_t index) {
 
 class InputBuilder {
 public:
-    explicit InputBuilder(NetworkSetup& setup) : setup_(setup) {}
+    explicit InputBuilder(const NetworkSetup& setup) : setup_(setup) {}
 
     InputSet build() {
         for (std::size_t k = 0; k < setup_.stations; ++k)
             for (std::size_t s = 0; s < setup_.sensors.size(); ++s) add_station(k, s);
         for (std::size_t t = 0; t < setup_.targets.size(); ++t)
             for (std::size_t i = 0; i < setup_.targets[t].sights.size(); ++i) add_sight(t, i);
-        for (ScaleBar& bar : setup_.bars) add_scale_bar(bar);
+        for (const ScaleBar& bar : setup_.bars) add_scale_bar(bar);
         return std::move(inputs_);
     }
 
@@ -64,10 +64,10 @@ private:
     void add_sight(std::size_t t, std::size_t i) {
         static const char* const symbols[] = {"d", "theta", "phi"};
         constexpr const char* across_symbol = "q";
-        Target& target = setup_.targets[t];
-        Sight& sight = target.sights[i];
+        const Target& target = setup_.targets[t];
+        const Sight& sight = target.sights[i];
         const Sensor& sensor = setup_.sensors[sight.sensor];
-        const LinearReading reading = sensitivity_of(setup_, sight, target.nominal);
+        const LinearReading reading = sensitivity_of(setup_, target, sight);
         const std::string suffix = label_of(target.name, t) + "_" + sensor_label(sight.sensor);
         const std::string again = repeats_[{t, sight.sensor}]++ == 0 ? "" : "_" + std::to_string(i + 1);
         for (std::size_t o = 0; o < 3; ++o) {
@@ -89,12 +89,11 @@ private:
             component.contributor_name = sensor.name;
             quantity.shares.push_back({inputs_.add(std::move(component)), reading.scale(observables[o])});
             add_systematic(sensor, observables[o], reading, quantity);
-            sight.input[o] = inputs_.quantities.size();
             inputs_.quantities.push_back(std::move(quantity));
         }
     }
 
-    void add_scale_bar(ScaleBar& bar) {
+    void add_scale_bar(const ScaleBar& bar) {
         const std::string ends =
             label_of(setup_.targets[bar.from].name, bar.from) + label_of(setup_.targets[bar.to].name, bar.to);
         const std::string again = bars_[ends]++ == 0 ? "" : "_" + std::to_string(bars_[ends]);
@@ -113,7 +112,6 @@ private:
         quantity.group = own_name<"calibrated lengths">();
         quantity.source = bar.source;
         quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
-        bar.input = inputs_.quantities.size();
         inputs_.quantities.push_back(std::move(quantity));
     }
 
@@ -136,7 +134,7 @@ private:
         }
     }
 
-    NetworkSetup& setup_;
+    const NetworkSetup& setup_;
     InputSet inputs_;
     std::map<std::string, std::size_t> shared_;
     std::map<std::pair<std::size_t, std::size_t>, int> repeats_;
@@ -145,7 +143,16 @@ private:
 
 }  // namespace
 
-InputSet network_inputs(NetworkSetup& setup) {
+void number_inputs(NetworkSetup& setup) {
+    std::size_t number = setup.station_input(setup.stations, 0);
+    for (Target& target : setup.targets)
+        for (Sight& sight : target.sights)
+            for (std::size_t o = 0; o < 3; ++o)
+                if (sight.has[o]) sight.input[o] = number++;
+    for (ScaleBar& bar : setup.bars) bar.input = number++;
+}
+
+InputSet network_inputs(const NetworkSetup& setup) {
     return InputBuilder(setup).build();
 }
 

@@ -88,55 +88,48 @@ private:
     std::vector<OutputQuantity> outputs_;
 };
 
-/// Where given readings put the targets: estimates become the places at which all else is evaluated. An error
-/// where the readings contradict each other so much that nothing fits, or a sensor looks the other way.
-void locate_targets(network::NetworkSetup& setup, const InputSet& inputs, Problems& problems) {
-    std::vector<double> x;
-    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) x.push_back(estimate_of(inputs, i));
-    std::vector<double> y(setup.outputs());
-    Outputs<double> out(y.data());
-    const bool found = network::all_targets<double>(setup, Inputs<double>(x.data()), out) && out.finite();
-    if (!found)
-        return problems.error(
-            network::network_fields().place(&network::StatedNetwork::readings),
-            tell<"the readings do not lead to a position of every target: the estimation does not converge "
-                 "from the nominal coordinates; look for exchanged or mistyped readings">());
-    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
-        network::Target& target = setup.targets[t];
-        target.nominal = Eigen::Vector3d(y[3 * t], y[3 * t + 1], y[3 * t + 2]);
+/// An error where a sensor looks the other way from where its readings find a target.
+void check_directions(const network::NetworkSetup& setup, Problems& problems) {
+    for (const network::Target& target : setup.targets)
         for (const network::Sight& sight : target.sights) {
             if (!sight.has[1] || !sight.has[2]) continue;
-            const network::Sensor& sensor = setup.sensors[sight.sensor];
-            const Eigen::Vector3d v = setup.geometry[sight.sensor].in_axes(target.nominal);
+            const Eigen::Vector3d v = setup.station(target, sight).in_axes(target.nominal);
             const network::ReadDirections<double> e(sight.reading[1], sight.reading[2]);
             if (e.r.dot(v) < 0.0)
                 problems.error(sight.source[1],
                                tell<"%1 looks away from target %2: its angles point to the opposite side">(
-                                   sensor.name, target.name));
+                                   setup.sensors[sight.sensor].name, target.name));
         }
-    }
 }
 
 constexpr std::size_t most_sights_one_by_one = 1000;
+
+std::unique_ptr<MeasurementModel> measured_network(network::NetworkSetup setup, Problems& problems) {
+    network::locate(setup, problems);
+    if (!problems.has_errors()) check_directions(setup, problems);
+    if (problems.has_errors()) return nullptr;
+    network::check_residuals(setup, problems);
+    InputSet inputs = network::network_inputs(setup);
+    return std::make_unique<PointsFromSensors>(std::move(setup), std::move(inputs));
+}
 
 std::unique_ptr<MeasurementModel> create_network_model(const SetupReader& reader, const AssetLibrary& assets,
                                                        Problems& problems) {
     std::optional<network::NetworkSetup> setup = network::read_network_setup(reader, assets, problems);
     if (!setup) return nullptr;
-    InputSet inputs;
-    {
-        // The two write different members of the sights: of a large network at once.
-        const auto make_inputs = [&] { inputs = network::network_inputs(*setup); };
-        const bool large = setup->targets.size() * setup->sensors.size() > most_sights_one_by_one;
-        std::future<void> made = std::async(large ? std::launch::async : std::launch::deferred, make_inputs);
-        network::prepare_weights(*setup, problems);
-        if (!problems.has_errors()) made.get();
-    }
+    network::number_inputs(*setup);
+    network::divide_set_ups(*setup, problems);
     if (problems.has_errors()) return nullptr;
-    if (setup->measured) locate_targets(*setup, inputs, problems);
+    if (setup->measured) return measured_network(std::move(*setup), problems);
+    // The weights are written where the inputs do not look: of a large network at once.
+    const auto make_inputs = [&] { return network::network_inputs(*setup); };
+    const bool large = setup->targets.size() * setup->sensors.size() > most_sights_one_by_one;
+    std::future<InputSet> inputs =
+        std::async(large ? std::launch::async : std::launch::deferred, make_inputs);
+    network::find_weights(*setup, problems);
     if (problems.has_errors()) return nullptr;
-    if (setup->measured) network::check_residuals(*setup, problems);
-    return std::make_unique<PointsFromSensors>(std::move(*setup), std::move(inputs));
+    InputSet made = inputs.get();
+    return std::make_unique<PointsFromSensors>(std::move(*setup), std::move(made));
 }
 
 std::vector<ModelEquation> network_equations() {

@@ -13,12 +13,26 @@ struct Place {
     Vector3<Real> o;
 };
 
+/// `moved`: from the coordinates that were drawn.
+template <class Real, class In, class Moved>
+Place<Real> place_of(const NetworkSetup& setup, const In& x, std::size_t set_up, std::size_t sensor,
+                     const Moved* moved) {
+    const std::size_t first = setup.station_input(set_up, sensor);
+    std::array<Real, 6> at;
+    for (std::size_t i = 0; i < 6; ++i) {
+        at[i] = Real(x[first + i]);
+        if (moved) at[i] += Real(moved[i]);
+    }
+    return {
+        station_rotation<Real>(setup.sensors[sensor]->station().angles, Vector3<Real>(at[3], at[4], at[5])),
+        Vector3<Real>(at[0], at[1], at[2])};
+}
+
 template <class Real, class In>
 Place<Real> place_of(const NetworkSetup& setup, const In& x, std::size_t set_up, std::size_t sensor) {
-    const std::size_t first = setup.station_input(set_up, sensor);
-    const auto angles = Vector3<Real>(Real(x[first + 3]), Real(x[first + 4]), Real(x[first + 5]));
-    return {station_rotation<Real>(setup.sensors[sensor]->station().angles, angles),
-            Vector3<Real>(Real(x[first]), Real(x[first + 1]), Real(x[first + 2]))};
+    const double* moved =
+        setup.found.empty() ? nullptr : setup.found[set_up * setup.sensors.size() + sensor].moved.data();
+    return place_of<Real>(setup, x, set_up, sensor, moved);
 }
 
 /// Directions of the spherical coordinates at the angles that a sensor read, in the sensor's axes.
@@ -115,10 +129,10 @@ Real elevation_residual(const View<Real>& view, const Real& reading, const ReadA
     return all(small) ? near : Real(select(small, near, Real(reading - atan2(view.v[2], view.rho))));
 }
 
-/// Reading minus what the sensor would read of X.
+/// Reading minus what the sensor would read of X from where it is taken to stand.
 template <class Real, class In>
-Real residual(const Sight& sight, std::size_t observable, const View<Real>& view, const In& x,
-              const ReadAngles<Real>& read) {
+Real plain_residual(const Sight& sight, std::size_t observable, const View<Real>& view, const In& x,
+                    const ReadAngles<Real>& read) {
     using namespace real_functions;
     const Vector3<Real>& v = view.v;
     if (observable == 0) return Real(x[sight.input[0]]) - sqrt(view.d2);
@@ -127,6 +141,13 @@ Real residual(const Sight& sight, std::size_t observable, const View<Real>& view
     if (observable == 2) return elevation_residual<Real>(view, Real(x[sight.input[2]]), read);
     if (!sight.overhead) return azimuth_residual<Real>(v, read);
     return read.sin_azimuth * v[0] - read.cos_azimuth * v[1] + across_of<Real>(sight, x);
+}
+
+/// The same from where its station was stated, to first order where it was found.
+template <class Real, class In>
+Real residual(const Sight& sight, std::size_t observable, const View<Real>& view, const In& x,
+              const ReadAngles<Real>& read) {
+    return plain_residual(sight, observable, view, x, read) + Real(sight.raised[observable]);
 }
 
 /// Derivative of the reading by the target's coordinates in W.

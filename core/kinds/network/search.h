@@ -41,8 +41,10 @@ struct Linearised {
             for (const Sight& sight : part.targets[t].sights) angles[number++] = ReadAngles<Real>(sight, x);
     }
 
+    /// `raised`: of every reading what its residual is raised by, in place of what its sight says.
     template <class In>
-    void take(const Part& part, const Place<Real>* places, const In& x, const Vector3<Real>* X) {
+    void take(const Part& part, const Place<Real>* places, const In& x, const Vector3<Real>* X,
+              const Real* raised = nullptr) {
         using namespace real_functions;
         rows = 0;
         const ReadAngles<Real>* read = angles.data();
@@ -53,7 +55,10 @@ struct Linearised {
                 for (std::size_t i = 0; i < 3; ++i) {
                     if (!sight.has[i]) continue;
                     gradients[rows] = gradient<Real>(sight, i, place, view, *read);
-                    residuals[rows++] = residual<Real>(sight, i, view, x, *read);
+                    residuals[rows] =
+                        raised ? Real(plain_residual<Real>(sight, i, view, x, *read) + raised[rows])
+                               : residual<Real>(sight, i, view, x, *read);
+                    ++rows;
                 }
                 ++read;
             }
@@ -71,9 +76,13 @@ struct Linearised {
     void weigh(const Part& part, const Real* from, Real* to) const {
         if (!part.joint) return weigh_alone(part, from, to);
         if (part.joint->by_itself()) return weigh_blocks(part.joint->blocks, from, to);
+        std::array<Real, most_shared> shared;
+        weigh_together(part, from, to, shared.data());
+    }
+    /// Likewise, of targets with weights of their own; sets the estimates of the deviations that they share.
+    void weigh_together(const Part& part, const Real* from, Real* to, Real* shared) const {
         const std::vector<double>& by_u = part.joint->by_u;
         for (std::size_t i = 0; i < rows; ++i) to[i] = Real(by_u[i]) * from[i];
-        std::array<Real, most_shared> shared;
         const SharedWeight* weight = part.joint->shared.data();
         const std::size_t count = part.joint->ends_of_shared.size();
         for (std::size_t k = 0; k < count; ++k) {

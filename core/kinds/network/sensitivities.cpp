@@ -45,7 +45,8 @@ public:
           X_(X),
           n_(Eigen::Index(part.unknowns())),
           by_point_(Eigen::MatrixXd::Zero(n_, n_)),
-          by_station_(Eigen::MatrixXd::Zero(n_, 6 * Eigen::Index(setup.sensors.size()))) {}
+          by_station_(Eigen::MatrixXd::Zero(n_, 6 * Eigen::Index(setup.sensors.size()))),
+          bent_by_station_(by_station_) {}
 
     /// The coordinates of target t are the outputs 3 (first + t) ....
     bool add_to(std::size_t first, SensitivityRows& rows) {
@@ -54,6 +55,7 @@ public:
         for (std::size_t t = 0; t < part_.count; ++t)
             for (const Sight& sight : part_.targets[t].sights) row = add(sight, t, row);
         for (const std::size_t b : part_.bars) add(setup_.bars[b], row++);
+        if (part_.joint && part_.joint->finds_stations()) follow_stations();
         const Eigen::MatrixXd minus_inverse = -by_point_.inverse();
         if (!minus_inverse.allFinite()) return false;
         const Eigen::MatrixXd by_stations = minus_inverse * by_station_,
@@ -78,6 +80,7 @@ private:
         std::array<double, most_joint_rows> column, weighted;
         std::array<double, 3 * most_joint_targets> unit{};
         weighted_gradients_.resize(Eigen::Index(at_.rows), n_);
+        gradients_.resize(Eigen::Index(at_.rows), n_);
         by_reading_ = Eigen::MatrixXd::Zero(n_, Eigen::Index(at_.rows));
         inputs_.resize(at_.rows);
         for (Eigen::Index k = 0; k < n_; ++k) {
@@ -85,7 +88,10 @@ private:
             at_.multiply(part_, unit.data(), column.data());
             unit[std::size_t(k)] = 0.0;
             at_.weigh(part_, column.data(), weighted.data());
-            for (std::size_t i = 0; i < at_.rows; ++i) weighted_gradients_(Eigen::Index(i), k) = weighted[i];
+            for (std::size_t i = 0; i < at_.rows; ++i) {
+                gradients_(Eigen::Index(i), k) = column[i];
+                weighted_gradients_(Eigen::Index(i), k) = weighted[i];
+            }
         }
     }
 
@@ -106,9 +112,13 @@ private:
         const Inputs<Dual> by_station(x_.data(), station);
         const Place<Dual> moved = place_of<Dual>(setup_, by_station, set_up_, sight.sensor);
         const Eigen::Vector3d& at = X_[t];
-        const std::size_t behind = add(sight, t, row, moved, at.cast<Dual>(), by_station, [&](std::size_t k) {
-            return k < 6 ? by_station_.col(Eigen::Index(6 * sight.sensor + k)).data() : nullptr;
-        });
+        const auto column_of = [&](Eigen::MatrixXd& by, std::size_t k) {
+            return k < 6 ? by.col(Eigen::Index(6 * sight.sensor + k)).data() : nullptr;
+        };
+        const std::size_t behind = add(
+            sight, t, row, moved, at.cast<Dual>(), by_station,
+            [&](std::size_t k) { return column_of(by_station_, k); },
+            [&](std::size_t k) { return column_of(bent_by_station_, k); });
         const Vector3<Dual> X(Dual::variable(at[0], 0), Dual::variable(at[1], 1), Dual::variable(at[2], 2));
         const Place<double>& fixed = places_[sight.sensor];
         const Place<Dual> place{fixed.R.cast<Dual>(), fixed.o.cast<Dual>()};
@@ -118,17 +128,22 @@ private:
             inputs_[r] = sight.input[o];
             of_reading[o] = by_reading_.col(Eigen::Index(r++)).data();
         }
-        add(sight, t, row, place, X, SightInputs{x_.data(), sight}, [&](std::size_t k) -> double* {
-            if (k < 3) return by_point_.col(Eigen::Index(3 * t + k)).data();
-            return k < 6 ? of_reading[k - 3] : nullptr;
-        });
+        const auto nowhere = [](std::size_t) -> double* { return nullptr; };
+        add(
+            sight, t, row, place, X, SightInputs{x_.data(), sight},
+            [&](std::size_t k) -> double* {
+                if (k < 3) return by_point_.col(Eigen::Index(3 * t + k)).data();
+                return k < 6 ? of_reading[k - 3] : nullptr;
+            },
+            nowhere);
         return behind;
     }
 
-    /// Adds ∂g/∂(variable k) by the readings of one sight to change(k), where that is not null.
-    template <class In, class Change>
+    /// Adds ∂g/∂(variable k) by the readings of one sight to change(k), where that is not null; to bend(k)
+    /// the part that the change of J makes.
+    template <class In, class Change, class Bend>
     std::size_t add(const Sight& sight, std::size_t t, std::size_t row, const Place<Dual>& place,
-                    const Vector3<Dual>& X, const In& x, const Change& change) {
+                    const Vector3<Dual>& X, const In& x, const Change& change, const Bend& bend) {
         const View<Dual> view(place, X);
         const ReadAngles<Dual> read(sight, x);
         for (std::size_t o = 0; o < 3; ++o) {
@@ -141,12 +156,43 @@ private:
                 Eigen::Map<Eigen::VectorXd> g(to, n_);
                 if (r.partials()[k] != 0.0)
                     g += weighted_gradients_.row(Eigen::Index(row)).transpose() * r.partials()[k];
-                for (int c = 0; c < 3; ++c)
-                    g[Eigen::Index(3 * t) + c] += j[c].partials()[k] * at_.weighted[row];
+                double* bent = bend(k);
+                for (int c = 0; c < 3; ++c) {
+                    const double change_of_J = j[c].partials()[k] * at_.weighted[row];
+                    g[Eigen::Index(3 * t) + c] += change_of_J;
+                    if (bent) bent[Eigen::Index(3 * t) + c] += change_of_J;
+                }
             }
             ++row;
         }
         return row;
+    }
+
+    /// Stations that are found move with the residuals, m = M r, and J with them; r itself does not, to first
+    /// order where they were found.
+    void follow_stations() {
+        const JointSetUp& joint = *part_.joint;
+        Eigen::MatrixXd moves = Eigen::MatrixXd::Zero(by_station_.cols(), Eigen::Index(at_.rows));
+        const SharedWeight* weight = joint.shared.data();
+        for (std::size_t k = 0; k < joint.moves.size(); ++k)
+            for (const SharedWeight* end = joint.end_of_shared(k); weight != end; ++weight)
+                for (std::size_t i = 0; i < 6; ++i)
+                    moves(Eigen::Index(6 * joint.moves[k].sensor + i), Eigen::Index(weight->row)) +=
+                        joint.moves[k].by[i] * weight->estimate * joint.by_u[weight->row];
+        const Eigen::MatrixXd by_residual = bent_by_station_ * moves;
+        by_reading_ += by_residual;
+        by_point_ -= by_residual * gradients_;
+        std::size_t row = 0;
+        for (std::size_t t = 0; t < part_.count; ++t)
+            for (const Sight& sight : part_.targets[t].sights)
+                for (const bool has : sight.has)
+                    if (has) {
+                        const std::array<double, 6>& by = joint.by_station[row];
+                        for (std::size_t i = 0; i < 6; ++i)
+                            by_station_.col(Eigen::Index(6 * sight.sensor + i)) -=
+                                by_residual.col(Eigen::Index(row)) * by[i];
+                        ++row;
+                    }
     }
 
     /// What a calibrated length does: r = x − |X_to − X_from|.
@@ -182,11 +228,12 @@ private:
     const Eigen::Index n_;  ///< unknowns
     std::array<Place<double>, most_sensors> places_;
     Linearised<double> at_;
-    Eigen::MatrixXd weighted_gradients_;  ///< readings x unknowns
-    Eigen::MatrixXd by_point_;            ///< ∂g/∂X
-    Eigen::MatrixXd by_station_;          ///< by the six coordinates of each station
-    Eigen::MatrixXd by_reading_;          ///< by each reading and calibrated length
-    std::vector<std::size_t> inputs_;     ///< of each of those
+    Eigen::MatrixXd gradients_, weighted_gradients_;  ///< J and W J, readings x unknowns
+    Eigen::MatrixXd by_point_;                        ///< ∂g/∂X
+    Eigen::MatrixXd by_station_;                      ///< by the six coordinates of each station
+    Eigen::MatrixXd bent_by_station_;                 ///< of that what the change of J makes
+    Eigen::MatrixXd by_reading_;                      ///< by each reading and calibrated length
+    std::vector<std::size_t> inputs_;                 ///< of each of those
 };
 
 class RowMaker {

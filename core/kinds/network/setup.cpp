@@ -1,12 +1,15 @@
 // Reads the set-up of "points from sensors".
 #include "core/kinds/network/setup.h"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
 
 #include "core/kinds/instruments/sensor.h"
+#include "core/kinds/network/readings.h"
 #include "core/math/frames.h"
 
 namespace covaria::network {
@@ -45,7 +48,12 @@ public:
             take_readings();
         else
             predict_readings();
-        for (Target& target : network_.targets) finish(target);
+        if (problems_.has_errors()) return;
+        for (Target& target : network_.targets) {
+            if (network_.measured) target.nominal = start_of(target);
+            check(target);
+        }
+        if (!problems_.has_errors()) linearise_sights(network_);
     }
 
 private:
@@ -123,33 +131,61 @@ private:
         }
     }
 
-    void finish(Target& target) {
-        bool located = false;
-        for (Sight& sight : target.sights) {
-            const Sensor& sensor = network_.sensors[sight.sensor];
-            const Eigen::Vector3d v = network_.geometry[sight.sensor].in_axes(target.nominal);
-            if (v.norm() == 0.0) {
-                problems_.error(sight.source[0],
-                                tell<"target %1 is at the place of %2">(target.name, sensor.name));
-                continue;
-            }
-            if (sensor->glyph() == "camera" && v.x() <= 0.0)
-                problems_.error(sight.source[0],
-                                tell<"target %1 is behind the camera %2">(target.name, sensor.name));
-            const LinearReading reading = sensitivity_of(network_, sight, target.nominal);
-            sight.overhead = reading.overhead;
-            for (std::size_t i = 0; i < 3; ++i)
-                if (sight.has[i]) take_uncertainty(target, sight, i, reading);
-            located = located || (sight.has[1] && sight.has[2]);
+    /// Where a target is searched from: the place nearest to the lines and planes in which its angles were
+    /// read, unless the nominal coordinates explain its readings better.
+    Eigen::Vector3d start_of(const Target& target) const {
+        Eigen::Matrix3d N = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d g = Eigen::Vector3d::Zero();
+        for (const Sight& sight : target.sights) {
+            if (!sight.has[1]) continue;
+            const Eigen::Isometry3d& X_WS = network_.station(target, sight).X_WS();
+            const ReadDirections<double> e(sight.reading[1], sight.has[2] ? sight.reading[2] : 0.0);
+            const auto add = [&](const Eigen::Vector3d& direction, double along) {
+                const Eigen::Vector3d a = X_WS.linear() * direction;
+                N += a * a.transpose();
+                g += a * (a.dot(X_WS.translation() - target.nominal) + along);
+            };
+            add(e.azimuth, 0.0);
+            if (sight.has[2]) add(e.elevation, 0.0);
+            if (sight.has[2] && sight.has[0]) add(e.r, sight.reading[0]);
         }
-        target.has_linear_start = located;
+        constexpr double least_spread = 1e-4;
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> of_lines(N);
+        if (!(of_lines.eigenvalues()[0] > least_spread)) return target.nominal;
+        const Eigen::Vector3d found =
+            target.nominal + of_lines.eigenvectors() * of_lines.eigenvalues().cwiseInverse().asDiagonal() *
+                                 of_lines.eigenvectors().transpose() * g;
+        return misfit_at(target, found) < misfit_at(target, target.nominal) ? found : target.nominal;
     }
 
-    void take_uncertainty(Target& target, Sight& sight, std::size_t i, const LinearReading& reading) {
-        const SensorSource& source = *network_.sensors[sight.sensor];
-        const Observable o = observables[i];
-        sight.u[i] = source.reading(o, reading.v).distribution.standard_uncertainty() * reading.scale(o);
-        ++target.rows;
+    /// Sum of squares of the residuals at p, as displacements.
+    double misfit_at(const Target& target, const Eigen::Vector3d& p) const {
+        double sum = 0.0;
+        for (const Sight& sight : target.sights) {
+            const Eigen::Vector3d v = network_.station(target, sight).in_axes(p);
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (!sight.has[i]) continue;
+                const double arm = i == 0 ? 1.0 : i == 1 ? v.head<2>().norm() : v.norm();
+                sum += std::pow(arm * residual_of(network_, target, sight, i, p), 2);
+            }
+        }
+        return sum;
+    }
+
+    void check(Target& target) {
+        target.has_linear_start = false;
+        for (const Sight& sight : target.sights) {
+            const Sensor& sensor = network_.sensors[sight.sensor];
+            const Eigen::Vector3d v = network_.station(target, sight).in_axes(target.nominal);
+            if (v.norm() == 0.0)
+                problems_.error(sight.source[0],
+                                tell<"target %1 is at the place of %2">(target.name, sensor.name));
+            else if (sensor->glyph() == "camera" && v.x() <= 0.0)
+                problems_.error(sight.source[0],
+                                tell<"target %1 is behind the camera %2">(target.name, sensor.name));
+            target.rows += static_cast<std::size_t>(std::count(sight.has.begin(), sight.has.end(), true));
+            target.has_linear_start = target.has_linear_start || (sight.has[1] && sight.has[2]);
+        }
     }
 
     const Stated& stated_;
@@ -167,12 +203,13 @@ public:
         take_choices();
         take_sensors();
         take_targets();
+        if (problems_.has_errors()) return {};
+        SightReading(stated_, names_, network_, problems_).read();
+        if (problems_.has_errors()) return {};
         take_distances();
         take_angles();
         take_frames();
         take_scale_bars();
-        if (problems_.has_errors()) return {};
-        SightReading(stated_, names_, network_, problems_).read();
         if (problems_.has_errors()) return {};
         return std::move(network_);
     }
@@ -204,6 +241,7 @@ private:
             if (!names_.targets.try_emplace(stated.name, row).second)
                 problems_.error(place(&Stated::targets, row), tell<"two targets are called %1">(stated.name));
             network_.targets.push_back({.name = stated.name, .nominal = stated.nominal, .set_up = set_up});
+            network_.stated.push_back(stated.nominal);
         }
         for (std::size_t t = 0; t < network_.targets.size(); ++t) {
             if (network_.set_ups.size() <= network_.targets[t].set_up)
@@ -351,8 +389,40 @@ Eigen::Isometry3d frame_of(const NetworkSetup& setup, const TargetFrame& frame) 
     return X;
 }
 
-LinearReading sensitivity_of(const NetworkSetup& setup, const Sight& sight, const Eigen::Vector3d& p) {
-    return linear_reading(setup.geometry[sight.sensor], p, sight.has[1] ? sight.reading[1] : 0.0);
+LinearReading sensitivity_of(const NetworkSetup& setup, const Target& target, const Sight& sight) {
+    return linear_reading(setup.station(target, sight), target.nominal,
+                          sight.has[1] ? sight.reading[1] : 0.0);
+}
+
+void linearise_sights(NetworkSetup& setup) {
+    using Moved = Eigen::Map<const Eigen::Matrix<double, 6, 1>>;
+    for (Target& target : setup.targets)
+        for (Sight& sight : target.sights) {
+            const SensorSource& source = *setup.sensors[sight.sensor];
+            const LinearReading reading = sensitivity_of(setup, target, sight);
+            sight.overhead = reading.overhead;
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (!sight.has[i]) continue;
+                const Observable o = observables[i];
+                sight.u[i] =
+                    source.reading(o, reading.v).distribution.standard_uncertainty() * reading.scale(o);
+                if (setup.found.empty()) continue;
+                const FoundStation& station =
+                    setup.found[target.set_up * setup.sensors.size() + sight.sensor];
+                sight.raised[i] =
+                    reading.to_station.row(static_cast<Eigen::Index>(i)).dot(Moved(station.moved.data()));
+            }
+        }
+}
+
+double residual_of(const NetworkSetup& setup, const Target& target, const Sight& sight, std::size_t i,
+                   const Eigen::Vector3d& p) {
+    const StationGeometry& station = setup.station(target, sight);
+    const double difference = sight.reading[i] - readings_of(station, p)[i];
+    if (i != 1) return difference + sight.raised[i];
+    if (!sight.overhead) return std::remainder(difference, 2.0 * std::numbers::pi) + sight.raised[i];
+    const Eigen::Vector3d v = station.in_axes(p);
+    return std::sin(sight.reading[1]) * v.x() - std::cos(sight.reading[1]) * v.y() + sight.raised[i];
 }
 
 std::array<double, 3> readings_of(const StationGeometry& station, const Eigen::Vector3d& p) {

@@ -93,6 +93,9 @@ struct Sight {
     std::array<double, 3> u{};            ///< standard uncertainties for the weights, SI
     std::array<std::size_t, 3> input{};   ///< indices of the input quantities
     std::array<std::string, 3> source{};  ///< place in the set-up
+    /// What each residual is raised by because its station was found elsewhere than stated: the change of the
+    /// reading by what the station moved, to first order at the place where it was found.
+    std::array<double, 3> raised{};
     /// So near to the zenith that the azimuth is read by its effect: its input quantity is then the
     /// displacement across the azimuth `reading[1]`, which is a constant.
     bool overhead = false;
@@ -100,6 +103,7 @@ struct Sight {
 
 struct Target {
     std::string name;
+    /// Where all that is not linear is evaluated: the nominal coordinates, of given readings the estimates.
     Eigen::Vector3d nominal = Eigen::Vector3d::Zero();
     std::size_t set_up = 0;  ///< which set-up of the sensors it is measured from
     std::vector<Sight> sights = {};
@@ -123,6 +127,12 @@ struct SharedWeight {
     double estimate = 0.0;  ///< of the deviation from the reading: S
 };
 
+/// How a station moves with a deviation that readings share.
+struct SharedMove {
+    std::size_t sensor = 0;
+    std::array<double, 6> by{};  ///< per unit; all zero: it is no deviation of a station
+};
+
 /// Targets measured while the sensors stood where they stand, estimated together.
 struct JointSetUp {
     std::size_t index = 0;  ///< of the set-up
@@ -135,6 +145,12 @@ struct JointSetUp {
     std::vector<double> by_u = {}, inverse_normal = {};
     std::vector<SharedWeight> shared = {};
     std::vector<std::size_t> ends_of_shared = {};
+    /// Where so much is left open of the stations that what they do to readings is not linear: each trial
+    /// finds them as well. By deviation, and of each reading the change by the coordinates of its station,
+    /// where all are now. Empty: in each trial they stand where they were drawn.
+    std::vector<SharedMove> moves = {};
+    std::vector<std::array<double, 6>> by_station = {};
+    bool finds_stations() const { return !moves.empty(); }
     /// Of a target by itself these weights and (JᵀWJ)⁻¹ instead: there were too many to be weighed together.
     std::vector<WeightBlock> blocks = {};
     const SharedWeight* end_of_shared(std::size_t deviation) const {
@@ -173,12 +189,21 @@ struct TargetFrame {
     std::array<std::size_t, 3> targets{};
 };
 
+/// A station as given readings find it, where it was stated with an uncertainty.
+struct FoundStation {
+    std::array<double, 6> moved{};  ///< from the coordinates that were stated
+    StationGeometry geometry;
+};
+
 struct NetworkSetup {
     std::vector<Sensor> sensors;
-    std::vector<StationGeometry> geometry = {};  ///< of their stations
+    std::vector<StationGeometry> geometry = {};  ///< of their stations as stated
+    /// Of every set-up the stations of all sensors; empty: they are taken where they were stated.
+    std::vector<FoundStation> found = {};
     std::vector<Target> targets;
-    std::vector<JointSetUp> set_ups;  ///< in the order of the targets
-    std::size_t stations = 1;         ///< set-ups: how often the sensors were located
+    std::vector<Eigen::Vector3d> stated = {};  ///< coordinates of the targets, as they were typed
+    std::vector<JointSetUp> set_ups;           ///< in the order of the targets
+    std::size_t stations = 1;                  ///< set-ups: how often the sensors were located
     std::vector<Distance> distances;
     std::vector<ScaleBar> bars;
     std::vector<Angle> angles;
@@ -190,6 +215,14 @@ struct NetworkSetup {
     /// How many output quantities there are.
     std::size_t outputs() const {
         return 3 * targets.size() + distances.size() + angles.size() + 6 * frames.size() + bars.size();
+    }
+
+    /// Where a sensor stands while a set-up is measured.
+    const StationGeometry& station(std::size_t set_up, std::size_t sensor) const {
+        return found.empty() ? geometry[sensor] : found[set_up * sensors.size() + sensor].geometry;
+    }
+    const StationGeometry& station(const Target& target, const Sight& sight) const {
+        return station(target.set_up, sight.sensor);
     }
 
     /// Index of the first of six input quantities of a station.
@@ -207,8 +240,14 @@ std::optional<NetworkSetup> network_setup(const StatedNetwork& stated, Problems&
 std::optional<NetworkSetup> read_network_setup(const SetupReader& setup, const AssetLibrary& assets,
                                                Problems& problems);
 
-/// What the readings of a sight depend on, of a target at p.
-LinearReading sensitivity_of(const NetworkSetup& setup, const Sight& sight, const Eigen::Vector3d& p);
+/// What the readings of a sight of the target depend on, where it is now.
+LinearReading sensitivity_of(const NetworkSetup& setup, const Target& target, const Sight& sight);
+/// Sets what the sights of all targets take from where target and station are now: uncertainties of the
+/// readings for the weights, what is overhead, what the residuals are raised by.
+void linearise_sights(NetworkSetup& setup);
+/// Reading minus what the sensor would read of the target at p; of an azimuth overhead in m across it.
+double residual_of(const NetworkSetup& setup, const Target& target, const Sight& sight, std::size_t i,
+                   const Eigen::Vector3d& p);
 
 /// Readings of the target at p: by Observable, in SI.
 std::array<double, 3> readings_of(const StationGeometry& station, const Eigen::Vector3d& p);
@@ -220,21 +259,32 @@ struct Sensitivities {
         shared;  ///< F, rows x m: the covariance of what targets share is F Fᵀ (same columns for all)
     Eigen::VectorXd u;  ///< of the readings alone, rows
 };
-Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, const Eigen::Vector3d& p);
+Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target);
 /// Of all targets of a set-up, one after the other, then its scale bars; `to_point` has three columns for
 /// each target.
 Sensitivities sensitivities_of(const NetworkSetup& setup, const JointSetUp& joint);
-/// Covariance of the readings with what they share (rows x rows).
-Eigen::MatrixXd joint_covariance(const Sensitivities& s);
+/// Residuals of the readings in the same order, at the targets and stations as they are now.
+Eigen::VectorXd residuals_of(const NetworkSetup& setup, const JointSetUp& joint);
 
 /// Metres per unit of each reading in its linearised equation: 1, horizontal distance, distance; 0: it has
 /// none.
 Eigen::VectorXd linear_scales(const NetworkSetup& setup, const Target& target);
 
-/// Fills weights; errors where a target cannot be localised, warnings where it hardly can.
-void prepare_weights(NetworkSetup& setup, Problems& problems);
+/// Which scale bars constrain the targets of which set-up, and what is too large to be weighed together.
+void divide_set_ups(NetworkSetup& setup, Problems& problems);
+/// Fills weights, anew where they were filled; errors where a target cannot be localised, warnings where it
+/// hardly can.
+void find_weights(NetworkSetup& setup, Problems& problems);
 
-InputSet network_inputs(NetworkSetup& setup);
+/// Numbers the input quantities: says of sights and scale bars which are theirs.
+void number_inputs(NetworkSetup& setup);
+/// Of numbered ones.
+InputSet network_inputs(const NetworkSetup& setup);
+
+/// Puts targets and stations where given readings find them, and the weights with them: what is estimated and
+/// its uncertainty do not depend on the nominal coordinates, which are where the search begins. Expects
+/// set-ups that are divided and numbered inputs; `find_weights` is to follow for its warnings.
+void locate(NetworkSetup& setup, Problems& problems);
 
 /// Tables about the network: precision by observations alone and in total; with given readings residuals,
 /// redundancy, outliers, chi-square test.

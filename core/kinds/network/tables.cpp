@@ -136,16 +136,6 @@ private:
     std::vector<std::size_t> joint_of_;  ///< precision of each target
 };
 
-double residual_of(const StationGeometry& station, const Sight& sight, std::size_t i,
-                   const Eigen::Vector3d& p) {
-    const std::array<double, 3> computed = readings_of(station, p);
-    const double difference = sight.reading[i] - computed[i];
-    if (i != 1) return difference;
-    if (!sight.overhead) return std::remainder(difference, 2.0 * std::numbers::pi);
-    const Eigen::Vector3d v = station.in_axes(p);
-    return std::sin(sight.reading[1]) * v.x() - std::cos(sight.reading[1]) * v.y();
-}
-
 /// Residuals of given readings, judged with everything that makes them uncertain, the stations too, whatever
 /// the weights of the estimate (W. Baarda's data snooping, for correlated readings).
 class ResidualTable {
@@ -184,48 +174,34 @@ private:
 
     void add(const JointSetUp& joint) {
         const Sensitivities s = sensitivities_of(setup_, joint);
-        const Matrix& J = s.to_point;
-        const Matrix C = joint_covariance(s);
-        const Matrix W = C.inverse(), Q = (J.transpose() * W * J).inverse();
-        const Matrix of_residuals = C - J * Q * J.transpose();
-        const Matrix redundancy = of_residuals * W, tested = W * of_residuals * W;
-        const Eigen::VectorXd e = residuals_of(joint, s.u.size());
-        const Eigen::VectorXd We = W * (e - J * (Q * (J.transpose() * (W * e))));
-        chi_square_ += e.dot(We);
+        // In units of the readings alone: their covariance is I + AAᵀ there, and W its inverse.
+        const Eigen::VectorXd by_u = s.u.cwiseInverse();
+        const Matrix J = by_u.asDiagonal() * s.to_point, A = by_u.asDiagonal() * s.shared;
+        const Matrix W = Matrix::Identity(J.rows(), J.rows()) - A * estimate_of_shared(A);
+        const Matrix WJ = W * J;
+        const Matrix gain = cholesky(J.transpose() * WJ).solve(WJ.transpose());
+        const Eigen::VectorXd e = residuals_of(setup_, joint), scaled = by_u.cwiseProduct(e);
+        const Eigen::VectorXd We = W * scaled - WJ * (gain * scaled);
+        const auto weight_of = [&](Eigen::Index i) { return W(i, i) - WJ.row(i).dot(gain.col(i)); };
+        const auto redundancy_of = [&](Eigen::Index i) { return 1.0 - J.row(i).dot(gain.col(i)); };
+        const auto w_of = [&](Eigen::Index i) {
+            const double tested = weight_of(i);
+            return tested > 1e-9 * W(i, i) ? We[i] / std::sqrt(tested) : 0.0;
+        };
+        chi_square_ += scaled.dot(We);
         degrees_ += static_cast<int>(J.rows() - J.cols());
         Eigen::Index row = 0;
         for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t)
             for (const Sight& sight : setup_.targets[t].sights)
                 for (std::size_t i = 0; i < 3; ++i) {
                     if (!sight.has[i]) continue;
-                    const double w =
-                        tested(row, row) > 1e-9 * W(row, row) ? We[row] / std::sqrt(tested(row, row)) : 0.0;
-                    add_row(setup_.targets[t], sight, i, {e[row], s.u[row], redundancy(row, row), w});
+                    add_row(setup_.targets[t], sight, i, {e[row], s.u[row], redundancy_of(row), w_of(row)});
                     ++row;
                 }
         for (const std::size_t b : joint.bars) {
-            const double w =
-                tested(row, row) > 1e-9 * W(row, row) ? We[row] / std::sqrt(tested(row, row)) : 0.0;
-            add_bar(setup_.bars[b], {e[row], s.u[row], redundancy(row, row), w});
+            add_bar(setup_.bars[b], {e[row], s.u[row], redundancy_of(row), w_of(row)});
             ++row;
         }
-    }
-
-    Eigen::VectorXd residuals_of(const JointSetUp& joint, Eigen::Index rows) const {
-        Eigen::VectorXd e(rows);
-        Eigen::Index row = 0;
-        for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t)
-            for (const Sight& sight : setup_.targets[t].sights)
-                for (std::size_t i = 0; i < 3; ++i)
-                    if (sight.has[i])
-                        e[row++] =
-                            residual_of(setup_.geometry[sight.sensor], sight, i, setup_.targets[t].nominal);
-        for (const std::size_t b : joint.bars) {
-            const ScaleBar& bar = setup_.bars[b];
-            e[row++] =
-                bar.length - (setup_.targets[bar.to].nominal - setup_.targets[bar.from].nominal).norm();
-        }
-        return e;
     }
 
     struct Numbers {

@@ -33,7 +33,7 @@ double spread_off_a_plane(const NetworkSetup& setup, const Target& target) {
     Eigen::MatrixXd positions(3, static_cast<Eigen::Index>(target.sights.size()));
     for (std::size_t i = 0; i < target.sights.size(); ++i)
         positions.col(static_cast<Eigen::Index>(i)) =
-            setup.geometry[target.sights[i].sensor].X_WS().translation();
+            setup.station(target, target.sights[i]).X_WS().translation();
     positions.colwise() -= positions.rowwise().mean().eval();
     const Eigen::VectorXd values = singular_values(positions).singularValues();
     return values.size() < 3 || values[0] == 0.0 ? 0.0 : values[2] / values[0];
@@ -45,7 +45,7 @@ public:
 
     void make(Target& target, const std::string& path) {
         if (target.rows == 0) return refuse(target, path);
-        Sensitivities s = sensitivities_at(setup_, target, target.nominal);
+        Sensitivities s = sensitivities_at(setup_, target);
         if (!localises(s.to_point)) return refuse(target, path);
         s.u = weighting_uncertainties(s.to_point, s.u, s.shared);
         keep_weights(target, s.u);
@@ -72,7 +72,7 @@ private:
         double nearest = std::numeric_limits<double>::infinity();
         for (const Sight& sight : target.sights)
             nearest = std::min(nearest,
-                               (setup_.geometry[sight.sensor].X_WS().translation() - target.nominal).norm());
+                               (setup_.station(target, sight).X_WS().translation() - target.nominal).norm());
         if (u > 0.01 * nearest)
             problems_.warning(
                 path, tell<"target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m">(
@@ -131,6 +131,7 @@ void divide_large_set_ups(NetworkSetup& setup, Problems& problems) {
 }
 
 void assign_scale_bars(NetworkSetup& setup) {
+    for (JointSetUp& joint : setup.set_ups) joint.bars.clear();
     for (std::size_t b = 0; b < setup.bars.size(); ++b)
         for (JointSetUp& joint : setup.set_ups)
             if (setup.bars[b].constrains && joint.index == setup.targets[setup.bars[b].from].set_up)
@@ -161,7 +162,62 @@ void keep_shared(const Eigen::MatrixXd& A, const Eigen::MatrixXd& S, JointSetUp&
     }
 }
 
+/// Of no deviation that is without uncertainty, as `uncertain_columns`.
+std::vector<SharedMove> moves_of(const NetworkSetup& setup, const Eigen::MatrixXd& shared) {
+    std::vector<SharedMove> moves;
+    Eigen::Index column = 0;
+    for (std::size_t s = 0; s < setup.sensors.size(); ++s) {
+        const SensorSource& source = *setup.sensors[s];
+        const auto own = static_cast<Eigen::Index>(source.systematic().size());
+        const Eigen::Matrix<double, 6, 6> T = station_moves(source);
+        for (Eigen::Index k = 0; k < own + 6; ++k, ++column) {
+            if (!(shared.col(column).squaredNorm() > 0.0)) continue;
+            SharedMove& move = moves.emplace_back(SharedMove{.sensor = s});
+            for (Eigen::Index i = 0; k >= own && i < 6; ++i)
+                move.by[static_cast<std::size_t>(i)] = -T(i, k - own);
+        }
+    }
+    return moves;
+}
+
+/// Whether what is stated of the stations leaves so much open that the second-order part of what they do to a
+/// reading is not small beside its own uncertainty, as displacements.
+bool stations_are_open(const NetworkSetup& setup, const JointSetUp& joint, const Sensitivities& all) {
+    constexpr double small_share = 0.1;
+    const double own = all.u.cwiseQuotient(all.to_point.rowwise().norm()).minCoeff();
+    double bent = 0.0;
+    for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t)
+        for (const Sight& sight : setup.targets[t].sights) {
+            const Eigen::Matrix<double, 6, 6> T = station_moves(*setup.sensors[sight.sensor]);
+            const double d = setup.station(setup.targets[t], sight).in_axes(setup.targets[t].nominal).norm();
+            const double along = T.topRows<3>().norm(), turn = T.bottomRows<3>().norm();
+            bent = std::max(bent, d * turn * turn + along * along / d);
+        }
+    return bent > small_share * own;
+}
+
+std::vector<std::array<double, 6>> station_derivatives(const NetworkSetup& setup, const JointSetUp& joint) {
+    std::vector<std::array<double, 6>> by_station;
+    for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t)
+        for (const Sight& sight : setup.targets[t].sights) {
+            const LinearReading reading = sensitivity_of(setup, setup.targets[t], sight);
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (!sight.has[i]) continue;
+                auto& by = by_station.emplace_back();
+                for (std::size_t c = 0; c < 6; ++c)
+                    by[c] = reading.to_station(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(c));
+            }
+        }
+    return by_station;
+}
+
 void add_weights(const NetworkSetup& setup, JointSetUp& joint) {
+    joint.moves.clear();
+    joint.by_station.clear();
+    joint.by_u.clear();
+    joint.inverse_normal.clear();
+    joint.shared.clear();
+    joint.ends_of_shared.clear();
     const Sensitivities all = sensitivities_of(setup, joint);
     const Eigen::MatrixXd F = uncertain_columns(all.shared);
     const Eigen::MatrixXd gain = least_squares_gain(all.to_point, all.u, F);
@@ -170,6 +226,9 @@ void add_weights(const NetworkSetup& setup, JointSetUp& joint) {
     for (const double u : all.u) joint.by_u.push_back(1.0 / u);
     keep_shared(A, estimate_of_shared(A), joint);
     keep_rows(own * own.transpose() + shared * shared.transpose(), joint.inverse_normal);
+    if (!stations_are_open(setup, joint, all)) return;
+    joint.moves = moves_of(setup, all.shared);
+    joint.by_station = station_derivatives(setup, joint);
 }
 
 /// C⁻¹ of readings: W = diag(1/u) (I − A S) diag(1/u).
@@ -182,6 +241,8 @@ Eigen::MatrixXd weights_of(const Eigen::VectorXd& u, const Eigen::MatrixXd& F) {
 
 /// Of one target. What two sensors share would be no property of either: C falls into blocks.
 void add_blocks(const NetworkSetup& setup, JointSetUp& joint) {
+    joint.blocks.clear();
+    joint.inverse_normal.clear();
     const Sensitivities all = sensitivities_of(setup, joint);
     std::map<std::size_t, std::vector<std::size_t>> rows_of_sensors;
     std::size_t row = 0;
@@ -206,7 +267,7 @@ Eigen::VectorXd linear_scales(const NetworkSetup& setup, const Target& target) {
     Eigen::VectorXd scales(static_cast<Eigen::Index>(target.rows));
     Eigen::Index row = 0;
     for (const Sight& sight : target.sights) {
-        const Eigen::Vector3d v = setup.geometry[sight.sensor].in_axes(target.nominal);
+        const Eigen::Vector3d v = setup.station(target, sight).in_axes(target.nominal);
         if (sight.has[0]) scales[row++] = sight.has[1] && sight.has[2] ? 1.0 : 0.0;
         if (sight.has[1]) scales[row++] = sight.overhead ? 1.0 : v.head<2>().norm();
         if (sight.has[2]) scales[row++] = sight.has[1] ? v.norm() : 0.0;
@@ -214,7 +275,7 @@ Eigen::VectorXd linear_scales(const NetworkSetup& setup, const Target& target) {
     return scales;
 }
 
-Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, const Eigen::Vector3d& p) {
+Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target) {
     const auto rows = static_cast<Eigen::Index>(target.rows);
     Eigen::Index shared = 0;
     for (const Sensor& sensor : setup.sensors)
@@ -226,7 +287,7 @@ Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, 
         for (std::size_t k = 0; k < sight.sensor; ++k)
             column += 6 + static_cast<Eigen::Index>(setup.sensors[k]->systematic().size());
         const SensorSource& source = *setup.sensors[sight.sensor];
-        const LinearReading reading = sensitivity_of(setup, sight, p);
+        const LinearReading reading = sensitivity_of(setup, target, sight);
         const Eigen::Matrix3Xd effects = shared_effects(source, reading);
         const Eigen::VectorXd u = shared_uncertainties(source);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -249,7 +310,7 @@ Sensitivities sensitivities_of(const NetworkSetup& setup, const JointSetUp& join
     all.u.resize(rows);
     for (std::size_t t = 0; t < joint.targets; ++t) {
         const Target& target = setup.targets[joint.first + t];
-        const Sensitivities one = sensitivities_at(setup, target, target.nominal);
+        const Sensitivities one = sensitivities_at(setup, target);
         all.shared.conservativeResize(rows, one.shared.cols());
         all.to_point.block(row, static_cast<Eigen::Index>(3 * t), one.u.size(), 3) = one.to_point;
         all.shared.middleRows(row, one.u.size()) = one.shared;
@@ -269,19 +330,33 @@ Sensitivities sensitivities_of(const NetworkSetup& setup, const JointSetUp& join
     return all;
 }
 
-Eigen::MatrixXd joint_covariance(const Sensitivities& s) {
-    Eigen::MatrixXd C = s.shared * s.shared.transpose();
-    C.diagonal() += s.u.cwiseAbs2();
-    return C;
+Eigen::VectorXd residuals_of(const NetworkSetup& setup, const JointSetUp& joint) {
+    Eigen::VectorXd e(static_cast<Eigen::Index>(rows_of(setup, joint)));
+    Eigen::Index row = 0;
+    for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t) {
+        const Target& target = setup.targets[t];
+        for (const Sight& sight : target.sights)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (sight.has[i]) e[row++] = residual_of(setup, target, sight, i, target.nominal);
+    }
+    for (const std::size_t b : joint.bars) {
+        const ScaleBar& bar = setup.bars[b];
+        e[row++] = bar.length - (setup.targets[bar.to].nominal - setup.targets[bar.from].nominal).norm();
+    }
+    return e;
 }
 
-void prepare_weights(NetworkSetup& setup, Problems& problems) {
+void divide_set_ups(NetworkSetup& setup, Problems& problems) {
+    if (setup.weights == Weights::observations_only) return;
+    assign_scale_bars(setup);
+    divide_large_set_ups(setup, problems);
+}
+
+void find_weights(NetworkSetup& setup, Problems& problems) {
     WeightMaker maker(setup, problems);
     for (std::size_t t = 0; t < setup.targets.size(); ++t)
         maker.make(setup.targets[t], network_fields().place(&StatedNetwork::targets, t));
     if (setup.weights == Weights::observations_only || problems.has_errors()) return;
-    assign_scale_bars(setup);
-    divide_large_set_ups(setup, problems);
     for (JointSetUp& joint : setup.set_ups)
         joint.targets == 1 && setup.targets[joint.first].divided ? add_blocks(setup, joint)
                                                                  : add_weights(setup, joint);

@@ -202,7 +202,8 @@ void warn_of_other_axes(const FrameRule& rule, Side side, Problems& problems) {
     for (const NominalPoint& p : rule.points) local.push_back(p.local);
     const Eigen::Isometry3d X = frame_of(rule, local);
     const double angle = Eigen::AngleAxisd(X.linear()).angle(), shift = X.translation().norm();
-    const double size = (local[1] - local[0]).norm();
+    double size = 0.0;
+    for (const Eigen::Vector3d& p : local) size = std::max(size, (p - local[0]).norm());
     if (angle < 1e-3 && shift < 1e-3 * size) return;
     problems.warning(
         frame_fields(side).place(&FrameRule::points),
@@ -251,27 +252,27 @@ Eigen::Isometry3d frame_of(const FrameRule& rule, const std::vector<Eigen::Vecto
 void check_measurable(const PoseSetup& setup, Problems& problems) {
     const auto check = [&](const FrameRule& rule, const UncertaintyRule& uncertainty,
                            const std::vector<Eigen::Vector3d>& points, std::size_t pose,
-                           const std::string& where) {
+                           const auto& place_of) {
         if (!uncertainty.source) return;
         const bool of_analysis = offers<PointOutputSource>(uncertainty.source.asset) != nullptr;
         for (std::size_t i = 0; of_analysis && i < points.size(); ++i)
             if (const std::string name = name_among_all(setup, rule.points[i], pose);
                 !output_of(uncertainty, name, 0))
-                problems.error(
-                    where, tell<"the analysis %1 has no point called '%2'">(uncertainty.source.name, name));
+                problems.error(place_of(i), tell<"the analysis %1 has no point called '%2'">(
+                                                uncertainty.source.name, name));
         const bool world = uncertainty.is_world();
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Message objection = uncertainty.source->objection(world ? points[i] : rule.points[i].local);
             if (!objection.empty())
-                problems.error(where, tell<"point %1 cannot be measured by %2: %3">(
-                                          rule.points[i].name, uncertainty.source.name, objection));
+                problems.error(place_of(i), tell<"point %1 cannot be measured by %2: %3">(
+                                                rule.points[i].name, uncertainty.source.name, objection));
         }
     };
     check(setup.base, setup.base_uncertainty, setup.base_points, 0,
-          frame_fields(Side::base).place(&FrameRule::points));
+          [](std::size_t i) { return frame_fields(Side::base).place(&FrameRule::points, i); });
     for (std::size_t k = 0; k < setup.poses.size(); ++k)
         check(setup.moving, setup.moving_uncertainty, setup.poses[k].points, k + 1,
-              pose_fields().place(&PoseSetup::poses, k));
+              [k](std::size_t) { return pose_fields().place(&PoseSetup::poses, k); });
 }
 
 InputSet pose_inputs(const PoseSetup& setup) {

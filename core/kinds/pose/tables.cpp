@@ -1,13 +1,13 @@
 #include "core/kinds/pose/tables.h"
 
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "core/kinds/pose/equations.h"
 #include "core/math/decompositions.h"
 #include "core/math/special_quantiles.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/numbers.h"
 
 namespace covaria::pose {
 
@@ -175,9 +175,7 @@ std::string coordinate_name(const FrameFit& fit, const Largest& at) {
 }
 
 std::string figure(double value, const char* unit = "") {
-    char text[48];
-    std::snprintf(text, sizeof text, "%.3g%s", value, unit);
-    return text;
+    return format_short(value) + unit;
 }
 
 Message words_of(const FrameFit& fit, const FrameFit::Explanation& explanation) {

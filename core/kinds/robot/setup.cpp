@@ -3,23 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <set>
 
 #include "core/kinds/robot/inverse_kinematics.h"
 #include "core/kinds/robot/serial_robot.h"
 #include "core/math/rotation.h"
+#include "core/text/numbers.h"
 
 namespace covaria::robot {
 
 namespace {
 
 std::string reading_text(const RobotJoint& joint, double reading) {
-    char text[32];
-    std::snprintf(text, sizeof text, joint.slides ? "%.4g mm" : "%.4g°",
-                  joint.reading_unit().from_si(reading));
-    return text;
+    return format_short(joint.reading_unit().from_si(reading), 4) + (joint.slides ? " mm" : "°");
 }
 
 class PoseReading {
@@ -110,8 +107,7 @@ private:
     }
 
     void refuse(const std::string& name, const std::string& path, double distance) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.3g mm", 1e3 * distance);
+        const std::string text = format_short(1e3 * distance) + " mm";
         problems_.error(
             path, distance < 1e-6
                       ? tell<"pose %1: no readings within the limits of the joints bring the tool there; the "

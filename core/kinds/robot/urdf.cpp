@@ -2,12 +2,12 @@
 #include "core/kinds/robot/urdf.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "core/kinds/robot/fields.h"
 #include "core/kinds/robot/urdf_chain.h"
 #include "core/math/axis_frames.h"
 #include "core/math/rotation.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 
@@ -170,17 +170,13 @@ std::string notes_of(const Chain& chain, const Axes& axes) {
 Message limits_of(const urdf::Joint& joint) {
     if (!joint.limited) return tell<"without limits">();
     const Unit unit = Unit::of(joint.slides() ? "mm" : "deg");
-    char low[32], high[32];
-    std::snprintf(low, sizeof low, "%.6g", unit.from_si(joint.low));
-    std::snprintf(high, sizeof high, "%.6g", unit.from_si(joint.high));
-    return tell<"%1 to %2 %3">(low, high, joint.slides() ? "mm" : "deg");
+    return tell<"%1 to %2 %3">(format_short(unit.from_si(joint.low), 6),
+                               format_short(unit.from_si(joint.high), 6), joint.slides() ? "mm" : "deg");
 }
 
 /// In parentheses.
 std::string three_numbers(const std::array<double, 3>& v) {
-    char text[80];
-    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", v[0], v[1], v[2]);
-    return text;
+    return "(" + format_short(v[0], 6) + ", " + format_short(v[1], 6) + ", " + format_short(v[2], 6) + ")";
 }
 
 Message words_of(const PoseValue& pose) {

@@ -13,6 +13,7 @@
 #include "core/kinds/robot/urdf_chain.h"
 #include "core/math/rotation.h"
 #include "core/setup/message_text.h"
+#include "core/text/numbers.h"
 
 namespace covaria::urdf {
 
@@ -24,6 +25,13 @@ Result<Eigen::Vector3d> vector_in(const pugi::xml_attribute& attribute, const Ei
     Eigen::Vector3d v;
     if (text >> v[0] >> v[1] >> v[2]) return v;
     return fail(ErrorCode::bad_input, tell<"'%1' is not three numbers">(attribute.value()));
+}
+
+/// 0 where there is none that can be read. In every locale: pugixml reads it with that of the process.
+double limit_of(const pugi::xml_node& joint, const char* name) {
+    std::istringstream text(joint.child("limit").attribute(name).value());
+    double value = 0.0;
+    return text >> value ? value : 0.0;
 }
 
 JointKind kind_of(const Joint& joint) {
@@ -54,8 +62,8 @@ Result<Joint> joint_in(const pugi::xml_node& node, int line) {
     if (const pugi::xml_node mimic = node.child("mimic")) joint.follows = mimic.attribute("joint").value();
     if (node.child("mimic") && joint.follows.empty()) joint.follows = "another one";
     joint.kind = kind_of(joint);
-    joint.low = node.child("limit").attribute("lower").as_double();
-    joint.high = node.child("limit").attribute("upper").as_double();
+    joint.low = limit_of(node, "lower");
+    joint.high = limit_of(node, "upper");
     joint.limited = directed && joint.type != "continuous" && joint.low < joint.high;
     return joint;
 }
@@ -114,8 +122,7 @@ Result<std::vector<Remark>> freeze(Robot& robot, const std::vector<FrozenJoint>&
             return refused_at(joint.line, tell<"joint %1 is of the type %2: it can be frozen at 0 only">(
                                               wanted.name, joint.type));
         const double value = Unit::of(joint.slides() ? "mm" : "deg").to_si(wanted.value);
-        char text[48];
-        std::snprintf(text, sizeof text, "%.10g%s", wanted.value, joint.slides() ? " mm" : "°");
+        const std::string text = format_short(wanted.value, 10) + (joint.slides() ? " mm" : "°");
         const bool beyond = joint.limited && (value < joint.low || value > joint.high);
         remarks.push_back({joint.name, beyond ? tell<"frozen at %1, beyond its limits">(text)
                                               : tell<"frozen at %1">(text)});

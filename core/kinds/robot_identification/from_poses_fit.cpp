@@ -101,18 +101,26 @@ void absorb_rotations(Calibration& c, std::vector<double>& v) {
     c.X_FT.linear() = (c.X_FT.linear() * rotation_from_zyx<double>(tool)).eval();
 }
 
-/// Levenberg-Marquardt on the weighted residuals. False: no convergence.
+/// Levenberg-Marquardt on the weighted residuals: a step that does not lower them is damped more and tried
+/// again from where it began. False: no convergence.
 bool minimise(const Calibration& c, const VectorXd& w, std::vector<double>& v) {
+    constexpr int most_steps = 200, most_trials = 1000;
+    constexpr double most_damping = 1e12;
     double damping = 1e-6;
     VectorXd r = w.cwiseProduct(residuals_of(c, v, fitted(c)));
-    for (int step = 0; step < 100; ++step) {
-        const MatrixXd A = w.asDiagonal() * jacobian_of(c, v, fitted(c));
-        const VectorXd scale = A.colwise().norm();
-        MatrixXd N = A.transpose() * A;
-        N.diagonal() += damping * scale.cwiseAbs2();
-        const auto solved = damped_step(N, A.transpose() * r);
+    MatrixXd A, N;
+    VectorXd scale;
+    for (int step = 0, trial = 0; step < most_steps && trial < most_trials; ++trial) {
+        if (A.size() == 0) {
+            A = w.asDiagonal() * jacobian_of(c, v, fitted(c));
+            scale = A.colwise().norm();
+            N = A.transpose() * A;
+        }
+        MatrixXd damped = N;
+        damped.diagonal() += damping * scale.cwiseAbs2();
+        const auto solved = damped_step(damped, A.transpose() * r);
         if (!solved) {
-            if ((damping *= 10.0) > 1e8) return false;
+            if ((damping *= 10.0) > most_damping) return false;
             continue;
         }
         const VectorXd& dv = *solved;
@@ -126,8 +134,10 @@ bool minimise(const Calibration& c, const VectorXd& w, std::vector<double>& v) {
         if (r_next.norm() < r.norm()) {
             v = std::move(next);
             r = r_next;
+            A.resize(0, 0);
+            ++step;
             damping = std::max(1e-15, damping / 10.0);
-        } else if ((damping *= 10.0) > 1e8) {
+        } else if ((damping *= 10.0) > most_damping) {
             return false;
         }
     }
@@ -186,7 +196,7 @@ public:
           place_(c.simulated ? fields().place(&Calibration::ball) : fields().place(&Calibration::measured)) {}
 
     bool run() {
-        if (c_.base_fitted && !c_.simulated) register_base();
+        if (!c_.simulated) approach();
         find_weights();
         select();
         if (c_.first_parameter() == c_.unknowns.size())
@@ -215,16 +225,48 @@ private:
         return false;
     }
 
-    /// The nominal places of the ball or tool onto the measured ones.
-    void register_base() {
-        const auto n = static_cast<Index>(c_.fitted_poses);
+    /// Base and ball or tool by turns, each where it fits the measured poses best with the nominal arm: the
+    /// fit then begins where the place that was stated of the ball does not matter, and what the poses can
+    /// tell is judged where they are. The sum of squares falls with each turn.
+    void approach() {
+        constexpr int most_turns = 200;
+        std::vector<Eigen::Isometry3d> flanges;
+        for (std::size_t k = 0; k < c_.fitted_poses; ++k)
+            flanges.push_back(link_frames(c_.robot(), c_.poses[k].q)[c_.poses[k].q.size()]);
+        for (int turn = 0; turn < most_turns; ++turn) {
+            if (c_.base_fitted) register_base(flanges);
+            if (!c_.tool_fitted) return;
+            const Eigen::Vector3d before = c_.X_FT.translation();
+            register_tool(flanges);
+            if ((c_.X_FT.translation() - before).norm() < 1e-6 && turn > 0) return;
+        }
+    }
+
+    /// The places of the ball or tool by the nominal arm onto the measured ones.
+    void register_base(const std::vector<Eigen::Isometry3d>& flanges) {
+        const auto n = static_cast<Index>(flanges.size());
         Eigen::Matrix3Xd from(3, n), to(3, n);
         for (Index k = 0; k < n; ++k) {
-            const MeasuredPose& pose = c_.poses[static_cast<std::size_t>(k)];
-            from.col(k) = link_frames(c_.robot(), pose.q)[pose.q.size()] * c_.X_FT.translation();
-            to.col(k) = pose.p;
+            from.col(k) = flanges[static_cast<std::size_t>(k)] * c_.X_FT.translation();
+            to.col(k) = c_.poses[static_cast<std::size_t>(k)].p;
         }
         c_.X_MB = Eigen::Isometry3d(Eigen::umeyama(from, to, false));
+    }
+
+    /// The mean of where each pose puts it in the frame of the last link.
+    void register_tool(const std::vector<Eigen::Isometry3d>& flanges) {
+        Eigen::Vector3d p = Eigen::Vector3d::Zero();
+        Eigen::Matrix3d R = Eigen::Matrix3d::Zero();
+        for (std::size_t k = 0; k < flanges.size(); ++k) {
+            const Eigen::Isometry3d X_FM = (c_.X_MB * flanges[k]).inverse();
+            p += X_FM * c_.poses[k].p / static_cast<double>(flanges.size());
+            R += X_FM.linear() * c_.poses[k].R;
+        }
+        c_.X_FT.translation() = p;
+        if (!c_.with_orientation) return;
+        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        Eigen::Vector3d signs(1.0, 1.0, (svd.matrixU() * svd.matrixV().transpose()).determinant());
+        c_.X_FT.linear() = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
     }
 
     void find_weights() {

@@ -6,6 +6,7 @@
 #include "core/kinds/robot/layout.h"
 #include "core/kinds/robot_identification/from_poses.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/numbers.h"
 
 namespace covaria::pose_calibration {
 
@@ -94,11 +95,9 @@ DataTable residual_table(const Calibration& c) {
         table.rows.push_back({c.poses[k].name, s.residuals[row], s.residuals[row + 1], s.residuals[row + 2],
                               largest, largest > s.limit ? tell<"outlier">() : Message()});
     }
-    char limit[16];
-    std::snprintf(limit, sizeof limit, "%.2f", s.limit);
     table.notes = {
         tell<"A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals "
-             "together (Bonferroni).">(limit)};
+             "together (Bonferroni).">(format_decimals(s.limit, 2))};
     return table;
 }
 

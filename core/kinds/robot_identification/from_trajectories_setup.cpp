@@ -1,13 +1,13 @@
 // Reads the points of the joint trajectories, checks them, decides on the structure of the arm.
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "core/kinds/robot/serial_robot.h"
 #include "core/kinds/robot_identification/from_trajectories.h"
 #include "core/math/decompositions.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/numbers.h"
 
 namespace covaria::circle_points {
 
@@ -22,15 +22,11 @@ std::string joint_name(std::size_t j) {
 }
 
 std::string millimetres(double m) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g mm", 1e3 * m);
-    return text;
+    return format_short(1e3 * m) + " mm";
 }
 
 std::string degrees(double rad) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g°", rad * 180.0 / std::numbers::pi);
-    return text;
+    return format_short(rad * 180.0 / std::numbers::pi) + "°";
 }
 
 template <class... M>

@@ -321,12 +321,95 @@ TEST(Temperatures, MeansAndShiftedTemperaturesStayOnTheScale) {
     for (const char* text :
          {"y = t", "y = t + 3 [K]", "y = 3 [K] + t", "y = t - T", "y = (t_1 + t_2)/2",
           "y = 0.25*t_1 + 0.75*t_2", "y = max(t_1, t_2)", "y = if(t > 20 [degC], t_1, t_2)",
-          "y = t_1 + (t_2 - t)*x", "y = (1 - x)*t_1 + x*t_2", "y = t + 0", "y = t_1 - t_2 + t"}) {
+          "y = t_1 + (t_2 - t)*x", "y = t + 0", "y = t_1 - t_2 + t", "y = -(-t)"}) {
         EXPECT_EQ(objection(text), "") << text;
         EXPECT_EQ(objection(text, Unit::of("degC")), "") << text;
     }
-    for (const char* text : {"y = R*t", "y = t/T", "y = exp(-t/T)", "y = sqrt(t/t_1)", "y = 1.5*t*R"})
-        EXPECT_EQ(objection(text), "") << text << ": a thermodynamic temperature";
+}
+
+TEST(Temperatures, OnlyTheRatioOfTwoIsTakenInKelvin) {
+    for (const char* text :
+         {"y = t_1/t_2", "y = sqrt(t/t_1)", "y = R*t_1/t_2", "y = x*t_2*T/(t_1*R)", "y = (t_1/t_2)^1.5",
+          "a = R*t_1\nb = R*t_2\ny = a/b", "y = t^2/t_1^2", "y = t/20 [degC]", "y = exp(-t_1/t_2)",
+          "y = R*(t_1 - t_2)", "y = (t - 0 [degC])*x", "y = x*(1 + x*((t - 0 [degC])/1 [K])^2)",
+          "y = abs(t_1 - t_2)/T", "y = ((t_1 + t_2)/2)/t"})
+        EXPECT_EQ(objection(text), "") << text;
+    for (const char* text : {"y = R*t",
+                             "y = t*R",
+                             "y = t/T",
+                             "y = T/t",
+                             "y = exp(-t/T)",
+                             "y = 1.5*t*R",
+                             "y = x*(1 + t/T)",
+                             "y = t*(1 + x)",
+                             "y = (1 - x)*t_1 + x*t_2",
+                             "y = t^2",
+                             "y = sqrt(t)",
+                             "y = t^4 - t_1^4",
+                             "y = x*t",
+                             "y = R*t > 3 [J]",
+                             "y = if(R*t > 3 [J], 1, 2)",
+                             "y = sin(t/T)",
+                             "y = x^(t/T)",
+                             "y = abs(t)",
+                             "y = sign(t)",
+                             "y = hypot(t_1, t_2)",
+                             "a = R*t\ny = a/R",
+                             "y = 20 [degC]*x",
+                             "y = max(R*t, R*T)",
+                             "y = log(t/(1 [K]))",
+                             "solve y = 1: x = y*(1 + t/T)",
+                             "y = R*(t + 3 [K])",
+                             "y = (t_1 - t_2)*t"})
+        EXPECT_NE(objection(text).find("would be taken in kelvin"), std::string::npos)
+            << text << ": " << objection(text);
+    for (const char* text : {"y = 1.001*t", "y = -t", "y = 2*t > 30 [degC]", "y = max(2*t, t_1)", "y = t/2"})
+        EXPECT_NE(objection(text).find("a multiple of a temperature in degC"), std::string::npos)
+            << text << ": " << objection(text);
+    for (const std::optional<Unit>& wanted : {std::optional<Unit>(), std::optional(Unit::of("degC")),
+                                              std::optional(Unit::of("K")), std::optional(Unit::of("mK"))}) {
+        EXPECT_NE(objection("y = t*(1 + x)", wanted), "");
+        EXPECT_NE(objection("y = t*1.001", wanted), "") << "as with a gain that is not known exactly";
+    }
+}
+
+TEST(Temperatures, AWayOutNamesEveryPlaceOfTheTemperature) {
+    TextProblems problems;
+    const ParsedText parsed = parse("a = 2*x\ny = x*(1 + x*t/1 [K] + x*(t/1 [K])^2)", problems);
+    const std::vector<KnownSymbol> symbols{{"x", Unit{}}, {"t", Unit::of("degC")}};
+    compile(parsed, symbols, std::vector<WantedOutput>{{"y", std::nullopt}}, problems);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_EQ(problems[0].reading, "t");
+    ASSERT_EQ(problems[0].readings.size(), 2u);
+    EXPECT_EQ(problems[0].place.column, 14u);
+    EXPECT_EQ(problems[0].readings[1].line, 2u);
+    EXPECT_EQ(problems[0].readings[1].column, 27u);
+}
+
+/// Of the output y: whether it is an angle on the circle. phi, psi in deg, x a number, n in rev.
+bool is_on_circle(const std::string& text, const char* unit = "deg") {
+    TextProblems problems;
+    const ParsedText parsed = parse(text, problems);
+    const std::vector<KnownSymbol> symbols{
+        {"phi", Unit::of("deg")}, {"psi", Unit::of("mrad")}, {"x", Unit{}}, {"n", Unit::of("rev")}};
+    const Compiled made =
+        compile(parsed, symbols, std::vector<WantedOutput>{{"y", Unit::of(unit)}}, problems);
+    EXPECT_TRUE(problems.empty()) << text;
+    return !made.outputs.empty() && made.outputs.front().on_circle;
+}
+
+TEST(Angles, AreOnTheCircleWhereTurnsMakeNoDifference) {
+    for (const char* text :
+         {"y = atan2(x, 2)", "y = asin(x)", "y = acos(x)", "y = atan(x)", "y = phi", "y = phi - psi",
+          "y = atan2(x, 1) + pi", "y = 2*phi", "y = -phi", "y = if(x > 0, phi, phi + 180 [deg])",
+          "a = phi - psi\ny = a + 360 [deg]", "solve y = 10 [deg]: y - 0.1*sin(y) = phi"}) {
+        EXPECT_TRUE(is_on_circle(text)) << text;
+        EXPECT_FALSE(is_on_circle(text, "rev")) << text << ": counts of turns";
+        EXPECT_FALSE(is_on_circle(text, "1")) << text << ": a number";
+    }
+    for (const char* text : {"y = x*phi", "y = phi/2", "y = 0.5*atan2(x, 1)", "y = abs(phi)", "y = n",
+                             "y = x", "y = phi + x", "y = phi^2/1 [rad]", "y = sin(phi)"})
+        EXPECT_FALSE(is_on_circle(text)) << text;
 }
 
 TEST(Temperatures, SumsThatMeanNothingAreRefused) {

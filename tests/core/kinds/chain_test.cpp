@@ -321,6 +321,36 @@ TEST(Chain, CirclesAreRefusedWithTheirPath) {
     std::vector<Written> many{{"a0", {"y = x"}, {"y"}, {R"("x", 1, "1", "standard", 0.1, null)"}, {}}};
     for (int i = 1; i <= 80; ++i) many.push_back(part("a" + std::to_string(i), "a" + std::to_string(i - 1)));
     EXPECT_EQ(problem_of(many, "more than 64 analyses").path, "/analyses/64/links/0/analysis");
+    // Once for all that it is true of, and without a list of those in between.
+    const Problems problems = parsed(many).problems;
+    EXPECT_EQ(problems.items().size(), 1u);
+    EXPECT_EQ(problems.items().front().message, chain_too_long());
+}
+
+TEST(Chain, AnErrorUpstreamIsSaidInTheWordsOfItsAnalysis) {
+    const auto part = [](const std::string& id, const std::string& from) {
+        return Written{
+            id, {"y = x"}, {"y"}, {R"("x", 1, "1", "standard", 0.1, null)"}, {link("x", from, "y")}};
+    };
+    Written broken{"first", {"y = x +"}, {"y"}, {R"("x", 1, "1", "standard", 0.1, null)"}, {}};
+    const std::string said =
+        problem_of({part("c", "b"), part("b", "a"), part("a", "first"), broken}, "").message.english();
+    EXPECT_TRUE(said.starts_with("the analysis 'first' has errors of its own: ")) << said;
+    EXPECT_EQ(said.find("errors of its own", said.find("errors of its own") + 1), std::string::npos) << said;
+}
+
+// As the tree of the window has them.
+TEST(Chain, CirclesAreOfNamesNotIds) {
+    const auto part = [](const std::string& id, const std::string& name, const std::string& from) {
+        return Written{id,
+                       {"y = x"},
+                       {"y"},
+                       {R"("x", 1, "1", "standard", 0.1, null)"},
+                       {link("x", from, "y")},
+                       R"("name": ")" + name + R"(")"};
+    };
+    problem_of({part("one", "Gauge A", "two"), part("two", "Gauge B", "one")},
+               "the analysis 'Gauge B' would be made of itself: Gauge A ← Gauge B ← Gauge A");
 }
 
 TEST(Chain, AStudyVariesWhatIsDownstream) {

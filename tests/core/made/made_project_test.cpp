@@ -184,15 +184,18 @@ TEST_F(Edited, WhatIsMissingIsLookedForAgain) {
 TEST_F(Edited, ACircleIsRefusedWithItsWay) {
     AssetEntry clamp = project.assets[1];
     clamp.id = "clamp_3";
+    clamp.name = "third clamp";
     clamp.setup.values["block"] = std::string("clamp_4");
     project.assets.push_back(clamp);
     clamp.id = "clamp_4";
+    clamp.name = "fourth clamp";
     clamp.setup.values["block"] = std::string("clamp_3");
     project.assets.push_back(clamp);
     now = MadeProject::make(project, before);
     const Problem circle = problem_with(now->problems(), "which refers back to this one");
     EXPECT_EQ(circle.path, "/assets/4/setup/block");
-    EXPECT_NE(circle.message.english().find("clamp_3 → clamp_4 → clamp_3"), std::string::npos)
+    EXPECT_NE(circle.message.english().find("'third clamp' → 'fourth clamp' → 'third clamp'"),
+              std::string::npos)
         << circle.message;
     EXPECT_EQ(problem_with(now->problems(), "which has errors of its own").path, "/assets/3/setup/block");
     EXPECT_EQ(now->problems().items().size(), 2u);
@@ -204,7 +207,7 @@ TEST_F(Edited, TwoWithOneIdAreSaidAndTheFirstCounts) {
     project.analyses[1].setup.values["block"] = std::string("block-1");
     project.assets[2].name = "the second";
     now = MadeProject::make(project, before);
-    EXPECT_EQ(problem_with(now->problems(), "is used twice").path, "/assets/2/id");
+    EXPECT_EQ(problem_with(now->problems(), "another one has the same id").path, "/assets/2/id");
     EXPECT_EQ(now->assets().find("block-1")->name, "the block");
 }
 

@@ -66,6 +66,34 @@ TEST(PdfArchive, SaysWhatItIsAndIsMadeTwiceWithEqualBytes) {
         EXPECT_FALSE(has(*made, part)) << part;
 }
 
+TEST(PdfArchive, NamesItsAuthorAndItsLanguageTwiceAndAlike) {
+    const std::string named = archived_pdf(small_pdf(), {"t", "c", "E. Muster <&>\x03", "zh_CN"}, {}).value();
+    for (const char* part :
+         {"/Author (E. Muster <&> )", "E. Muster &lt;&amp;&gt; </rdf:li></rdf:Seq></dc:creator>",
+          "/Lang (zh-CN)", "<rdf:li>zh-CN</rdf:li></rdf:Bag></dc:language>", "/DisplayDocTitle true"})
+        EXPECT_TRUE(has(named, part)) << part;
+    const std::string nobody = archived_pdf(small_pdf(), {"t", "c"}, {}).value();
+    for (const char* part : {"/Author", "dc:creator", "/Lang", "dc:language", "/MarkInfo", "/StructTreeRoot"})
+        EXPECT_FALSE(has(nobody, part)) << part;
+}
+
+TEST(PdfArchive, WaysLeadToPagesThatAreThere) {
+    const PdfNavigation ways{{{"Änderung", 1, {0, 9.5}}, {"below", 2, {0, 5.0}}, {"next", 1, {0, 1.0}}},
+                             {{0, 1.0, 2.0, 3.5, 4.0, {0, 9.5}}}};
+    const std::string made = archived_pdf(small_pdf(), {"t", "c"}, {}, ways).value();
+    EXPECT_EQ(made, archived_pdf(small_pdf(), {"t", "c"}, {}, ways).value());
+    for (const char* part :
+         {"/PageMode /UseOutlines", "/Type /Outlines", "/Count 2", "/Count -1", "/Title (below)",
+          "/Subtype /Link", "/Rect [ 1 2 3.5 4 ]", "/F 4", "/XYZ 0 9.5 0"})
+        EXPECT_TRUE(has(made, part)) << part;
+    EXPECT_FALSE(has(archived_pdf(small_pdf(), {"t", "c"}, {}).value(), "/Outlines"));
+    for (const int page : {-1, 1}) {
+        EXPECT_FALSE(archived_pdf(small_pdf(), {"t", "c"}, {}, {{{"a", 1, {page, 0.0}}}, {}}));
+        EXPECT_FALSE(archived_pdf(small_pdf(), {"t", "c"}, {}, {{}, {{page, 0, 0, 1, 1, {0, 0.0}}}}));
+        EXPECT_FALSE(archived_pdf(small_pdf(), {"t", "c"}, {}, {{}, {{0, 0, 0, 1, 1, {page, 0.0}}}}));
+    }
+}
+
 TEST(PdfArchive, FilesComeBackAsTheyWere) {
     const std::vector<AttachedFile> files = some_files();
     const auto back = files_in_pdf(archived_pdf(small_pdf(), {"t", "c"}, files).value());

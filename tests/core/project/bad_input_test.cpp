@@ -45,7 +45,7 @@ const BadInput bad_inputs[] = {
     {"AssetsNotAList", "\"notes\": \"first line\\nsecond line\"", "\"notes\": 7", "'notes' must be a text in quotes, not the number 7", "/notes", 5},
     // assets
     {"UnknownKind", "\"kind\": \"block\"", "\"kind\": \"blok\"", "there is no kind of asset 'blok' (did you mean 'block'?); known are 'block' and 'clamp'", "/assets/0/kind", 9},
-    {"RepeatedId", "\"id\": \"clamp_2\"", "\"id\": \"block-1\"", "the id 'block-1' is used twice", "/assets/1/id", 37},
+    {"RepeatedId", "\"id\": \"clamp_2\"", "\"id\": \"block-1\"", "another one has the same id", "/assets/1/id", 37},
     {"MalformedId", "\"id\": \"clamp_2\"", "\"id\": \"clamp 2\"", "must be made of letters, digits", "/assets/1/id", 37},
     {"MissingId", "\"id\": \"clamp_2\",", "", "'id' is missing in an asset", "/assets/1/id", 36},
     {"UnknownAssetKey", "\"notes\": \"certificate 7\"", "\"note\": \"certificate 7\"", "there is no 'note' in an asset (did you mean 'notes'?)", "/assets/0/note", 11},
@@ -85,7 +85,7 @@ const BadInput bad_inputs[] = {
     {"TableWithoutRows", "\"columns\": [\"point\", \"value [mm]\"],\n          \"rows\": []", "\"columns\": [\"point\"]", "it needs \"columns\" and \"rows\"", "/assets/0/setup/readings", 30},
     // analyses
     {"UnknownModel", "\"model\": \"sum\"", "\"model\": \"sums\"", "there is no measurement model 'sums' (did you mean 'sum'?)", "/analyses/0/model", 47},
-    {"MissingReference", "\"block\": \"block-1\",", "\"block\": \"blok-1\",", "'block' refers to the asset 'blok-1', which does not exist (did you mean 'block-1'?)", "/analyses/0/setup/block", 50},
+    {"MissingReference", "\"block\": \"block-1\",", "\"block\": \"blok-1\",", "'block' refers to the asset 'blok-1', which does not exist (did you mean 'the block'?)", "/analyses/0/setup/block", 50},
     {"WrongCapability", "\"block\": \"block-1\",", "\"block\": \"clamp_2\",", "does not offer 'point-uncertainty'", "/analyses/0/setup/block", 50},
     {"ModelRefuses", "\"gain\": 2", "\"gain\": 0", "a gain of zero measures nothing", "/analyses/0/setup/gain", 52},
     {"UnknownSymbol", "\"symbol\": \"c\"", "\"symbol\": \"c_alibration\", \"held\": true", "the model has no input quantity 'c_alibration' (did you mean 'c.calibration'?)", "/analyses/0/inputs/1/symbol", 65},

@@ -25,6 +25,7 @@ Certificate full_certificate() {
                                         ? (data_directory() / "projects/chain.png").string()
                                     : field.kind == CertificateText::country  ? "DE"
                                     : field.kind == CertificateText::language ? "de"
+                                    : field.kind == CertificateText::site     ? "customerBranch"
                                     : field.kind == CertificateText::dates    ? "2026-04-17/2026-04-18"
                                                                               : pointer_of(field) + "\nß";
     certificate.issued = "2026-04-20";
@@ -155,6 +156,30 @@ TEST(Certificate, WhatTheStandardRequiresIsMissed) {
               std::string::npos);
 }
 
+TEST(Certificate, ASpecificationIsRequiredWhereConformityIsStated) {
+    Certificate certificate = full_certificate();
+    certificate.specification = " ";
+    EXPECT_EQ(messages(missing_in(certificate)), "") << "nothing refers to it";
+    EXPECT_EQ(messages(missing_in(certificate, Conformity::stated)),
+              "/certificate/specification: 'Specification' must be stated (ISO/IEC 17025 7.8.6.2 b)\n");
+    EXPECT_TRUE(missing_in_digital(certificate, Conformity::stated).has_errors());
+    certificate.specification = "ISO 3650:1998, grade 1";
+    EXPECT_EQ(messages(missing_in(certificate, Conformity::stated)), "");
+}
+
+TEST(Certificate, TheSiteIsChosenOrFollowsFromThePlace) {
+    for (const CertificateSite& site : certificate_sites()) {
+        EXPECT_EQ(problems_with(&Certificate::site, site.key), "");
+        EXPECT_STREQ(site_of({.site = site.key, .place = "hall 3"}).key, site.key);
+    }
+    EXPECT_NE(
+        problems_with(&Certificate::site, "hall").find("'Site of calibration' must be one of laboratory"),
+        std::string::npos)
+        << problems_with(&Certificate::site, "hall");
+    EXPECT_STREQ(site_of({}).key, "laboratory");
+    EXPECT_STREQ(site_of({.place = "hall 3"}).key, "other") << "whose it is, nobody said";
+}
+
 TEST(Certificate, ACountryIsTwoCapitalLettersAndADigitalOneNeedsIt) {
     EXPECT_EQ(problems_with(&Certificate::country, "DE"), "");
     EXPECT_EQ(problems_with(&Certificate::country, ""), "");
@@ -198,6 +223,8 @@ ordered_json schema_entry(const CertificateField& field) {
     if (field.kind == CertificateText::country) made["pattern"] = "^[A-Z]{2}$";
     if (field.kind == CertificateText::language)
         for (const CertificateLanguage& one : certificate_languages()) made["enum"].push_back(one.code);
+    if (field.kind == CertificateText::site)
+        for (const CertificateSite& one : certificate_sites()) made["enum"].push_back(one.key);
     if (field.kind == CertificateText::date) made["pattern"] = "^" + day + "$";
     if (field.kind == CertificateText::dates) made["pattern"] = "^" + day + "(/" + day + ")?$";
     return made;

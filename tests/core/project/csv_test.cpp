@@ -126,6 +126,12 @@ TEST(CsvTable, SeparatorsBehindTheLastColumn) {
     EXPECT_EQ(read.table.rows.size(), 1u);
 }
 
+TEST(CsvTable, ANumberOfAnotherLanguageIsSaidHowToWrite) {
+    const CsvTable points = table_of("point,value [mm]\nb1,\"1,5\"\n");
+    EXPECT_EQ(points.problems.items().at(0).message.english(),
+              "column 'value': '1,5' is not a number; in this file write 1.5");
+}
+
 TEST(CsvTable, ProblemsNameLineAndColumn) {
     const CsvTable read = table_of("point,value [mm],used\nb1,wide,true\nb2,1\n# remark\nb3,1,perhaps\n");
     EXPECT_EQ(problem_with(read.problems, "column 'value': 'wide' is not a number").line, 2);

@@ -68,8 +68,10 @@ TEST(Fuzz, FlippedBytes) {
 }
 
 TEST(Fuzz, ValuesOfAnotherKind) {
-    const std::string others[] = {"null", "true", "-1",   "1e300",         "\"\"",
-                                  "[]",   "{}",   "[[]]", "{\"value\": 1}"};
+    const std::string others[] = {"null",  "true",        "-1",       "1e300",
+                                  "1e999", "-1e999",      "1e-400",   "18446744073709551616",
+                                  "\"\"",  "\"\\ud800\"", "\"\xff\"", "\"\\u001b[2J\"",
+                                  "[]",    "{}",          "[[]]",     "{\"value\": 1}"};
     const std::string text = whole_project;
     for (std::size_t at = text.find(": "); at != std::string::npos; at = text.find(": ", at + 1)) {
         const std::size_t begin = at + 2;

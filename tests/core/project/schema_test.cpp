@@ -42,7 +42,7 @@ AnalysisEntry full_analysis() {
     a.correlations.push_back({"x.1", "y.1", 0.5});
     EvaluationOptions& o = a.options;
     o = {Method::adaptive, 20, 2, VarianceReduction::sobol, 0.9, 2.0, true, 5, 6, 7, 3, q, 11, 1000};
-    a.requirements.push_back({"g", "y", q, q, q, 0.5, q, q});
+    a.requirements.push_back({"g", "y", q, q, q, 0.5, q, q, GuardRule::rss, 0.05});
     StudyAxis axis{"plate",        "/setup/k", StudyChange::added,       1.0, 2.0,
                    Unit::of("mm"), 5,          StudySpacing::logarithmic};
     a.studies.push_back({"s", "study", {axis}, {{"g", "y"}}, Method::monte_carlo, 10});
@@ -143,6 +143,8 @@ TEST(JsonSchema, StatesTheDefaults) {
     plain_design.variables[0].number.target = "/setup/k";
     EXPECT_EQ(design_fields().read(design, "", problems), plain_design);
     EXPECT_EQ(with_defaults("requirement")["guardFactor"].get<double>(), Requirement{}.guard_factor);
+    EXPECT_EQ(with_defaults("requirement")["targetRisk"].get<double>(), Requirement{}.target_risk);
+    EXPECT_EQ(with_defaults("requirement")["guardRule"], "factor");
     EXPECT_EQ(with_defaults("component")["type"], "B");
     EXPECT_EQ(with_defaults("inputEdit")["held"], false);
     for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();

@@ -52,6 +52,12 @@ TEST(SetValues, WhatIsNotThereIsNamed) {
     EXPECT_NE(refusal("/title/deeper", "1").find("'deeper'"), std::string::npos);
 }
 
+TEST(SetValues, WhatIsNoTextIsRefused) {
+    EXPECT_NE(refusal("/title", "\xff").find("UTF-8"), std::string::npos);
+    EXPECT_NE(refusal("/ti\xfftle", "1").find("UTF-8"), std::string::npos);
+    EXPECT_EQ(changed("/title", "1e999")["title"], "1e999") << "no number";
+}
+
 TEST(SetValues, TheFormIsPlaceEqualsValue) {
     const auto read = value_at("/assets/0/name=a=b");
     ASSERT_TRUE(read.has_value());

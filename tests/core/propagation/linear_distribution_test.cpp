@@ -55,6 +55,25 @@ TEST(LinearDistribution, EveryKindWithANormalTerm) {
     }
 }
 
+/// Numbers of events with too little noise to hide the steps have no exact quantile, however many they are.
+TEST(LinearDistribution, StepsAreNeverTakenForADensity) {
+    for (const double number : {2.0, 400.0, 1e6}) {
+        const Distribution events = Distribution::of(Poisson{number, 0.5, 0.0});
+        EXPECT_FALSE(LinearDistribution({term(events)}).quantile(0.975)) << number;
+        EXPECT_FALSE(LinearDistribution({term(events), term(Distribution::normal(0.05))}).quantile(0.975))
+            << number;
+        const LinearDistribution smooth({term(events), term(Distribution::normal(1.0))});
+        ASSERT_TRUE(smooth.quantile(0.975)) << number;
+        const double x = *smooth.quantile(0.975);
+        const Discrete table = values_with_probabilities(events);
+        double below = 0.0;
+        for (std::size_t i = 0; i < table.values.size(); ++i)
+            below +=
+                table.probabilities[i] * normal_distribution_function(x - (table.values[i] - events.mean()));
+        EXPECT_NEAR(below, 0.975, 1e-8) << number;
+    }
+}
+
 TEST(LinearDistribution, NormalTermsAndSingleTermsAreExact) {
     const LinearDistribution normal({term(Distribution::normal(3.0)), term(Distribution::normal(2.0), -2.0)});
     EXPECT_DOUBLE_EQ(*normal.quantile(0.975), 5.0 * normal_quantile(0.975));

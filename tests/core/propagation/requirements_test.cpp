@@ -236,6 +236,73 @@ TEST(Requirements, AnAngleIsJudgedOnItsCircle) {
         }
 }
 
+RequirementResult judged_by(GuardRule rule, double U, double target = 0.02) {
+    InputSet inputs;
+    add_quantity(inputs, "a", Distribution::of(Normal{0.1, U / 2.0}), infinity);
+    EvaluationOptions options = trials(10);
+    options.coverage_factor = 2.0;
+    const auto result = evaluate_first_order(sum_model(inputs), inputs, options).value();
+    return judge(result, {.output = 0,
+                          .lower_limit = -1.0,
+                          .upper_limit = 1.0,
+                          .prior_mean = 0.0,
+                          .prior_standard_deviation = 0.5,
+                          .guard_rule = rule,
+                          .target_risk = target});
+}
+
+// Acceptance limits in parts of the tolerance, by hand from the formulas.
+TEST(Requirements, GuardBandsByTheirNames) {
+    EXPECT_NEAR(judged_by(GuardRule::rss, 0.5).guard_band, 1 - std::sqrt(0.75), 1e-12);
+    EXPECT_NEAR(judged_by(GuardRule::rss, 1e-9).guard_band, 0.5e-18, 1e-24);
+    EXPECT_NEAR(judged_by(GuardRule::rp10, 0.5).guard_band, 1 - (1.25 - 0.5), 1e-12);
+    EXPECT_EQ(judged_by(GuardRule::rp10, 0.25).guard_band, 0.0);
+    EXPECT_EQ(judged_by(GuardRule::rp10, 0.1).guard_band, 0.0);
+    EXPECT_NEAR(judged_by(GuardRule::dobbert, 0.5).guard_band,
+                0.5 * (1.04 - std::exp(0.38 * std::log(2.0) - 0.54)), 1e-12);
+    EXPECT_EQ(judged_by(GuardRule::dobbert, 0.2).guard_band, 0.0) << "TUR 5";
+    EXPECT_GT(judged_by(GuardRule::dobbert, 0.22).guard_band, 0.0) << "TUR 4.5";
+    EXPECT_EQ(judged_by(GuardRule::rss, 2.0).decision, RequirementResult::Decision::reject);
+    EXPECT_EQ(judged_by(GuardRule::rp10, 2.0).decision, RequirementResult::Decision::reject);
+}
+
+// Dobbert's promise: at most 2 % of all items are falsely accepted, whatever the process.
+TEST(Requirements, TheManagedGuardBandKeepsFalseAcceptsBelowTwoPercent) {
+    for (const double ratio : {1.2, 1.5, 2.0, 3.0, 4.0, 4.5, 6.0, 10.0})
+        for (double sd = 0.2; sd < 3.0; sd += 0.05) {
+            const double U = 1.0 / ratio, w = judged_by(GuardRule::dobbert, U).guard_band;
+            EXPECT_LT(global_risks({-1, 1, w - 1, 1 - w}, 0.0, sd, U / 2).consumer, 0.0205)
+                << ratio << ", " << sd;
+        }
+}
+
+TEST(Requirements, AGuardBandMeetsItsTargetRisk) {
+    for (const double U : {0.05, 0.3, 0.8})
+        for (const double target : {1e-4, 0.005, 0.02}) {
+            const double u = U / 2;
+            const double specific = judged_by(GuardRule::specific_risk, U, target).guard_band;
+            if (std::isfinite(specific)) {
+                const double out = normal_distribution_function(-specific / u) +
+                                   normal_distribution_function((specific - 2) / u);
+                EXPECT_NEAR(out, target, 1e-8) << U << ", " << target;
+            } else {
+                EXPECT_GT(2 * normal_distribution_function(-1 / u), target) << U << ", " << target;
+            }
+            const double global = judged_by(GuardRule::global_risk, U, target).guard_band;
+            const auto risks = global_risks({-1, 1, global - 1, 1 - global}, 0.0, 0.5, u);
+            EXPECT_LE(risks.consumer, target * (1 + 1e-6));
+            if (global > 0) {
+                EXPECT_NEAR(risks.consumer, target, 1e-6) << U << ", " << target;
+            }
+            const double accepted = judged_by(GuardRule::accepted_risk, U, target).guard_band;
+            if (!std::isfinite(accepted)) continue;
+            const auto of_accepted = global_risks({-1, 1, accepted - 1, 1 - accepted}, 0.0, 0.5, u);
+            EXPECT_LE(of_accepted.consumer_if_accepted, target * (1 + 1e-6));
+            EXPECT_GE(accepted, global) << "less is accepted than is there";
+        }
+    EXPECT_EQ(judged_by(GuardRule::global_risk, 0.1, 0.4).guard_band, 0.0) << "none is needed";
+}
+
 // Against a sum over a fine grid of the two-dimensional integral of JCGM 106 9.5.
 TEST(Requirements, GlobalRisks) {
     const ToleranceLimits limits{-1.0, 1.2, -0.9, 1.0};
@@ -254,6 +321,16 @@ TEST(Requirements, GlobalRisks) {
         }
     EXPECT_NEAR(risks.consumer, consumer, 2e-4);
     EXPECT_NEAR(risks.producer, producer, 5e-4);
+    double accepted = 0, rejected = 0;
+    for (double eta = -4; eta < 4.4; eta += h) {
+        const double weight = normal_density((eta - mean) / sd) / sd * h;
+        const double p = normal_distribution_function((limits.accept_upper - eta) / u) -
+                         normal_distribution_function((limits.accept_lower - eta) / u);
+        accepted += weight * p;
+        rejected += weight * (1 - p);
+    }
+    EXPECT_NEAR(risks.consumer_if_accepted, risks.consumer / accepted, 1e-6);
+    EXPECT_NEAR(risks.producer_if_rejected, risks.producer / rejected, 1e-6);
     EXPECT_GT(risks.consumer, 0.001);
     EXPECT_GT(risks.producer, 0.01);
     // A perfect measuring system with simple acceptance makes no wrong decision.

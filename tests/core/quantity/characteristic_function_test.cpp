@@ -62,6 +62,30 @@ TEST(CharacteristicFunction, OfDiscreteValuesIsASum) {
     EXPECT_LT(std::abs(function(t) - exact), 1e-15);
 }
 
+/// Sums over their values, and a mean over the probability.
+TEST(CharacteristicFunction, OfStepsIsTheirMean) {
+    for (const Distribution& distribution : stepped_cases()) {
+        const CharacteristicFunction function(distribution);
+        for (const double tau : {0.01, 0.7, 2.5, 40.0}) {
+            const double t = tau / distribution.standard_deviation();
+            Complex mean = 0.0;
+            if (distribution.has_jumps()) {
+                const Discrete table = values_with_probabilities(distribution);
+                for (std::size_t i = 0; i < table.values.size(); ++i)
+                    mean +=
+                        table.probabilities[i] * std::polar(1.0, t * (table.values[i] - distribution.mean()));
+                EXPECT_LT(std::abs(function(t) - mean), 1e-11) << described(distribution) << " at " << tau;
+                continue;
+            }
+            constexpr int count = 1'000'000;
+            for (int i = 0; i < count; ++i)
+                mean += std::polar(1.0 / count,
+                                   t * (distribution.quantile((i + 0.5) / count) - distribution.mean()));
+            EXPECT_LT(std::abs(function(t) - mean), 1e-6) << described(distribution) << " at " << tau;
+        }
+    }
+}
+
 /// |t| far beyond what the integral above can follow: sin(3t)/(3t) and so on, with mean and shift.
 TEST(CharacteristicFunction, HoldsFarOut) {
     const double t = 431.7;

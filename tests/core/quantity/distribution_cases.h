@@ -33,7 +33,11 @@ inline std::vector<Distribution> distribution_cases() {
                                              TruncatedNormal{1.0, 2.0, -infinity, -7.0},
                                              Lognormal{0.2, 0.5},
                                              Beta{-1.0, 3.0, 2.0, 5.0},
-                                             Beta{0.0, 1.0, 0.5, 0.5}})
+                                             Beta{0.0, 1.0, 0.5, 0.5},
+                                             Laplace{2.0, 0.7},
+                                             Weibull{1.0, 2.0, 1.5},
+                                             Weibull{-1.0, -2.0, 3.6},
+                                             Weibull{0.0, 1.0, 0.7}})
         cases.push_back(Distribution::of(parameters));
     cases.push_back(Distribution::of(Exponential{2.0}).scaled(-1.5).shifted(4.0));
     cases.push_back(Distribution::of(Gamma{3.0, 0.5}).shifted(-1.0));
@@ -43,6 +47,17 @@ inline std::vector<Distribution> distribution_cases() {
 
 inline Distribution discrete_case() {
     return Distribution::of(Discrete{{8.0, 1.0, 4.0, 2.0}, {0.1, 0.4, 0.2, 0.3}});
+}
+
+/// Those that a jump or a kink of the quantile function keeps out of integrals over it.
+inline std::vector<Distribution> stepped_cases() {
+    std::vector<Distribution> cases{discrete_case()};
+    for (const DistributionParameters& parameters : std::vector<DistributionParameters>{
+             Poisson{3.5, 1.0, 0.0}, Poisson{400.0, -0.5, 7.0}, Binomial{12.0, 0.3, 1.0, 0.0},
+             Binomial{5000.0, 0.97, 0.01, -2.0}, StatedHistogram{{-1.0, 0.0, 0.5, 4.0}, {0.2, 0.5, 0.3}},
+             StatedHistogram{{0.0, 1.0, 2.0, 3.0}, {0.5, 0.0, 0.5}}})
+        cases.push_back(Distribution::of(parameters));
+    return cases;
 }
 
 inline std::string described(const Distribution& distribution) {

@@ -56,6 +56,19 @@ TEST(DistributionChecks, NameTheBadParameter) {
     expect_refused(Discrete{{1.0, 2.0}, {0.5, 0.4}}, "sum to 1");
     expect_refused(Discrete{{1.0, 2.0}, {1.5, -0.5}}, "must not be negative");
     expect_refused(Discrete{{1.0, nan_value}, {0.5, 0.5}}, "values");
+    expect_refused(Laplace{0.0, -1.0}, "Laplace distribution: the scale must not be negative");
+    expect_refused(Weibull{0.0, 1.0, 0.05}, "shape");
+    expect_refused(Weibull{0.0, nan_value, 2.0}, "scale");
+    expect_refused(Poisson{-1.0, 1.0, 0.0}, "expected number of events");
+    expect_refused(Poisson{2e7, 1.0, 0.0}, "normal distribution says the same");
+    expect_refused(Poisson{nan_value, 1.0, 0.0}, "expected number of events");
+    expect_refused(Binomial{2.5, 0.5, 1.0, 0.0}, "whole number");
+    expect_refused(Binomial{2.0, 1.1, 1.0, 0.0}, "probability must lie between 0 and 1");
+    expect_refused(StatedHistogram{{0.0}, {}}, "at least one cell");
+    expect_refused(StatedHistogram{{0.0, 1.0}, {0.5, 0.5}}, "one edge more");
+    expect_refused(StatedHistogram{{0.0, 1.0, 1.0}, {0.5, 0.5}}, "edges must rise");
+    expect_refused(StatedHistogram{{0.0, 1.0, nan_value}, {0.5, 0.5}}, "edges");
+    expect_refused(StatedHistogram{{0.0, 1.0, 2.0}, {0.5, 0.6}}, "sum to 1");
 }
 
 TEST(DistributionChecks, TheLimitsOfTheShapesCanBeComputed) {
@@ -89,13 +102,13 @@ TEST(DistributionKinds, FollowTheOrderOfTheParameters) {
     const auto& kinds = distribution_kinds();
     ASSERT_EQ(kinds.size(), std::variant_size_v<DistributionParameters>);
     std::vector<Distribution> cases = distribution_cases();
-    cases.push_back(discrete_case());
+    for (const Distribution& stepped : stepped_cases()) cases.push_back(stepped);
     std::set<std::string_view> seen;
     for (const Distribution& distribution : cases) {
         const DistributionKindInfo& info = kinds[distribution.parameters().index()];
         EXPECT_EQ(distribution.kind(), info.key);
         EXPECT_EQ(distribution.title(), info.title);
-        if (info.key != "discrete") {
+        if (!info.parameters.empty()) {
             EXPECT_EQ(distribution_parameters(distribution).size(), info.parameters.size());
         }
         seen.insert(info.key);
@@ -105,7 +118,7 @@ TEST(DistributionKinds, FollowTheOrderOfTheParameters) {
 
 TEST(DistributionKinds, RoundTripThroughTheirParameters) {
     std::vector<Distribution> cases = distribution_cases();
-    cases.push_back(discrete_case());
+    for (const Distribution& stepped : stepped_cases()) cases.push_back(stepped);
     for (const Distribution& distribution : cases) {
         const auto again = distribution_from(distribution.kind(), distribution_parameters(distribution));
         ASSERT_TRUE(again.has_value()) << described(distribution);
@@ -128,6 +141,9 @@ TEST(DistributionKinds, RefuseWhatDoesNotFit) {
               std::string::npos);
     EXPECT_FALSE(distribution_from("discrete", std::vector{0.0, 1.0, 1.0}).has_value());
     EXPECT_FALSE(distribution_from("discrete", {}).has_value());
+    EXPECT_FALSE(distribution_from("histogram", {}).has_value());
+    EXPECT_FALSE(distribution_from("histogram", std::vector{0.0, 1.0, 0.5, 0.5}).has_value());
+    EXPECT_FALSE(distribution_from("poisson", std::vector{1.0}).has_value());
     EXPECT_FALSE(distribution_from("normal", std::vector{0.0, -1.0}).has_value());
 }
 

@@ -14,18 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-Discrete poisson(double lambda) {
-    Discrete d;
-    double sum = 0.0;
-    for (int n = 0; n < 60; ++n) {
-        d.values.push_back(n);
-        d.probabilities.push_back(std::exp(n * std::log(lambda) - lambda - std::lgamma(n + 1.0)));
-        sum += d.probabilities.back();
-    }
-    EXPECT_NEAR(sum, 1.0, 1e-12);
-    return d;
-}
-
 Distribution from_reference(const json& s) {
     const auto n = [&](const char* key) { return s.at(key).get<double>(); };
     const std::string type = s.at("type");
@@ -41,7 +29,7 @@ Distribution from_reference(const json& s) {
     if (type == "truncnormal") return Distribution::of(TruncatedNormal{n("mu"), n("sigma"), n("a"), n("b")});
     if (type == "lognormal") return Distribution::of(Lognormal{n("mu"), n("sigma")});
     if (type == "beta") return Distribution::of(Beta{n("a"), n("b"), n("p"), n("q")});
-    if (type == "poisson") return Distribution::of(poisson(n("lam")));
+    if (type == "poisson") return Distribution::of(Poisson{n("lam"), 1.0, 0.0});
     if (type == "discrete") return Distribution::of(Discrete{s.at("values"), s.at("probs")});
     ADD_FAILURE() << "unknown type " << type;
     return {};
@@ -55,7 +43,7 @@ struct Moments {
 /// score, or, for steps, the midpoint rule over the probability.
 Moments integrated(const Distribution& distribution) {
     std::vector<double> p, weight;
-    if (std::holds_alternative<Discrete>(distribution.parameters())) {
+    if (distribution.has_jumps()) {
         constexpr int count = 2000000;
         for (int i = 0; i < count; ++i) p.push_back((i + 0.5) / count), weight.push_back(1.0 / count);
     } else {
@@ -108,6 +96,46 @@ TEST(DistributionMoments, OfAwkwardCasesAgreeWithTheirQuantiles) {
         EXPECT_NEAR(distribution.mean(), m.mean, 2e-6 * scale);
         EXPECT_NEAR(distribution.standard_deviation(), m.standard_deviation, 2e-6 * scale);
     }
+}
+
+/// By the values themselves, and of a histogram by the midpoint rule over the probability.
+TEST(DistributionMoments, OfStepsAgreeWithTheirQuantiles) {
+    for (const Distribution& distribution : stepped_cases()) {
+        SCOPED_TRACE(described(distribution));
+        constexpr int count = 1'000'000;
+        std::vector<double> p(count), x(count);
+        for (int i = 0; i < count; ++i) p[static_cast<std::size_t>(i)] = (i + 0.5) / count;
+        distribution.quantiles(p, x);
+        double sum = 0.0, square = 0.0;
+        for (const double value : x) sum += value;
+        for (const double value : x) square += (value - sum / count) * (value - sum / count);
+        const double deviation = distribution.standard_deviation();
+        EXPECT_NEAR(distribution.mean(), sum / count, 2e-5 * deviation);
+        EXPECT_NEAR(deviation, std::sqrt(square / count), 5e-5 * deviation);
+        if (!distribution.has_jumps()) continue;
+        const Discrete table = values_with_probabilities(distribution);
+        double mean = 0.0, whole = 0.0;
+        for (std::size_t i = 0; i < table.values.size(); ++i) {
+            mean += table.probabilities[i] * table.values[i];
+            whole += table.probabilities[i];
+        }
+        EXPECT_NEAR(whole, 1.0, 1e-12);
+        EXPECT_NEAR(mean, distribution.mean(), 1e-12 * (1.0 + std::abs(mean)));
+    }
+}
+
+TEST(DistributionMoments, OfAHistogramItsDensityIsThatOfItsCells) {
+    const Distribution h = Distribution::of(StatedHistogram{{0.0, 1.0, 3.0, 4.0}, {0.5, 0.0, 0.5}});
+    EXPECT_EQ(h.density(0.5), 0.5);
+    EXPECT_EQ(h.density(2.0), 0.0);
+    EXPECT_EQ(h.density(3.5), 0.5);
+    EXPECT_EQ(h.density(-0.1), 0.0);
+    EXPECT_EQ(h.density(4.1), 0.0);
+    EXPECT_DOUBLE_EQ(h.mean(), 2.0);
+    EXPECT_DOUBLE_EQ(h.standard_deviation(), std::sqrt(1.5 * 1.5 + 1.0 / 12.0));
+    EXPECT_EQ(Distribution::of(Poisson{3.0, 1.0, 0.0}).density(3.0), 0.0);
+    EXPECT_EQ(Distribution::of(Weibull{1.0, 2.0, 1.5}).density(0.9), 0.0);
+    EXPECT_EQ(Distribution::of(Weibull{1.0, -2.0, 1.5}).density(1.1), 0.0);
 }
 
 TEST(DistributionMoments, StudentTHasAScaleAndAStandardDeviation) {  // JCGM 101 6.4.9.5, JCGM 100 G.3

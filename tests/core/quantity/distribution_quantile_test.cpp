@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/gamma.hpp>
+#include <boost/math/distributions/poisson.hpp>
+#include <boost/math/distributions/weibull.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -31,7 +34,7 @@ std::vector<double> extremes_and_uniforms(std::size_t count) {
 
 std::vector<Distribution> all_cases() {
     std::vector<Distribution> cases = distribution_cases();
-    cases.push_back(discrete_case());
+    for (const Distribution& stepped : stepped_cases()) cases.push_back(stepped);
     return cases;
 }
 
@@ -200,12 +203,60 @@ TEST(DistributionQuantiles, DiscreteTakesTheSmallestValueThatReachesP) {
     EXPECT_EQ(d.quantile(1.0 - 0x1p-53), 8.0);
 }
 
+TEST(DistributionQuantiles, WeibullAndLaplaceAgreeWithTheirDistributionFunctions) {
+    const std::vector<double> p = extremes_and_uniforms(800);
+    for (const double shape : {0.1, 0.5, 1.0, 1.5, 3.6, 40.0, 1e6}) {
+        const Distribution weibull = Distribution::of(Weibull{0.0, 2.0, shape});
+        const Distribution mirrored = Distribution::of(Weibull{0.0, -2.0, shape});
+        const boost::math::weibull_distribution<double> reference(shape, 2.0);
+        for (const double probability : p) {
+            const double expected = quantile(reference, probability);
+            EXPECT_NEAR(weibull.quantile(probability), expected, 1e-13 * (1.0 + 40.0 / shape) * expected)
+                << shape << ' ' << probability;
+            EXPECT_NEAR(mirrored.quantile(1.0 - probability), -expected, 1e-8 * expected)
+                << shape << ' ' << probability;
+        }
+    }
+    const Distribution laplace = Distribution::of(Laplace{0.0, 3.0});
+    for (const double probability : p) {
+        const double low = std::min(probability, 1.0 - probability);
+        const double expected = 3.0 * std::log(2.0 * low);
+        EXPECT_NEAR(laplace.quantile(probability), probability < 0.5 ? expected : -expected,
+                    1e-15 * std::abs(expected) + 1e-300);
+    }
+    EXPECT_EQ(laplace.quantile(0.5), 0.0);
+}
+
+/// The smallest number whose distribution function reaches p, for means from a thousandth to ten millions.
+TEST(DistributionQuantiles, NumbersOfEventsAreThoseOfBoost) {
+    const std::vector<double> p = extremes_and_uniforms(400);
+    const auto check = [&](const Distribution& distribution, const auto& reference) {
+        for (const double probability : p) {
+            const double n = distribution.quantile(probability);
+            EXPECT_EQ(n, std::round(n));
+            const double slack = 2e-11 * probability + 1e-15;
+            EXPECT_GE(cdf(reference, n) + slack, probability) << described(distribution);
+            if (n > 0.0) {
+                EXPECT_LE(cdf(reference, n - 1.0) - slack, probability) << described(distribution);
+            }
+        }
+    };
+    for (const double number : {1e-3, 0.5, 3.0, 45.5, 1e3, 1e5, 1e7})
+        check(Distribution::of(Poisson{number, 1.0, 0.0}), boost::math::poisson_distribution<double>(number));
+    for (const double trials : {1.0, 7.0, 300.0, 1e5, 1e7})
+        for (const double probability : {1e-6, 0.02, 0.5, 0.999})
+            check(Distribution::of(Binomial{trials, probability, 1.0, 0.0}),
+                  boost::math::binomial_distribution<double>(trials, probability));
+}
+
 TEST(DistributionQuantiles, ZeroWidthsAreConstants) {
     for (const DistributionParameters& parameters : std::vector<DistributionParameters>{
              Normal{2.0, 0.0}, StudentT{2.0, 0.0, 3.0}, Rectangular{2.0, 2.0},
              CurvilinearTrapezoid{2.0, 2.0, 0.0}, Trapezoidal{2.0, 2.0, 0.4}, Triangular{2.0, 2.0},
              Arcsine{2.0, 2.0}, TruncatedNormal{2.0, 0.0, 1.0, 3.0}, TruncatedNormal{5.0, 1.0, 2.0, 2.0},
-             Lognormal{std::log(2.0), 0.0}, Beta{2.0, 2.0, 2.0, 3.0}, Discrete{{2.0}, {1.0}}}) {
+             Lognormal{std::log(2.0), 0.0}, Beta{2.0, 2.0, 2.0, 3.0}, Discrete{{2.0}, {1.0}},
+             Laplace{2.0, 0.0}, Weibull{2.0, 0.0, 1.5}, Poisson{0.0, 1.0, 2.0}, Poisson{5.0, 0.0, 2.0},
+             Binomial{3.0, 0.0, 1.0, 2.0}, Binomial{2.0, 1.0, 1.0, 0.0}, Binomial{0.0, 0.5, 1.0, 2.0}}) {
         const Distribution distribution = Distribution::of(parameters);
         SCOPED_TRACE(described(distribution));
         EXPECT_EQ(distribution.standard_deviation(), 0.0);

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace covaria::input_quantity_test {
 namespace {
@@ -51,6 +53,50 @@ TEST(InputQuantity, AnArithmeticPairIsCorrelatedInOtherQuantitiesToo) {
     inputs.quantities.push_back(other);
     EXPECT_DOUBLE_EQ(standard_uncertainty_of(inputs, 0), 7.0);
     EXPECT_DOUBLE_EQ(standard_uncertainty_of(inputs, 1), 1.0);
+}
+
+/// u by the whole matrix of correlation coefficients.
+double uncertainty_by_matrix(const InputSet& inputs, std::size_t quantity) {
+    const std::size_t n = inputs.components.size();
+    std::vector<double> a(n, 0.0);
+    for (const Share& share : inputs.quantities[quantity].shares)
+        if (!inputs.components[share.component].held)
+            a[share.component] +=
+                share.factor * inputs.components[share.component].distribution.standard_uncertainty();
+    const auto resolved = resolved_correlations(inputs);
+    double square = 0.0;
+    for (const double part : a) square += part * part;
+    for (const ComponentCorrelation& r : *resolved) square += 2.0 * r.coefficient * a[r.first] * a[r.second];
+    return std::sqrt(std::max(0.0, square));
+}
+
+TEST(InputQuantity, AnyUncertaintyIsThatOfTheWholeCorrelationMatrix) {
+    std::mt19937_64 engine(11);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    for (int k = 0; k < 200; ++k) {
+        InputSet inputs;
+        const std::size_t components = 2 + engine() % 12, quantities = 1 + engine() % 4;
+        for (std::size_t c = 0; c < components; ++c)
+            inputs.add(component("c" + std::to_string(c), 1.0 + std::abs(unit(engine))));
+        for (std::size_t q = 0; q < quantities; ++q) {
+            InputQuantity added = quantity("x" + std::to_string(q), 0.0);
+            const std::size_t shares = 1 + engine() % 15;  // some components more than once
+            for (std::size_t s = 0; s < shares; ++s)
+                added.shares.push_back({engine() % components, unit(engine)});
+            inputs.quantities.push_back(std::move(added));
+        }
+        if (k % 3 == 0) {  // one that adds the first two
+            InputQuantity sum = quantity("sum", 0.0, Combination::arithmetic);
+            sum.shares = {{0, unit(engine)}, {1, unit(engine)}};
+            inputs.quantities.push_back(std::move(sum));
+        }
+        for (std::size_t c = 3; c < components; c += 2)
+            inputs.correlations.push_back({c, c - 1, 0.9 * unit(engine)});
+        if (k % 4 == 0) inputs.components[engine() % components].held = true;
+        ASSERT_TRUE(resolved_correlations(inputs).has_value()) << k;
+        for (std::size_t q = 0; q < inputs.quantities.size(); ++q)
+            EXPECT_NEAR(standard_uncertainty_of(inputs, q), uncertainty_by_matrix(inputs, q), 1e-7) << k;
+    }
 }
 
 TEST(InputQuantity, CorrelationsHeldComponentsAndMeans) {

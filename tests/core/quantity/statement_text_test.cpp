@@ -170,6 +170,46 @@ TEST(StatementText, TemperaturesHaveIntervalsAndLimits) {
               (TypedStatement{"limits", 293.15, 294.15, {}, "K"}));
 }
 
+TEST(StatementText, DistributionsAreStatedByDeviationOrByTheirParameters) {
+    const Unit number = Unit();
+    EXPECT_EQ(typed("Laplace 0.3"), (TypedStatement{"laplace", 0.3}));
+    EXPECT_EQ(typed("laplace scale 0.2 um"), (TypedStatement{"laplace-scale", 0.2, {}, {}, "um"}));
+    EXPECT_EQ(typed("Weibull 0.3"), (TypedStatement{"weibull-deviation", 0.3}));
+    EXPECT_EQ(typed("weibull scale 2, shape 1.5"), (TypedStatement{"weibull", 2.0, 1.5}));
+    EXPECT_EQ(typed("weibull 2 um shape 1.5"), (TypedStatement{"weibull", 2.0, 1.5, {}, "um"}));
+    EXPECT_EQ(typed("Poisson", number), (TypedStatement{"poisson"}));
+    EXPECT_EQ(typed("Poisson 12", number), (TypedStatement{"poisson", 12.0}));
+    EXPECT_EQ(typed("binomial n = 50, p = 2 %", number), (TypedStatement{"binomial", 50.0, 2.0}));
+    EXPECT_EQ(typed("binomial n = 50, p = 0.02", number), (TypedStatement{"binomial", 50.0, 2.0}));
+    EXPECT_EQ(typed("binomial 50", number), (TypedStatement{"binomial", 50.0}));
+    EXPECT_NE(objection("binomial 50 2", number).find("p = 2 %"), std::string::npos);
+    EXPECT_NE(objection("binomial n = 50, p = 2", number).find("p = 0.02"), std::string::npos);
+    EXPECT_NE(objection("rect scale 2").find("scale"), std::string::npos);
+    EXPECT_NE(objection("laplace scale").find("after 'scale'"), std::string::npos);
+    EXPECT_NE(objection("weibull scale 2").find("shape"), std::string::npos);
+}
+
+TEST(StatementText, SamplesAndHistogramsAreLists) {
+    TypedStatement sample{"sample"}, weighted{"sample"}, histogram{"histogram"};
+    sample.observations = {10.1, 10.3, 10.2};
+    weighted.observations = {1.0, 2000.0};
+    weighted.weights = {2.0, 5.0};
+    histogram.observations = {0.0, 1.0, 2.0};
+    histogram.weights = {5.0, 8.0};
+    EXPECT_EQ(typed("sample 10.1; 10.3; 10.2"), sample);
+    EXPECT_EQ(typed("sample 1 2 um weights 2; 5").observations, (std::vector{1000.0, 2000.0}));
+    EXPECT_EQ(typed("sample 1 nm; 2 um weights 2; 5"), weighted);
+    EXPECT_EQ(typed("histogram 0; 1; 2 weights 5; 8"), histogram);
+    EXPECT_EQ(typed("hist 0 1 2 weights 5 8"), histogram);
+    for (const TypedStatement& statement : {sample, weighted, histogram, TypedStatement{"sample"}})
+        EXPECT_EQ(typed(statement_text(statement, nm, plain)), statement);
+    EXPECT_NE(objection("sample 1; 2 weights 1").find("as many weights"), std::string::npos);
+    EXPECT_NE(objection("histogram 0; 1; 2").find("weights"), std::string::npos);
+    EXPECT_NE(objection("histogram 0; 1; 2 weights 1; 2; 3").find("one edge more"), std::string::npos);
+    EXPECT_NE(objection("1; 2; 3 weights 1; 2; 3").find("sample"), std::string::npos);
+    EXPECT_NE(objection("rect 1 weights 2").find("weights"), std::string::npos);
+}
+
 TEST(StatementText, NothingIsGuessed) {
     EXPECT_NE(objection("U 75").find("k = "), std::string::npos);
     EXPECT_NE(objection("U 75 2").find("k = "), std::string::npos);
@@ -191,6 +231,7 @@ TEST(StatementText, ReadsBackWhatIsWritten) {
         TypedStatement statement{std::string(kind.key)};
         if (!kind.a.empty()) statement.a = kind.key == "counts" ? 12.0 : 0.125;
         if (!kind.b.empty()) statement.b = 2.5;
+        if (kind.a_optional) all.push_back({std::string(kind.key)});
         all.push_back(statement);
         if (kind.b_optional) all.push_back({std::string(kind.key), statement.a});
     }

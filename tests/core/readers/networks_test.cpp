@@ -1,4 +1,6 @@
 // Points of networks: GNU Gama with its covariance, Comp3D with its codes.
+#include <cmath>
+
 #include "core/kinds/registries.h"
 #include "tests/core/readers/reading.h"
 
@@ -66,6 +68,57 @@ TEST(ReadGama, WhatIsWrongHasAPlace) {
         EXPECT_NE(read.error().message.english().find(c.words), std::string::npos)
             << read.error().message.english();
     }
+}
+
+// Two clusters observe A: two results, each with its own uncertainty, none overwrites the other.
+TEST(ReadGama, TwoDeterminationsOfAPointAreBothKept) {
+    const auto cluster = [](const char* x, const char* variance) {
+        return std::string("<coordinates><point id='A' x='") + x + "' y='2'/>" +
+               "<cov-mat dim='2' band='0'>" + variance + " 25</cov-mat></coordinates>";
+    };
+    for (const int determinations : {1, 2, 3}) {
+        std::string file =
+            "<gama-local><network><points-observations><point id='F' x='7' y='8' fix='xy'/>"
+            "<point id='A' x='1' y='2' adj='xy'/>";
+        for (int k = 0; k < determinations; ++k)
+            file += cluster(("1.0" + std::to_string(k)).c_str(), std::to_string((k + 1) * (k + 1)).c_str());
+        const auto read = read_with("gama", file + "</points-observations></network></gama-local>");
+        ASSERT_TRUE(read) << read.error().message.english();
+        EXPECT_EQ(errors_of(*read), "");
+        ASSERT_EQ(read->assets.size(), static_cast<std::size_t>(determinations));
+        const UncertaintyResult result = first_order(*read);
+        int of_x = 0;
+        for (const OutputResult& output : result.outputs) {
+            if (output.standard_uncertainty == 0.0 || output.standard_uncertainty > 0.0045) continue;
+            const int k = of_x++;
+            EXPECT_NEAR(output.estimate, 1.0 + 0.01 * k, 1e-12);
+        }
+        EXPECT_GE(of_x, 1);
+        for (int k = 0; k < determinations; ++k) {
+            const auto& rows =
+                std::get<SetupTable>(read->assets[static_cast<std::size_t>(k)].setup.values.at("points"))
+                    .rows;
+            EXPECT_EQ(rows.size(), 2u) << "A and the fixed point";
+        }
+        EXPECT_EQ(all_found(*read).find("determinations of the same points") != std::string::npos,
+                  determinations > 1);
+    }
+}
+
+TEST(ReadGama, TheTwoSolutionsOfCharamzasBookAreBothKept) {
+    const auto read = read_with("gama", data("gama-two-determinations.gkf"));
+    ASSERT_TRUE(read) << read.error().message.english();
+    EXPECT_EQ(errors_of(*read), "");
+    ASSERT_EQ(read->assets.size(), 2u);
+    std::size_t found = 0;
+    for (const OutputResult& output : first_order(*read).outputs)
+        for (const double x : {1054612.59853, 1054612.59392})
+            if (std::abs(output.estimate - x) < 1e-6) {
+                ++found;
+                EXPECT_NEAR(output.standard_uncertainty,
+                            std::sqrt(x > 1054612.595 ? 67.589719 : 24.665067) * 1e-3, 1e-9);
+            }
+    EXPECT_EQ(found, 2u);
 }
 
 TEST(ReadGama, ObservationsKeepUnitsDeviationsAndBands) {

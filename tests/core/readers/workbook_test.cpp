@@ -4,35 +4,13 @@
 #include "core/kinds/registries.h"
 #include "core/readers/budget_columns.h"
 #include "tests/core/readers/reading.h"
-#include "tests/core/readers/zipped.h"
+#include "tests/core/readers/sheet.h"
 
 namespace covaria::workbook_test {
 
 using namespace readers_test;
 
 namespace {
-
-/// A workbook of one sheet; cells as they stand in XML: `<v>1</v>`, or words.
-Parts workbook(const std::vector<std::vector<std::string>>& rows) {
-    std::string sheet = "<worksheet><sheetData>";
-    for (const auto& row : rows) {
-        sheet += "<row>";
-        for (const std::string& cell : row)
-            sheet += cell.starts_with("<") ? "<c>" + cell + "</c>"
-                                           : "<c t='inlineStr'><is><t>" + cell + "</t></is></c>";
-        sheet += "</row>";
-    }
-    return {{"xl/workbook.xml",
-             "<workbook xmlns:r='x'><sheets><sheet name='B' sheetId='1' r:id='r1'/></sheets></workbook>"},
-            {"xl/_rels/workbook.xml.rels",
-             "<Relationships><Relationship Id='r1' Type='http://x/worksheet' "
-             "Target='worksheets/sheet1.xml'/></Relationships>"},
-            {"xl/worksheets/sheet1.xml", sheet + "</sheetData></worksheet>"}};
-}
-
-std::string v(double number) {
-    return "<v>" + std::to_string(number) + "</v>";
-}
 
 const std::vector<std::string> heads{"Quantity", "Value", "Unit", "U", "Divisor", "Distribution", "c"};
 
@@ -156,6 +134,12 @@ TEST(ReadWorkbook, HeadersOfEa402AreKnown) {
         {"Sensitivity coefficient c_i", BudgetColumn::c},
         {"Uncertainty contribution u_i(y)", BudgetColumn::contribution},
         {"Value ±", BudgetColumn::limits},
+        {"Value (±)", BudgetColumn::limits},
+        {"vi or veff", BudgetColumn::nu},
+        {"Sensitivitätskoeffizient", BudgetColumn::c},
+        {"Half-width (a)", BudgetColumn::limits},
+        {"Bewertung", BudgetColumn::unread},
+        {"Relative standard uncertainty", BudgetColumn::unread},
         {"Divisor", BudgetColumn::divisor},
         {"Source of uncertainty", BudgetColumn::name},
         {"Freiheitsgrad", BudgetColumn::nu},

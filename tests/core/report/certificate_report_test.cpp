@@ -3,6 +3,7 @@
 
 #include "core/base/file_io.h"
 #include "core/project/stated_requirements.h"
+#include "core/report/date_words.h"
 #include "core/report/report.h"
 #include "core/report/result_statement.h"
 #include "core/report/table_text.h"
@@ -113,9 +114,9 @@ struct Made {
                 project.certificate.*field.member =
                     field.kind == CertificateText::line || field.kind == CertificateText::lines
                         ? std::string("given A_7 <") + field.key + ">"
-                    : field.kind == CertificateText::picture || field.kind == CertificateText::language
-                        ? ""
-                        : "2026-04-17";
+                    : field.kind == CertificateText::picture || field.kind == CertificateText::language ? ""
+                    : field.kind == CertificateText::site ? "customer"
+                                                          : "2026-04-17";
         project.analyses[0].requirements = {
             {"pose 1", "x", {}, Quantity{-121.0, test::mm()}, Quantity{-117.0, test::mm()}, 0.83}};
         analyses = {test::sample_analysis(test::sample_result({poses, 3, 3, false, "pose"}))};
@@ -140,8 +141,11 @@ TEST(CertificateReport, SaysEverythingThatIsGivenAsItWasTyped) {
     for (const CertificateField& field : certificate_fields())
         EXPECT_TRUE(contains(text, field.kind == CertificateText::line || field.kind == CertificateText::lines
                                        ? std::string("given A_7 &lt;") + field.key + "&gt;"
-                                       : "2026-04-17"))
+                                   : field.kind == CertificateText::site ? "at the customer: given A_7"
+                                                                         : "17 April 2026"))
             << field.key;
+    EXPECT_FALSE(contains(text, "2026-04-17")) << "dates are words";
+    EXPECT_EQ(document.author, made.project.certificate.authorised_by);
     EXPECT_FALSE(contains(text, "not stated"));
     EXPECT_TRUE(document.head_on_every_page);
     EXPECT_TRUE(contains(document.running_head, made.project.certificate.number));
@@ -174,7 +178,8 @@ TEST(CertificateReport, WhatIsRequiredAndMissingIsAGap) {
     for (const CertificateField& field : certificate_fields()) {
         const std::string gap = std::string("<dt>") + field.title + "</dt><dd>— not stated —</dd>";
         const bool elsewhere = field.member == &Certificate::authorised_by;
-        EXPECT_EQ(contains(text, gap), field.required && !elsewhere) << field.title;
+        EXPECT_EQ(contains(text, gap), (field.required && !elsewhere) || field.required_for_conformity)
+            << field.title;
     }
     EXPECT_EQ(document.title, "Calibration certificate") << "a gap is a fact, not a title";
     EXPECT_TRUE(document.over.empty());
@@ -248,9 +253,40 @@ TEST(CertificateReport, ConformityNamesItsRuleAndRatios) {
     ASSERT_EQ(table->table.rows.size(), 1u);
     std::string row;
     for (std::size_t c = 0; c < table->table.columns.size(); ++c) row += cell_text(*table, 0, c) + "|";
-    EXPECT_TRUE(contains(row, "guard band w = 0.83 U|accepted|")) << row;
+    EXPECT_TRUE(contains(row, "guard band w = 0.83 U|pass (accepted)|")) << row;
     EXPECT_TRUE(contains(row, "|2.70|2.70|")) << row << ": U = 2u, 2 mm over 0.741 mm";
     EXPECT_TRUE(contains(to_html(document), "ILAC-G8:09/2019"));
+    Made failing(1);
+    failing.project.analyses[0].requirements[0].upper_limit = Quantity{-118.9, test::mm()};
+    EXPECT_TRUE(contains(to_html(failing.document()), "fail (rejected)"));
+}
+
+TEST(CertificateReport, ConformitySaysToWhichSpecificationItRefers) {
+    Made made(1);
+    made.project.certificate.specification = "ISO 3650:1998, grade 1";
+    const auto place_of = [&](const std::string& words) { return to_html(made.document()).find(words); };
+    EXPECT_GT(place_of("ISO 3650:1998, grade 1"), place_of("Statement of conformity"));
+    made.project.certificate.specification.clear();
+    EXPECT_TRUE(contains(to_html(made.document()), "<dt>Specification</dt><dd>— not stated —</dd>"));
+    made.project.analyses[0].requirements.clear();
+    EXPECT_FALSE(contains(to_html(made.document()), "<dt>Specification</dt>")) << "nothing refers to one";
+    made.project.certificate.specification = "MPE of the maker";
+    EXPECT_TRUE(contains(to_html(made.document()), "MPE of the maker")) << "what was typed is not dropped";
+}
+
+TEST(DateWords, AreThoseOfTheLanguageAndWhatIsNoDateStays) {
+    EXPECT_EQ(date_words("2026-11-27", {}), "27 November 2026");
+    EXPECT_EQ(date_words("2026-04-07/2026-05-18", {}), "7 April 2026 to 18 May 2026");
+    const DocumentLanguage german("de", {.decimal = ","}, [](const std::string& english) {
+        return english == "%1 %2 %3" ? "%1. %2 %3" : english == "May" ? "Mai" : english;
+    });
+    EXPECT_EQ(date_words("2026-05-07", german), "7. Mai 2026");
+    const DocumentLanguage chinese("zh_CN", {}, [](const std::string& english) {
+        return english == "%1 %2 %3" ? "%3年%2%1日" : english == "May" ? "5月" : english;
+    });
+    EXPECT_EQ(date_words("2026-05-07", chinese), "2026年5月7日");
+    for (const char* other : {"", "soon", "2026-13-01", "2026-00-01", "2026-4-7", "— not stated —"})
+        EXPECT_EQ(date_words(other, german), other);
 }
 
 }  // namespace

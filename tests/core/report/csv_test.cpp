@@ -7,6 +7,7 @@
 
 #include "core/report/csv_text.h"
 #include "core/report/report.h"
+#include "core/report/result_tables.h"
 #include "tests/core/report/sample_report.h"
 
 namespace covaria::csv_test {
@@ -24,6 +25,20 @@ TEST(Csv, WhatASpreadsheetWouldComputeIsShownInstead) {
     for (const char* formula : {"=1+1", "@SUM(A1)", "-2+3", "+cmd", "\t=1", " =1"})
         EXPECT_EQ(csv_text(formula).find_first_of('\''), csv_text(formula)[0] == '"' ? 1u : 0u) << formula;
     for (const char* text : {"-2.5", "+3", "-1e-9", "a=b", "b-2", "−4", ""}) EXPECT_EQ(csv_text(text), text);
+}
+
+// A German Excel takes a comma for no separator and a semicolon for one, whatever is in quotes.
+TEST(Csv, SoIsWhatWouldBeACellOfItsOwnElsewhere) {
+    EXPECT_EQ(csv_text("a;=1+1"), "a;'=1+1");
+    EXPECT_EQ(csv_text("a; =1;@x,b"), "\"a;' =1;'@x,b\"");
+    EXPECT_EQ(csv_text("a\t=1"), "a\t'=1");
+    EXPECT_EQ(csv_text("a\n+b"), "\"a\n'+b\"");
+    EXPECT_EQ(csv_text("1;-2;+3"), "1;-2;+3") << "numbers compute nothing";
+}
+
+TEST(Csv, ControlCharactersAreShown) {
+    EXPECT_EQ(csv_text("\x1b[2Jno errors\x07\x7f"), "␛[2Jno errors␇␡");
+    EXPECT_EQ(csv_text("two\r\nlines"), "\"two\nlines\"");
 }
 
 TEST(Csv, NumbersHaveFullPrecisionInTheUnitOfTheHead) {
@@ -68,6 +83,59 @@ TEST(ResultTables, HoldEverythingOfTheResult) {
     EXPECT_EQ(tables[4].rows.size(), 126U);
     for (const DataTable& table : tables)
         for (const auto& row : table.rows) ASSERT_EQ(row.size(), table.columns.size()) << table.id;
+}
+
+// Files are made one by one, budgets output by output, with the same bytes.
+TEST(ResultTables, FilesAreThoseOfTheTables) {
+    const UncertaintyResult result = test::sample_result();
+    const auto analysis = test::sample_analysis(result);
+    std::vector<std::pair<std::string, std::string>> files;
+    each_result_file(test::sample_project(), analysis,
+                     [&](const std::string& id, const std::string& csv) { files.emplace_back(id, csv); });
+    const std::vector<DataTable> tables = result_tables(test::sample_project(), analysis);
+    ASSERT_EQ(files.size(), tables.size());
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        EXPECT_EQ(files[i].first, tables[i].id);
+        EXPECT_EQ(files[i].second, to_csv(tables[i])) << tables[i].id;
+    }
+}
+
+// Of thousands of outputs the whole matrix would be gigabytes: a point has the pairs of its coordinates.
+TEST(ResultTables, CovariancesOfThousandsOfOutputsAreThoseOfTheirGroups) {
+    UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
+    result.outputs.resize(3);
+    std::vector<OutputResult> point = result.outputs;
+    const Eigen::Matrix3d of_point = result.covariance.topLeftCorner<3, 3>();
+    result.outputs.clear();
+    constexpr std::size_t points = 600;
+    result.covariance = Eigen::MatrixXd::Zero(3 * points, 3 * points);
+    for (std::size_t k = 0; k < points; ++k)
+        for (std::size_t c = 0; c < 3; ++c) {
+            point[c].quantity.group = "P" + std::to_string(k);
+            result.outputs.push_back(point[c]);
+            for (std::size_t d = 0; d < 3; ++d)
+                result.covariance(static_cast<Eigen::Index>(3 * k + c),
+                                  static_cast<Eigen::Index>(3 * k + d)) =
+                    of_point(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(d));
+        }
+    result.regions.clear();
+    const std::vector<DataTable> tables =
+        result_tables(test::sample_project(), test::sample_analysis(result));
+    const auto table =
+        std::find_if(tables.begin(), tables.end(), [](const DataTable& t) { return t.id == "covariance"; });
+    ASSERT_NE(table, tables.end());
+    EXPECT_EQ(
+        std::count_if(tables.begin(), tables.end(), [](const DataTable& t) { return t.id == "correlation"; }),
+        0);
+    ASSERT_EQ(table->rows.size(), 3 * points);
+    for (const auto& row : table->rows) {
+        ASSERT_EQ(row.size(), table->columns.size());
+        EXPECT_EQ(std::get<std::string>(row[3]), "mm");
+        if (std::get<std::string>(row[1]) != "x" || std::get<std::string>(row[2]) != "y") continue;
+        EXPECT_NEAR(std::get<double>(row[5]), 1e6 * of_point(0, 1), 1e-12);
+        EXPECT_NEAR(std::get<double>(row[6]),
+                    of_point(0, 1) / point[0].standard_uncertainty / point[1].standard_uncertainty, 1e-12);
+    }
 }
 
 TEST(ResultTables, CorrelationsOfInputsAreThereWithTheIdsOfTheBudget) {

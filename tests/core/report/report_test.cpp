@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -441,6 +442,96 @@ TEST(Report, ComponentsThatOnlyRoundingMakesCountAreLeftOut) {
         build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)});
     EXPECT_EQ(table_with_id(document, "budget-typed-x-pose-1")->table.rows.size(), 17U + 1U);
     EXPECT_EQ(table_with_id(document, "budget-typed-y-pose-1")->table.rows.size(), 18U + 1U);
+}
+
+/// The notes of the budget of x.
+std::string notes_of_budget(const UncertaintyResult& result) {
+    const ReportDocument document =
+        build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)});
+    std::string notes;
+    for (const Message& note : table_with_id(document, "budget-typed-x-pose-1")->table.notes)
+        notes += note.english() + "\n";
+    return notes;
+}
+
+TEST(Report, ABudgetSaysWhatItLeavesOutAndWhichUIsStated) {
+    UncertaintyResult result = test::sample_result({1, 3, 3, true, "pose"});
+    EXPECT_FALSE(contains(notes_of_budget(result), "Left out"));
+    result.budget.rows[0][17].contribution = 1e-16 * result.outputs[0].standard_uncertainty;
+    EXPECT_TRUE(contains(notes_of_budget(result),
+                         "Left out, because they contribute nothing (less than 10⁻⁹ of "
+                         "u_c): p_1_3z, coordinate of a point."))
+        << notes_of_budget(result);
+    result.budget.rows[0].resize(8);
+    EXPECT_TRUE(contains(notes_of_budget(result), "Left out: 10 components that contribute nothing"))
+        << notes_of_budget(result);
+    const std::string last =
+        "Stated in the results: x (pose 1) = " + result_statement(result.outputs[0], result) +
+        " (propagation of distributions).\n";
+    EXPECT_TRUE(notes_of_budget(result).ends_with(last)) << notes_of_budget(result);
+    UncertaintyResult by_law = test::sample_result({1, 3, 3, false, "pose"});
+    EXPECT_TRUE(notes_of_budget(by_law).ends_with("(law of propagation).\n")) << notes_of_budget(by_law);
+}
+
+/// 60 components of so many owners, whose names are their numbers.
+UncertaintyResult with_owners(std::size_t owners) {
+    UncertaintyResult result = test::sample_result({1, 3, 3, false, "pose"});
+    const BudgetComponent first = result.budget.components.front();
+    const double u = result.outputs[0].first_order.standard_uncertainty;
+    result.budget.components.clear();
+    for (auto& rows : result.budget.rows) rows.clear();
+    for (std::size_t i = 0; i < 60; ++i) {
+        BudgetComponent component = first;
+        component.owner = i % owners == 0 ? "" : "asset " + std::to_string(i % owners);
+        component.origin = "";
+        result.budget.components.push_back(component);
+        result.budget.rows[0].push_back({i, 1.0, u / std::sqrt(60.0), 1.0 / 60.0, {}});
+    }
+    return result;
+}
+
+TEST(Report, FurtherComponentsAreBrokenDownByWhoBringsThemIn) {
+    for (const std::size_t owners : {1u, 2u, 5u, 6u, 20u}) {
+        const ReportDocument document = build_report(*MadeProject::make(test::sample_project()),
+                                                     {test::sample_analysis(with_owners(owners))});
+        const TableBlock* budget = table_with_id(document, "budget-typed-x-pose-1");
+        ASSERT_NE(budget, nullptr);
+        std::size_t name = 0, share = 0, rest = 0;
+        for (std::size_t c = 0; c < budget->table.columns.size(); ++c) {
+            if (budget->table.columns[c].header == "Component") name = c;
+            if (contains(budget->table.columns[c].header, "Share of variance")) share = c;
+        }
+        double sum = 0.0;
+        std::string words;
+        for (std::size_t r = 0; r + 1 < budget->table.rows.size(); ++r) {
+            sum += std::get<double>(budget->table.rows[r][share]);
+            const std::string text = cell_text(*budget, r, name);
+            if (!contains(text, "further component")) continue;
+            ++rest;
+            words += text + "\n";
+        }
+        EXPECT_EQ(rest, std::min<std::size_t>(owners, 5)) << words;
+        EXPECT_NEAR(sum, 100.0, 1e-9) << "every component is in one row";
+        EXPECT_EQ(contains(words, "other sources"), owners > 5) << words;
+        EXPECT_EQ(contains(words, ": the set-up"), owners > 1 && owners <= 6) << words;
+        if (owners == 1) {
+            EXPECT_EQ(words, "36 further components\n");
+        }
+    }
+}
+
+TEST(Report, ALongOneHasContentsAndAShortOneNone) {
+    const auto contents_of = [](const ReportDocument& document) {
+        return std::count_if(document.blocks.begin(), document.blocks.end(), [](const ReportBlock& block) {
+            return std::holds_alternative<ContentsBlock>(block);
+        });
+    };
+    const ReportDocument document = test::sample_report();
+    EXPECT_EQ(contents_of(document), 1);
+    EXPECT_TRUE(contains(to_html(document), "<a href=\"#section-1\">")) << "linked on a screen too";
+    EXPECT_TRUE(contains(to_html(document), "id=\"section-1\""));
+    EXPECT_FALSE(contains(to_html(document), "type=\"search\""));
+    EXPECT_EQ(contents_of(build_report(*MadeProject::make(test::sample_project()), {})), 0);
 }
 
 TEST(Report, AQuantityHasOneEstimateAndOneUnitInItsBudget) {

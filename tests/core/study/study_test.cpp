@@ -91,6 +91,55 @@ TEST(Study, AnInstrumentIsVariedInsideItsNetwork) {
               result.points[0].values[0].standard_uncertainty);
 }
 
+/// An analysis that this one takes from is varied like an asset.
+TEST(Study, AnAnalysisUpstreamIsVaried) {
+    Project project = load_project(data_directory() / "projects/chain.covaria").project;
+    std::erase_if(project.analyses, [](const auto& a) { return a.id != "bar" && a.id != "network"; });
+    ASSERT_EQ(project.analyses.size(), 2u);
+    AnalysisEntry &bar = project.analyses[0], &network = project.analyses[1];
+    network.options.method = Method::first_order;
+    network.studies = {{.id = "s",
+                        .axes = {{.asset = "bar",
+                                  .target = "/setup/quantities/rows/0/a",
+                                  .change = StudyChange::factor,
+                                  .from = 1.0,
+                                  .to = 50.0,
+                                  .values = 3}}}};
+    Problems problems;
+    const auto study = prepare_study(MadeProject::make(project), "network", "s", problems);
+    ASSERT_TRUE(study) << (problems.items().empty() ? "" : problems.items()[0].message.english());
+    const StudyResult result = *run_study(*study, {});
+    EXPECT_NE(result.axes[0].title.message().english().find(bar.name.empty() ? bar.id : bar.name),
+              std::string::npos);
+    ASSERT_EQ(result.points.size(), 3u);
+    for (std::size_t point = 0; point < 3; ++point) {
+        Project changed = project;
+        auto& table = std::get<SetupTable>(changed.analyses[0].setup.values.at("quantities"));
+        double& a = std::get<double>(table.rows[0][5]);
+        ASSERT_EQ(a, 0.004);
+        a *= result.axes[0].values[point];
+        const auto made = made_analysis(changed, "network", problems);
+        ASSERT_TRUE(made);
+        const UncertaintyResult whole = *run_analysis(*made);
+        std::size_t compared = 0;
+        for (std::size_t j = 0; j < result.outputs.size(); ++j)
+            for (const OutputResult& output : whole.outputs) {
+                if (output.quantity.symbol != result.outputs[j].symbol ||
+                    output.quantity.group != result.outputs[j].group)
+                    continue;
+                EXPECT_EQ(result.points[point].values[j].standard_uncertainty, output.standard_uncertainty);
+                ++compared;
+            }
+        EXPECT_EQ(compared, result.outputs.size());
+    }
+    EXPECT_NE(result.points[0].values[0].standard_uncertainty,
+              result.points[2].values[0].standard_uncertainty);
+    // The bar takes nothing from the network.
+    bar.studies = network.studies;
+    bar.studies[0].axes[0].asset = "network";
+    EXPECT_FALSE(prepare_study(MadeProject::make(project), "bar", "s", problems));
+}
+
 TEST(Study, EveryGridPointIsWhatTheChangedProjectGives) {
     Project project = network();
     project.analyses[0].studies = {{.id = "s",

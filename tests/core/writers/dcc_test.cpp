@@ -1,5 +1,6 @@
 // Digital Calibration Certificates: valid by their schema, read in again to the same numbers, and nothing is
 // made up for what is missing.
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <pugixml.hpp>
@@ -30,6 +31,7 @@ Certificate full_certificate() {
     for (const CertificateField& field : certificate_fields())
         certificate.*field.member = std::string(field.title) + " <&\"' Ä\n second\x01 line";
     certificate.country = "DE";
+    certificate.site = "customer";
     certificate.received = "2026-04-16";
     certificate.calibrated = "2026-04-17/2026-04-18";
     certificate.issued = "2026-04-20";
@@ -98,6 +100,35 @@ TEST(WriteCertificate, IsValidByItsSchema) {
     EXPECT_EQ(invalid_because(trials->bytes), "");
 }
 
+TEST(WriteCertificate, SaysWhereItWasPerformedAndNothingAboutASignThatIsNotThere) {
+    for (const auto& [site, place, stated] : {std::array{"customer", "hall 3", "customer"},
+                                              {"customerBranch", "", "customerBranch"},
+                                              {"", "", "laboratory"},
+                                              {"", "hall 3", "other"}}) {
+        for (const bool fixed : {false, true})
+            for (const std::uint64_t trials : {0, 2'000}) {
+                Project project = loaded(data_directory() / "projects/gum/h1-end-gauge.covaria");
+                project.certificate = full_certificate();
+                project.certificate.site = site;
+                project.certificate.place = place;
+                if (fixed) project.results.coverage_factor = 2.0;
+                const Evaluated evaluated = evaluate(std::move(project), trials);
+                const auto written = write_as("dcc", evaluated.source());
+                ASSERT_TRUE(written) << written.error().message.english();
+                pugi::xml_document document;
+                ASSERT_TRUE(document.load_string(written->bytes.c_str()));
+                EXPECT_STREQ(document.select_node("//dcc:performanceLocation").node().text().get(), stated);
+                EXPECT_EQ(written->bytes.find("±"), std::string::npos) << "data have no such sign";
+                const std::string method =
+                    document.select_node("//dcc:usedMethod[2]/dcc:description/dcc:content")
+                        .node()
+                        .text()
+                        .get();
+                EXPECT_EQ(method.find("fixed coverage factor") != std::string::npos, fixed) << method;
+            }
+    }
+}
+
 /// Rows of the analysis that the reader proposes, by name.
 struct ReadQuantities {
     AnalysisEntry analysis;
@@ -160,6 +191,8 @@ TEST(WriteCertificate, StatesConformityByItsRule) {
         EXPECT_EQ(std::string(stated[0].text().get()), conforming ? "pass" : "fail");
         const pugi::xml_node meta = stated[0].parent();
         EXPECT_EQ(std::string(meta.child("dcc:convention").text().get()), "guard band w = U");
+        EXPECT_EQ(std::string(meta.child("dcc:norm").text().get()).find("Specification <&"), 0u)
+            << "to which it refers";
         const auto verdict =
             judge(*evaluated.analyses[0].result, evaluated.made->project().analyses.at(0)).at(0);
         const std::string unit = meta.select_node(".//si:unit").node().text().get();

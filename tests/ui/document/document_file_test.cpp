@@ -9,6 +9,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <csignal>
+#include <filesystem>
 
 #include "core/kinds/registries.h"
 #include "core/pdf/pdf_archive.h"
@@ -18,7 +19,9 @@
 #include "ui/document/autosave.h"
 #include "ui/document/copy_linked_files.h"
 #include "ui/document/document.h"
+#include "ui/document/file_watch.h"
 #include "ui/document/project_edits.h"
+#include "ui/document/recovery_store.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui::document_file_test {
@@ -143,6 +146,58 @@ TEST_F(DocumentFileTest, OtherProgramsChangesAreNoticedOwnOnesAreNot) {
     EXPECT_EQ(changed.count(), 1) << "the own change was not told";
     QFile::remove(path("p.covaria"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return changed.count() >= 2; }));
+}
+
+// A watcher of files may be told of nothing: before saving, the file is compared with what was read.
+TEST_F(DocumentFileTest, WhatAnotherProgramHasWrittenIsNotReplacedUnasked) {
+    set_title("x");
+    ASSERT_TRUE(document.save_as(path("p.covaria")));
+    set_title("y");
+    write("p.covaria", "something else");
+    const auto saved = document.save();  // before any event
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().code, ErrorCode::cancelled);
+    EXPECT_EQ(bytes("p.covaria"), "something else");
+    ASSERT_TRUE(document.save_as(path("p.covaria"))) << "who says so replaces it";
+    EXPECT_NE(bytes("p.covaria"), "something else");
+    set_title("z");
+    EXPECT_TRUE(document.save()) << "and it is this program's again";
+}
+
+// Between the reading of a file and the beginning of the watch.
+TEST_F(DocumentFileTest, WhatIsWrittenWhileItIsOpenedIsNoticed) {
+    write("p.covaria", "as read");
+    const QByteArray read = FileWatch::content_of(path("p.covaria"));
+    FileWatch watch;
+    QSignalSpy changed(&watch, &FileWatch::changed);
+    watch.watch(path("p.covaria"));
+    watch.was_read_as(read);
+    EXPECT_EQ(changed.count(), 0);
+    write("p.covaria", "something else");
+    FileWatch late;
+    QSignalSpy changed_late(&late, &FileWatch::changed);
+    late.watch(path("p.covaria"));
+    late.was_read_as(read);
+    EXPECT_EQ(changed_late.count(), 1);
+}
+
+/// Permissions of a file, as chmod takes them.
+unsigned mode_of(const QString& file) {
+    return static_cast<unsigned>(std::filesystem::status(to_path(file)).permissions());
+}
+
+TEST_F(DocumentFileTest, NobodyReadsTheRecoveryFileWhoMayNotReadTheProject) {
+    Project project;
+    project.title = "secret";
+    const QString recovery = path("recovery/a.recovery");
+    ASSERT_TRUE(RecoveryStore::write(recovery, project, {}));
+    EXPECT_EQ(mode_of(recovery), 0600u) << "a project without a file is its user's";
+    write("p.covaria", "{}");
+    for (const unsigned mode : {0600u, 0640u, 0644u}) {
+        std::filesystem::permissions(to_path(path("p.covaria")), std::filesystem::perms(mode));
+        ASSERT_TRUE(RecoveryStore::write(recovery, project, path("p.covaria")));
+        EXPECT_EQ(mode_of(recovery), mode);
+    }
 }
 
 TEST_F(DocumentFileTest, AReportOpensAsAnUnsavedProjectThatNamesIt) {

@@ -52,6 +52,20 @@ TEST(QuantityText, ReadsTheDecimalMarkOfTheLocale) {
     EXPECT_FALSE(parse_quantity("1.234,5", Unit::of("mm"), german)) << "grouping is not guessed at";
 }
 
+TEST(QuantityText, SaysHowANumberOfAnotherLanguageIsTyped) {
+    const auto refusal = [](const char* text, const QLocale& locale) {
+        const auto read = parse_quantity(text, Unit::of("mm"), locale);
+        return read ? std::string("read") : read.error().message.english();
+    };
+    EXPECT_EQ(refusal("1,5", english), "“1,5” is not a number. Type it as 1.5.");
+    EXPECT_EQ(refusal("-1,5 mm", english), "“-1,5 mm” is not a number. Type it as -1.5 mm.");
+    EXPECT_EQ(refusal("1,234 mm", english),
+              "“1,234 mm” is not a number. Type it as 1.234 mm, or as 1234 mm.");
+    for (const char* text : {"1,234,5", "one", "1.2,3"})
+        EXPECT_EQ(refusal(text, english).find("Type it"), std::string::npos) << text;
+    EXPECT_EQ(refusal("1.234,5", german).find("Type it"), std::string::npos);
+}
+
 TEST(QuantityText, ReadsPowersOfTenAsTheyAreShown) {
     EXPECT_EQ(parsed(QString::fromUtf8("−6,1×10⁻⁵ mm"), "mm", german).value, -6.1e-5);
     EXPECT_EQ(parsed(QString::fromUtf8("2×10⁷"), "mm").value, 2e7);

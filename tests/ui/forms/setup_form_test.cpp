@@ -114,6 +114,22 @@ TEST_F(SetupFormTest, PosesAreEditedPartByPart) {
     EXPECT_EQ(pose.angles[2], 90.0);
 }
 
+// Numbers of every length, in the narrowest form: the whole text has room, its sign first of all.
+TEST_F(SetupFormTest, NoPartOfAPoseIsOutOfSight) {
+    form->resize(form->minimumSizeHint().width(), 900);
+    for (const char* number : {"-1.5", "-987.6281", "-9887.628", "-98876.62812", "-0.00001234567"}) {
+        for (int part = 0; part < 6; ++part)
+            type(("pose_" + std::to_string(part)).c_str(), QString::fromLatin1(number));
+        form->setFocus();
+        QTest::qWait(10);
+        for (int part = 0; part < 6; ++part) {
+            const auto* edit = find<QLineEdit>(("pose_" + std::to_string(part)).c_str());
+            EXPECT_GT(edit->width(), edit->fontMetrics().horizontalAdvance(edit->text())) << number;
+            EXPECT_EQ(edit->cursorPosition(), 0) << number;
+        }
+    }
+}
+
 TEST_F(SetupFormTest, AReferenceWithNothingThatFitsSaysSo) {
     EXPECT_TRUE(find<QComboBox>("source")->currentText().contains("add it first"));
 }

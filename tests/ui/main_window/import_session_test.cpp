@@ -112,6 +112,37 @@ TEST_F(FileImportSession, ADroppedBudgetIsShownAndAddedInOneStep) {
     EXPECT_EQ(window_->document().project().analyses.size(), before);
 }
 
+// A column nobody understands is asked about, a unit nobody knows is typed over, a row is left out: all in
+// the dialog, which shows every row.
+TEST_F(FileImportSession, ABudgetIsMendedInTheDialog) {
+    open(project_copy());
+    ImportDialog* dialog = drop(sample("budgets/unknown-unit.xlsx"));
+    ASSERT_TRUE(dialog);
+    auto* table = dialog->findChild<QTableWidget*>(QStringLiteral("table"));
+    auto* summary = dialog->findChild<QLabel*>(QStringLiteral("summary"));
+    const auto ok = [&] { return dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok); };
+    EXPECT_EQ(table->rowCount(), 45) << "what each column is, the heads, and all rows";
+    EXPECT_FALSE(ok()->isEnabled());
+    EXPECT_TRUE(summary->text().contains(QStringLiteral("Xyzzy"))) << summary->text().toStdString();
+    auto* unknown = dialog->findChild<QComboBox*>(QStringLiteral("column-5"));
+    EXPECT_EQ(unknown->currentText(), QStringLiteral("unknown: choose"));
+    choose_in(*unknown, QStringLiteral("not read"));
+    EXPECT_TRUE(summary->text().contains(QStringLiteral("B!C3"))) << summary->text().toStdString();
+    EXPECT_NE(table->item(3, 2)->background().style(), Qt::NoBrush) << "the row that is wrong is marked";
+    EXPECT_EQ(table->item(2, 2)->background().style(), Qt::NoBrush);
+    table->setCurrentCell(3, 0);
+    auto* leave_out = dialog->findChild<QPushButton*>(QStringLiteral("leave_out"));
+    leave_out->click();
+    EXPECT_TRUE(ok()->isEnabled()) << summary->text().toStdString();
+    leave_out->click();
+    EXPECT_FALSE(ok()->isEnabled());
+    table->item(3, 2)->setText(QStringLiteral("mm"));
+    EXPECT_TRUE(ok()->isEnabled()) << summary->text().toStdString();
+    dialog->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/test-files/import-mended.png"));
+    press_import(*dialog);
+    EXPECT_EQ(window_->document().project().analyses.back().name, "unknown-unit");
+}
+
 TEST_F(FileImportSession, UnitsThatTheFileDoesNotStateAreTyped) {
     open(project_copy());
     ImportDialog* dialog = drop(sample("traverse.obs"));

@@ -122,7 +122,7 @@ QStringList Session::problems() {
     const auto* pane = window_->findChild<ProblemsPane*>();
     QStringList words;
     for (int row = 0; row < pane->model()->rowCount(); ++row)
-        for (int column = 0; column < pane->model()->columnCount(); ++column)
+        for (int column = 0; column < ProblemsModel::remedy_column; ++column)
             words << pane->model()->index(row, column).data().toString();
     return words;
 }

@@ -58,7 +58,7 @@ protected:
     bool wait_for(const std::function<bool()>& condition, int milliseconds = 30'000) const {
         return QTest::qWaitFor(condition, milliseconds);
     }
-    /// The words of all problems listed, once the list is that of the present project.
+    /// The words of all problems listed (kind, place, problem), once the list is that of the present project.
     QStringList problems();
     /// Waits for the scene of the present results, then its picture.
     QImage scene_picture();

@@ -80,5 +80,48 @@ TEST_F(TemperatureSession, AnAddedComponentAndEveryUnitLeaveTheEstimate) {
     EXPECT_NEAR(uncertainty(), std::hypot(0.1, 0.2), 1e-12);
 }
 
+constexpr const char* pt100 = R"json({"format": "covaria", "schemaVersion": 1, "title": "", "assets": [],
+ "analyses": [{"id": "a", "model": "measurement-equation", "setup": {
+  "equations": ["R = R0*(1 + A*t + B*t^2)"],
+  "quantities": {
+   "columns": ["symbol", "value", "unit", "statement", "a", "stated_unit"],
+   "rows": [["R0", 100, "ohm", "standard", 0.01, null], ["A", 0.0039083, "1/K", "constant", null, null],
+    ["B", -5.775e-7, "1/K^2", "constant", null, null], ["t", 20, "degC", "standard", 0.1, "K"]]}},
+  "options": {"method": "first-order"}}]})json";
+
+// A temperature that is taken for a difference: the ways out stand beside the problem, a click takes one.
+TEST_F(TemperatureSession, AClickOnAWayOutMendsTheProblem) {
+    const QString path = folder_.filePath(QStringLiteral("pt100.covaria"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(pt100);
+    file.close();
+    open(path);
+    select(SetupOwner::analysis, "a");
+    ASSERT_EQ(problems().size(), 3);
+    auto* pane = window_->findChild<ProblemsPane*>();
+    ASSERT_NE(pane, nullptr);
+    pane->window()->findChild<QWidget*>(QStringLiteral("problems"))->raise();
+    QStringList offered;
+    for (int column = ProblemsModel::remedy_column; column < ProblemsModel::column_count; ++column) {
+        EXPECT_FALSE(pane->isColumnHidden(column)) << column;
+        offered << pane->model()->index(0, column).data().toString();
+    }
+    EXPECT_EQ(offered, QStringList({QStringLiteral("a difference: t in K"),
+                                    QStringLiteral("its reading in degC: t - 0 [degC]"),
+                                    QStringLiteral("a thermodynamic temperature: t in K")}));
+    for (int way = 0; way < 2; ++way) {
+        const QModelIndex link = pane->model()->index(0, ProblemsModel::remedy_column + way);
+        pane->scrollTo(link);
+        QTest::mouseClick(pane->viewport(), Qt::LeftButton, {}, pane->visualRect(link).center());
+        EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
+        EXPECT_TRUE(pane->isColumnHidden(ProblemsModel::remedy_column));
+        ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
+        EXPECT_NEAR(status().prepared->propagated->propagation()->law.estimate(0), 107.7935, 1e-9) << way;
+        window_->document().undo();
+        ASSERT_EQ(problems().size(), 3) << "one step takes the way back";
+    }
+}
+
 }  // namespace
 }  // namespace covaria::ui::temperature_session_test

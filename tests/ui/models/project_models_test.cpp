@@ -165,6 +165,47 @@ TEST_F(ProjectModelsTest, WhatIsMissingIsNamed) {
     EXPECT_EQ(ProblemsModel::missing_words(own, "budget"), QString());
 }
 
+TEST_F(ProjectModelsTest, PlacesInListsAreNamedByWhatTheyHold) {
+    AnalysisEntry entry{"a", "measurement-equation", "Budget", {}, {}, {}, {}, {}, {}};
+    entry.links = {{"l_S", {"b", "", "y"}}};
+    entry.studies.push_back({.id = "s", .name = "Where is the limit?"});
+    entry.requirements.push_back({"", "y"});
+    Project project;
+    project.analyses = {entry};
+    const auto words = [&](const char* part) {
+        return ProblemsModel::place_words(project, std::string("/analyses/0/") + part).toStdString();
+    };
+    EXPECT_EQ(words("links/0/analysis"), "Budget: link of l_S");
+    EXPECT_EQ(words("studies/0/axes/1/target"), "Budget: study “Where is the limit?”");
+    EXPECT_EQ(words("requirements/0/upperLimit"), "Budget: requirement on y");
+}
+
+// What is wrong with a whole row is one cell, where the row begins; what is wrong with a cell is that cell.
+TEST_F(ProjectModelsTest, OneProblemIsOneCell) {
+    AnalysisEntry budget{"budget", "measurement-equation", "Budget", {}, {}, {}, {}, {}, {}};
+    Project project;
+    project.analyses = {budget};
+    Problems problems;
+    Document own([&problems](const MadeProject&) { return problems; }, nullptr);
+    own.replace(project);
+    SetupTableModel table(own, {SetupOwner::analysis, "budget"}, "quantities");
+    table.insertRows(0, 3);
+    for (const char* place :
+         {"/analyses/0/setup/quantities/rows/1", "/analyses/0/setup/quantities/rows/1/2"}) {
+        problems = {};
+        problems.error(place, "wrong");
+        own.check_now();
+        int marked = 0;
+        for (int row = 0; row < table.rowCount(); ++row)
+            for (int column = 0; column < table.columnCount(); ++column)
+                if (table.index(row, column).data(Qt::BackgroundRole).isValid()) {
+                    ++marked;
+                    EXPECT_EQ(row, 1);
+                }
+        EXPECT_EQ(marked, 1) << place;
+    }
+}
+
 TEST_F(ProjectModelsTest, ProblemsComeWithTheirPlaceErrorsFirst) {
     add_analysis_entry("a");
     ProblemsModel model(document);

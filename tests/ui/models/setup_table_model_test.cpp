@@ -65,6 +65,33 @@ TEST(SetupTableModelSymbols, NamesOfQuantitiesAreSymbols) {
     EXPECT_EQ(shown[3], QStringLiteral("θ"));
 }
 
+// "23 degC" typed for a quantity in K is no difference of 296.15 K; typed for one in degC, K is
+// thermodynamic.
+TEST(SetupTableModelUnits, ATemperatureTypedForADifferenceStaysInItsCell) {
+    LoadedProject loaded =
+        parse_project(R"json({"format": "covaria", "schemaVersion": 2, "title": "", "assets": [],
+        "analyses": [{"id": "a", "model": "measurement-equation", "setup": {"equations": ["y = t + d"],
+        "quantities": {"columns": ["symbol", "value", "unit"], "rows": [["t", 20, "degC"], ["d", 3, "K"]]}}}]})json",
+                      {}, "temperatures");
+    Document document{[](const MadeProject&) { return Problems(); }, nullptr};
+    document.replace(loaded.project);
+    const SetupSchema* schema = schema_of(document.project().analyses[0]);
+    SetupTableModel quantities{document, {SetupOwner::analysis, "a"}, schema, "quantities"};
+    const int value = static_cast<int>(SetupSchema::column(*schema->find("quantities"), "value"));
+    const auto type = [&](int row, const char* text) {
+        quantities.setData(quantities.index(row, value), QString::fromUtf8(text));
+        return quantities.index(row, value).data(Qt::EditRole).toString();
+    };
+    EXPECT_EQ(type(1, "23 °C"), QString::fromUtf8("23 °C"));
+    EXPECT_TRUE(quantities.index(1, value)
+                    .data(problem_role)
+                    .toString()
+                    .contains(QStringLiteral("may be a difference")));
+    EXPECT_EQ(document.undo_stack().count(), 0) << "nothing was converted";
+    EXPECT_EQ(type(1, "500 mK"), QStringLiteral("0.5"));
+    EXPECT_EQ(type(0, "294.15 K"), QStringLiteral("21"));
+}
+
 TEST_F(SetupTableModelTest, EditsGoThroughTheDocumentAndComeBack) {
     EXPECT_TRUE(type(0, 1, "500 um"));
     EXPECT_EQ(stored().rows[0][1], SetupCell(0.5));

@@ -16,7 +16,6 @@
 
 #include "core/report/table_text.h"
 #include "tests/core/report/sample_report.h"
-#include "ui/print/pdf_outline.h"
 
 namespace covaria::ui::pdf_report_test {
 namespace {
@@ -296,9 +295,79 @@ TEST_F(PdfReport, ADocumentWithoutHeadingsHasNoBookmarks) {
     const auto plain = pdf_bytes(ReportDocument{}, options());
     ASSERT_TRUE(plain);
     EXPECT_EQ(plain->find("/Outlines"), std::string::npos);
-    EXPECT_FALSE(with_bookmarks("no PDF", {{"a", 1, 0, 0.0}}));
-    EXPECT_FALSE(with_bookmarks(*plain, {{"a", 1, 1, 0.0}})) << "there is no second page";
-    EXPECT_EQ(*with_bookmarks(*plain, {}), *plain);
+}
+
+/// The links of a page as pdftohtml writes them: the page they lead to and their words.
+std::vector<std::pair<std::size_t, std::string>> links_in(const std::string& xml) {
+    std::vector<std::pair<std::size_t, std::string>> links;
+    for (std::size_t at = xml.find("<a href=\""); at != std::string::npos;
+         at = xml.find("<a href=\"", at + 1)) {
+        const std::size_t hash = xml.find('#', at), begin = xml.find('>', at) + 1,
+                          end = xml.find("</a>", begin);
+        links.emplace_back(std::stoul(xml.substr(hash + 1, 8)), xml.substr(begin, end - begin));
+    }
+    return links;
+}
+
+TEST_F(PdfReport, LinesOfTheContentsLeadToTheirHeadings) {
+    const ReportDocument document = test::sample_report();
+    const std::string xml = output_of("pdftohtml", {"-xml", "-i", "-stdout", "FILE"}, document, options());
+    const std::vector<std::string> pages = pages_of(text_of(document, options()));
+    const auto links = links_in(xml);
+    std::size_t headings = 0;
+    for (const ReportBlock& block : document.blocks)
+        if (const auto* heading = std::get_if<HeadingBlock>(&block); heading && heading->level <= 2)
+            ++headings;
+    ASSERT_GE(links.size(), headings) << "its words, its page number";
+    for (const auto& [page, words] : links) {
+        ASSERT_LE(page, pages.size());
+        ASSERT_GE(page, 1u);
+        // "2.1 Measurands": on the page it leads to, and that page's number beside it.
+        const std::string number = words.substr(0, words.find_first_of(" \u2002"));
+        EXPECT_TRUE(contains(pages[page - 1], number)) << words << " on page " << page;
+    }
+}
+
+TEST_F(PdfReport, SaysItsLanguageAndItsAuthor) {
+    ReportDocument document = test::sample_report({1, 3, 3, false, "pose"});
+    document.author = "E. Muster & Söhne";
+    document.language = "de";
+    const auto bytes = pdf_bytes(document, options());
+    ASSERT_TRUE(bytes);
+    EXPECT_TRUE(contains(*bytes, "/Lang (de)"));
+    EXPECT_TRUE(contains(*bytes, "E. Muster &amp; Söhne</rdf:li></rdf:Seq></dc:creator>"));
+    EXPECT_TRUE(contains(output_of("pdfinfo", {"FILE"}, document, options()), "E. Muster & Söhne"));
+}
+
+/// Who copies an equation, or has it read aloud, needs every sign of it.
+TEST_F(PdfReport, TallParenthesesOfAnEquationAreText) {
+    using K = Formula::Kind;
+    const auto symbol = [](const char* base) { return Formula::of_symbol({base, "", ""}); };
+    const auto of = [](K kind, std::vector<Formula> parts) {
+        Formula f = Formula::row(std::move(parts));
+        f.kind = kind;
+        return f;
+    };
+    Formula fence =
+        of(K::fence, {of(K::fraction, {symbol("a"), of(K::fraction, {symbol("b"), symbol("c")})})});
+    for (const char* mark : {"(", "|"}) {
+        fence.text = mark;
+        ReportDocument document;
+        document.title = "Equation";
+        document.blocks = {EquationBlock{
+            "text", "", of(K::row, {symbol("y"), Formula::leaf(K::sign, "="), fence, symbol("d")})}};
+        const std::string text = text_of(document, options());
+        const std::string closing = *mark == '(' ? ")" : "|";
+        EXPECT_TRUE(contains(text, mark)) << text;
+        EXPECT_NE(text.find(closing, text.find(mark) + 1), std::string::npos) << text;
+        const std::string in_order =
+            without_spaces(output_of("pdftotext", {"-raw", "FILE", "-"}, document, options()));
+        const std::size_t open = in_order.find(mark);
+        ASSERT_NE(open, std::string::npos);
+        EXPECT_LT(in_order.find("y"), open) << in_order;
+        EXPECT_LT(in_order.find("c", open), in_order.find(closing, open + 1)) << in_order;
+        EXPECT_NE(in_order.find("d", in_order.find(closing, open + 1)), std::string::npos) << in_order;
+    }
 }
 
 TEST_F(PdfReport, BothPaperSizes) {

@@ -84,7 +84,16 @@ TEST(EquationModel, StatementsGiveTheirStandardUncertainties) {
              {"resolution", 1.0, 0.1, none, none, 0.1 / std::sqrt(12.0), inf, "rectangular"},
              {"mpe", 10.0, 0.1, 2.0, none, 0.3 / std::sqrt(3.0), inf, "rectangular"},
              {"exponential", 2.0, none, none, none, 2.0, inf, "exponential"},
-             {"counts", none, 15.0, none, none, 4.0, inf, "gamma"}}) {
+             {"counts", none, 15.0, none, none, 4.0, inf, "gamma"},
+             {"laplace", 1.0, 0.3, none, none, 0.3, inf, "laplace"},
+             {"laplace-scale", 1.0, 0.3, none, none, 0.3 * std::sqrt(2.0), inf, "laplace"},
+             // 2 sqrt(Gamma(5/3) - Gamma(4/3)^2)
+             {"weibull", none, 2.0, 3.0, none, 0.6491001402, inf, "weibull"},
+             {"weibull-deviation", 1.785958845, 0.6491001402, none, none, 0.6491001402, inf, "weibull"},
+             {"poisson", none, 9.0, none, none, 3.0, inf, "poisson"},
+             {"poisson", 9.0, none, none, none, 3.0, inf, "poisson"},
+             {"binomial", none, 50.0, 2.0, none, std::sqrt(0.98), inf, "binomial"},
+             {"binomial", 1.0, 50.0, none, none, std::sqrt(0.98), inf, "binomial"}}) {
         const auto result =
             first_order(setup_of("y = x", {quantity("x", c.value, "1", c.statement, c.a, c.b, c.nu)}));
         EXPECT_NEAR(result.outputs[0].standard_uncertainty, c.u, 1e-8 * c.u) << c.statement;
@@ -106,11 +115,12 @@ TEST(EquationModel, AStatementMayHaveAUnitOfItsOwn) {
     for (const StatementKind& kind : statement_kinds()) {
         if (kind.a.empty() || !kind.a_has_unit) continue;
         const std::string key(kind.key);
-        const bool limits = key == "limits";
-        const SetupCell value = limits ? none : SetupCell(2.0);
+        const bool limits = key == "limits", gives_value = limits || key == "weibull";
+        const SetupCell value = gives_value ? none : SetupCell(2.0);
         const double a = 0.012, b = key == "certificate-p" ? 95.0
                                     : limits               ? 0.019
                                     : key == "trapezoidal" ? 0.5
+                                    : key == "weibull"     ? 1.5
                                                            : 0.004;
         const double factor = kind.b_has_unit ? 1000.0 : 1.0;
         const bool counts = key == "certificate-k" || key == "standard-deviation";
@@ -126,6 +136,58 @@ TEST(EquationModel, AStatementMayHaveAUnitOfItsOwn) {
     EXPECT_NEAR(u(quantity("x", -50.0, "mm", "standard", 2.0, none, none, std::string("ppm"))), 1e-7, 1e-20);
     EXPECT_NEAR(u(quantity("x", 0.5, "1", "standard", 1.0, none, none, percent)), 0.01, 1e-15)
         << "of a number a part is a number";
+}
+
+SetupTable weighted(const std::vector<std::pair<double, SetupCell>>& rows) {
+    std::vector<Row> made;
+    for (const auto& [value, weight] : rows) made.push_back({std::string("x"), none, none, value, weight});
+    return table("observations", made);
+}
+
+UncertaintyResult of_list(const char* statement, const std::vector<std::pair<double, SetupCell>>& rows,
+                          const char* unit = "mm") {
+    covaria::Setup setup = setup_of("y = x", {quantity("x", none, unit, statement)});
+    setup.values["observations"] = weighted(rows);
+    return first_order(setup);
+}
+
+TEST(EquationModel, ASampleIsDrawnAsItIsListed) {
+    const auto alike = of_list("sample", {{1.0, none}, {2.0, none}, {6.0, none}});
+    EXPECT_NEAR(alike.outputs[0].estimate, 3e-3, 1e-15);
+    EXPECT_NEAR(alike.outputs[0].standard_uncertainty, std::sqrt(14.0 / 3.0) * 1e-3, 1e-15);
+    EXPECT_EQ(alike.inputs->components[0].distribution.kind(), "discrete");
+    const auto weights = of_list("sample", {{1.0, 3.0}, {2.0, 1.0}});
+    EXPECT_NEAR(weights.outputs[0].estimate, 1.25e-3, 1e-15);
+    EXPECT_NEAR(weights.outputs[0].standard_uncertainty, std::sqrt(3.0) / 4.0 * 1e-3, 1e-15);
+    const auto histogram = of_list("histogram", {{0.0, 1.0}, {1.0, 3.0}, {3.0, none}});
+    EXPECT_NEAR(histogram.outputs[0].estimate, (0.25 * 0.5 + 0.75 * 2.0) * 1e-3, 1e-15);
+    const double middle = 1.625, variance = 0.25 * (0.5 - middle) * (0.5 - middle) + 0.25 / 12.0 +
+                                            0.75 * (2.0 - middle) * (2.0 - middle) + 0.75 * 4.0 / 12.0;
+    EXPECT_NEAR(histogram.outputs[0].standard_uncertainty, std::sqrt(variance) * 1e-3, 1e-15);
+    const auto celsius = of_list("sample", {{20.0, none}, {22.0, none}}, "degC");
+    EXPECT_NEAR(celsius.outputs[0].estimate, 294.15, 1e-12);
+    EXPECT_NEAR(celsius.outputs[0].standard_uncertainty, 1.0, 1e-12);
+}
+
+/// Quantities of one evaluation: u, r and a common nu are a multivariate t distribution, whose product moment
+/// of squares is not that of independent ones (JCGM 102 5.3.2).
+TEST(EquationModel, AnEnsembleRestsOnOneEstimateOfVariance) {
+    const std::size_t at = SetupSchema::column(*descriptor().schema.find("quantities"), "ensemble");
+    const auto member = [&](const char* symbol, double u, double nu) {
+        Row row = quantity(symbol, 0.0, "mm", "standard", u, none, nu);
+        row.resize(at + 1);
+        row[at] = std::string("fit");
+        return row;
+    };
+    const auto result = first_order(setup_of("y = a + b", {member("a", 3.0, 9.0), member("b", 4.0, 9.0)}));
+    EXPECT_NEAR(result.outputs[0].standard_uncertainty, 5e-3, 1e-15);
+    EXPECT_NEAR(result.outputs[0].first_order.effective_degrees_of_freedom, 9.0, 1e-9)
+        << "they count once, not as two sources";
+    ASSERT_EQ(result.inputs->variance_estimates.size(), 1u);
+    EXPECT_EQ(result.inputs->variance_estimates[0].components.size(), 2u);
+    Problems problems;
+    model_of(setup_of("y = a + b", {member("a", 3.0, 9.0), member("b", 4.0, 8.0)}), problems);
+    EXPECT_TRUE(problems.has_errors()) << "another nu";
 }
 
 TEST(EquationModel, SeveralComponentsOfOneQuantityAddUp) {

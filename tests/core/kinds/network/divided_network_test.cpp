@@ -91,5 +91,22 @@ TEST(DividedNetwork, ATargetIsWhatItIsAlone) {
     }
 }
 
+// What a target depends on does not grow with the number of the others.
+TEST(DividedNetwork, SensitivitiesGrowWithTheTargetsAlone) {
+    const auto coefficients = [](int count) {
+        const auto analysis = prepared(bench::large_network(sensors, count));
+        std::vector<double> x;
+        for (std::size_t i = 0; i < analysis->inputs.quantities.size(); ++i)
+            x.push_back(estimate_of(analysis->inputs, i));
+        SensitivityRows rows;
+        EXPECT_TRUE(analysis->model->sensitivities(x, rows));
+        std::size_t sum = 0;
+        for (const auto& row : rows) sum += row.size();
+        return sum;
+    };
+    const std::size_t once = coefficients(40), thrice = coefficients(120);
+    EXPECT_LE(thrice, 3 * once + 3 * once / 10);
+}
+
 }  // namespace
 }  // namespace covaria::divided_network_test

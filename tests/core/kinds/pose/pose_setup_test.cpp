@@ -118,6 +118,21 @@ TEST(PoseSetup, WarnsOfLargeUncertaintiesGimbalLockAndOtherAxes) {
     expect_problem(s, Severity::warning, "/base_points/rows/3", "uses the first three points");
 }
 
+// What the axes made from points are compared with is the size of the whole figure, whichever points
+// coincide.
+TEST(PoseSetup, WarnsOfOtherAxesOnlyWhereThereAreOthers) {
+    const Points figures[] = {{{0, 0, 0}, {0, 0, 0}, {1000, 0, 0}, {0, 900, 0}},
+                              {{0, 0, 0}, {1000, 0, 0}, {1000, 0, 0}, {0, 900, 0}},
+                              {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}, {1000, 0, 0}, {0, 900, 0}},
+                              {{1000, 0, 0}, {0, 900, 0}, {0, 0, 0}, {0, 0, 0}}};
+    for (const Points& figure : figures) {
+        covaria::Setup s = setup(figure, figure, {.1, .1, .1}, .1);
+        s.values["base_fit"] = s.values["moving_fit"] = std::string("least-squares");
+        const Problems problems = problems_of(s);
+        for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ' ' << p.message.english();
+    }
+}
+
 TEST(PoseSetup, AnyFrame0GivesTheSameUncertainties) {
     covaria::Setup s = setup();
     PoseValue base;

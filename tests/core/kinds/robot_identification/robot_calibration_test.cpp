@@ -103,6 +103,45 @@ TEST(Calibration, ExactPosesGiveTheParametersBack) {
     for (const auto& [symbol, value] : calibrated) EXPECT_NEAR(found.at(symbol).value, value, 1e-8) << symbol;
 }
 
+// Where the ball is said to be is a start: off by some decimetres, or on the axis of the last joint, where it
+// would not move with that joint.
+TEST(Calibration, AnyStartOfTheBallLeadsToTheSameArm) {
+    Robot robot;
+    const auto right = parameters(robot.run(measured, 0));
+    const std::vector<std::array<double, 3>> starts{{0, 0, 0},       {0, 0, 100},    {0, 0, -200},
+                                                    {80, 60, 280},   {-160, 60, 40}, {240, -180, -500},
+                                                    {-80, -60, -40}, {0, 1e-6, 0}};
+    for (const auto& start : starts) {
+        PoseValue ball;
+        ball.position = start;
+        robot.setup(measured).values["ball"] = ball;
+        const auto found = parameters(robot.run(measured, 0));
+        EXPECT_TRUE(robot.problems.empty()) << robot.words();
+        ASSERT_EQ(found.size(), right.size()) << start[0] << ' ' << start[1] << ' ' << start[2];
+        for (const auto& [symbol, parameter] : right) {
+            EXPECT_NEAR(found.at(symbol).value, parameter.value, 1e-6 * parameter.u) << symbol;
+            EXPECT_NEAR(found.at(symbol).u, parameter.u, 1e-6 * parameter.u) << symbol;
+        }
+    }
+}
+
+TEST(Calibration, AnyStartOfTheToolLeadsToTheSameArm) {
+    Robot robot;
+    measure_exactly(robot, somewhere());
+    robot.setup(measured).values["quantity"] = std::string("poses");
+    const std::vector<std::array<double, 3>> turns{{170, 0, 0}, {0, 120, 0}, {-60, 40, 150}, {3, -2, 179}};
+    for (const auto& turn : turns) {
+        PoseValue tool;
+        tool.position = {-200, 300, 0};
+        tool.angles = turn;
+        robot.setup(measured).values["ball"] = tool;
+        const auto found = parameters(robot.run(measured, 0));
+        EXPECT_EQ(found.size(), calibrated.size());
+        for (const auto& [symbol, value] : calibrated)
+            EXPECT_NEAR(found.at(symbol).value, value, 1e-8) << symbol << ' ' << turn[0];
+    }
+}
+
 TEST(Calibration, SyntheticPositionsLeadToTheCalibratedArm) {
     Robot robot;
     const auto found = parameters(robot.run(measured, 0));

@@ -30,6 +30,15 @@ void expect_value(const Project& project, const std::string& id, const std::stri
     EXPECT_TRUE(any) << what;
 }
 
+void expect_error_said(const Project& project, const std::string& id) {
+    const MadeProject::Pointer made = MadeProject::make(project);
+    const auto prepared = made->analysis(id);
+    const Problems problems = made->problems();
+    const bool said = std::ranges::any_of(
+        problems.items(), [](const Problem& problem) { return problem.severity == Severity::error; });
+    EXPECT_TRUE(said || (prepared && !evaluate_first_order(*prepared->propagated, prepared->options)));
+}
+
 TEST(AnalysisTemplates, EachHasAResultAsMade) {
     std::set<std::string> titles;
     for (const AnalysisTemplate& known : analysis_templates()) {
@@ -95,7 +104,7 @@ TEST(AnalysisTemplates, TheProjectsOwnTrackerStandsInThePlaceOfTheTemplates) {
     expect_value(project, *id, "with the project's tracker");
 }
 
-TEST(AnalysisTemplates, ATrackerThatCannotSeeTheTargetsIsNotTaken) {
+TEST(AnalysisTemplates, ATrackerThatCannotSeeTheTargetsIsTakenAndItsErrorSaid) {
     Project project = *template_project(from_tracker());
     project.analyses.clear();
     AssetEntry& mine = project.assets.front();
@@ -104,7 +113,8 @@ TEST(AnalysisTemplates, ATrackerThatCannotSeeTheTargetsIsNotTaken) {
     mine.setup.values["view_farthest"] = Quantity{0.001, Unit::of("m")};
     const auto id = add_template(project, from_tracker());
     ASSERT_TRUE(id);
-    EXPECT_EQ(project.assets.size(), 2U) << "the template's own came with it";
+    EXPECT_EQ(project.assets.size(), 1U) << "no other tracker came with it";
+    expect_error_said(project, *id);
 }
 
 // As it comes from the library it stands in the origin, among the targets, nearer than it measures.
@@ -130,13 +140,15 @@ TEST(AnalysisTemplates, ATrackerThatIsUsedIsNotMoved) {
     mine.setup.values.erase("station");
     mine.setup.values["view_nearest"] = Quantity{0.8, Unit::of("m")};
     const AssetEntry before = mine;
-    ASSERT_TRUE(add_template(project, from_tracker()));
-    EXPECT_EQ(project.assets.size(), 2U) << "the template's own came with it";
+    const auto id = add_template(project, from_tracker());
+    ASSERT_TRUE(id);
+    EXPECT_EQ(project.assets.size(), 1U) << "no other tracker came with it";
     EXPECT_EQ(project.assets.front(), before);
+    expect_error_said(project, *id);
 }
 
-// One of two assets is not complete yet: the other one is used all the same.
-TEST(AnalysisTemplates, OneAssetThatDoesNotFitKeepsNoOtherOut) {
+// One of two assets is not complete yet: both are used, and what it lacks is said.
+TEST(AnalysisTemplates, AnAssetThatIsNotCompleteIsUsedAllTheSame) {
     const auto wanted =
         std::ranges::find(analysis_templates(), "from-artefacts", &AnalysisTemplate::analysis);
     Project project = *template_project(*wanted);
@@ -147,9 +159,39 @@ TEST(AnalysisTemplates, OneAssetThatDoesNotFitKeepsNoOtherOut) {
     const std::string incomplete = project.assets.front().kind;
     const auto id = add_template(project, *wanted);
     ASSERT_TRUE(id);
-    ASSERT_EQ(project.assets.size(), 3U);
-    EXPECT_EQ(project.assets.back().kind, incomplete) << "instead of that came the template's own";
-    EXPECT_NE(MadeProject::make(project)->analysis(*id), nullptr);
+    EXPECT_EQ(project.assets.size(), 2U) << "no other " << incomplete << " came with it";
+    expect_error_said(project, *id);
+}
+
+/// Of a kind, and with the sort that the set-up says: tracker, camera.
+std::string kind_and_sort(const AssetEntry& asset) {
+    const auto sort = asset.setup.values.find("kind");
+    const auto* text = sort == asset.setup.values.end() ? nullptr : std::get_if<std::string>(&sort->second);
+    return asset.kind + (text ? "/" + *text : std::string());
+}
+
+// Every template into the assets of every other one, each with other figures: an asset comes with the
+// analysis only where all that the project has of its kind are used already.
+TEST(AnalysisTemplates, NoAssetComesBesideOneOfItsKindThatIsNotUsed) {
+    for (const AnalysisTemplate& others : analysis_templates()) {
+        Project before = *template_project(others);
+        before.analyses.clear();
+        for (AssetEntry& asset : before.assets) asset.id = "my-" + asset.id;
+        for (AssetEntry& asset : before.assets) asset.setup.values.clear();
+        for (const AnalysisTemplate& known : analysis_templates()) {
+            if (known.with_designs || before.assets.empty()) continue;
+            Project project = before;
+            const auto id = add_template(project, known);
+            ASSERT_TRUE(id) << known.title;
+            const std::vector<std::string> used = MadeProject::make(project)->assets_used_by(*id);
+            std::set<std::string> come;
+            for (std::size_t i = before.assets.size(); i < project.assets.size(); ++i)
+                come.insert(kind_and_sort(project.assets[i]));
+            for (const AssetEntry& own : before.assets)
+                EXPECT_TRUE(!come.contains(kind_and_sort(own)) || std::ranges::count(used, own.id) == 1)
+                    << known.title << " beside " << own.id;
+        }
+    }
 }
 
 }  // namespace

@@ -1,0 +1,13 @@
+// Ways out of problems, taken.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/project.h"
+
+namespace covaria {
+
+/// The project with what the way out puts in its places, which are those in the project ("/analyses/0/setup/
+/// ..."). Error: one of them is in a table that is read from a file.
+Result<Project> mended(const Project& project, const Remedy& remedy);
+
+}  // namespace covaria
