@@ -61,7 +61,7 @@ std::string with_guess(const std::string& sentence, const std::string& meant) {
     return meant.empty() ? sentence : sentence + " (did you mean '" + meant + "'?)";
 }
 
-/// "; covaria report and covaria compare have it": of a name that other commands know.
+/// "; it is an option of 'report' and 'compare'": of a name that other commands know.
 std::string where_it_is(const std::string& name, const CLI::App& app) {
     std::vector<std::string> having;
     for (const CLI::App* command : commands_of(app))
