@@ -42,8 +42,15 @@ std::string option_name(const std::string& word) {
     return letter ? word.substr(0, 2) : std::string();
 }
 
-/// The nearest in letters, else the only one that is longer ("--cert", "--certificate").
+/// With two neighbours exchanged ("--sa", "--as"), the only one that is longer ("--cert", "--certificate"),
+/// else the nearest in letters. Of a single letter nothing can be guessed.
 std::string guess(const std::string& name, const std::vector<std::string>& names) {
+    if (name.find_first_not_of('-') + 1 >= name.size()) return {};
+    for (std::size_t i = 1; i < name.size(); ++i) {
+        std::string exchanged = name;
+        std::swap(exchanged[i - 1], exchanged[i]);
+        if (is_among(exchanged, names)) return exchanged;
+    }
     const auto longer = [&](const std::string& other) { return other.starts_with(name); };
     if (name.size() > 3 && std::count_if(names.begin(), names.end(), longer) == 1)
         return *std::find_if(names.begin(), names.end(), longer);
@@ -54,7 +61,7 @@ std::string with_guess(const std::string& sentence, const std::string& meant) {
     return meant.empty() ? sentence : sentence + " (did you mean '" + meant + "'?)";
 }
 
-/// "; covaria report and covaria compare have it": of a name that other commands know.
+/// "; it is an option of 'report' and 'compare'": of a name that other commands know.
 std::string where_it_is(const std::string& name, const CLI::App& app) {
     std::vector<std::string> having;
     for (const CLI::App* command : commands_of(app))

@@ -101,6 +101,20 @@ TEST(JsonOutput, ADesignIsPrintedAsItIsWritten) {
     EXPECT_EQ(run.out, read_text(folder / "design-points-twelve.json"));
 }
 
+TEST(JsonOutput, VerificationHasEveryFigure) {
+    const json all = printed({"verify", "--json"}, "covaria-verification");
+    std::size_t figures = 0, passed = 0;
+    for (const json& one : all.at("cases"))
+        for (const json& figure : one.at("figures")) {
+            ++figures;
+            passed += figure.at("passed").get<bool>();
+            EXPECT_FALSE(figure.at("value").is_null()) << figure;
+        }
+    EXPECT_GT(figures, 1000u);
+    EXPECT_EQ(all.at("figures"), figures);
+    EXPECT_EQ(all.at("passed"), passed);
+}
+
 TEST(Numbers, OfTrialsMayHaveAPowerOfTen) {
     const fs::path folder = fresh_folder("numbers");
     std::string bytes;
