@@ -1567,10 +1567,6 @@
         <translation>Gleichungen</translation>
     </message>
     <message>
-        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation>Eine Gleichung je Zeile: y = x_1*x_2 + x_3. Namen ohne Gleichung sind Eingangsgrößen; eine Zahl hat ihre Einheit in Klammern: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; findet y in jedem Versuch, ausgehend von seinem Startwert. &apos;#&apos; beginnt einen Kommentar.</translation>
-    </message>
-    <message>
         <source>symbol</source>
         <translation>Symbol</translation>
     </message>
@@ -3763,10 +3759,6 @@
         <translation>Ort der Kalibrierung</translation>
     </message>
     <message>
-        <source>Where it was done if not in the laboratory: at the customer, in the field.</source>
-        <translation>Wo sie stattfand, wenn nicht im Laboratorium: beim Kunden, vor Ort.</translation>
-    </message>
-    <message>
         <source>Customer</source>
         <translation>Kunde</translation>
     </message>
@@ -4605,14 +4597,6 @@
     <message>
         <source>by</source>
         <translation>nach</translation>
-    </message>
-    <message>
-        <source>accepted</source>
-        <translation>angenommen</translation>
-    </message>
-    <message>
-        <source>rejected</source>
-        <translation>zurückgewiesen</translation>
     </message>
     <message>
         <source>not judged</source>
@@ -6183,10 +6167,6 @@
         <translation>Nicht erfasst: Produkte von Lasten im Übersprechen, Fehlausrichtung der Lasten, Kriechen, Temperatur, erneute Montage.</translation>
     </message>
     <message>
-        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
-        <translation>Dimensionen werden dort geprüft, wo die Gleichungen gelesen werden; der ebene Winkel zählt als Zahl, weil der Radiant im SI eine ist. Temperaturen in °C gelten als thermodynamische Temperaturen; eine Temperaturdifferenz wird in K angegeben.</translation>
-    </message>
-    <message>
         <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
         <translation>Sensitivitätskoeffizienten sind exakt (automatisches Differenzieren); die von Unbekannten, die Gleichungen implizit definieren, folgen JCGM 102 6.3.</translation>
     </message>
@@ -6547,10 +6527,6 @@
         <translation>%1 ist eine Temperaturdifferenz: ihre Einheit ist K, nicht %2</translation>
     </message>
     <message>
-        <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
-        <translation>%1 ist ein Vielfaches einer Temperatur: die Einheit ist K, nicht %2</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
         <translation>&apos;%1&apos; wäre eine Bedingung: eine Definition muss eine Zahl ergeben</translation>
     </message>
@@ -6769,10 +6745,6 @@
     <message>
         <source>%1 unknowns need as many equations; there are %2</source>
         <translation>%1 Unbekannte brauchen ebenso viele Gleichungen; vorhanden sind %2</translation>
-    </message>
-    <message>
-        <source>at most six unknowns can be solved together</source>
-        <translation>höchstens sechs Unbekannte können zusammen gelöst werden</translation>
     </message>
     <message>
         <source>an equals sign is expected in an equation to be solved</source>
@@ -7447,10 +7419,6 @@
         <translation>die korrelierten Komponenten sind nicht normalverteilt</translation>
     </message>
     <message>
-        <source>its sensitivity coefficients are zero</source>
-        <translation>die Sensitivitätskoeffizienten sind null</translation>
-    </message>
-    <message>
         <source>no spread</source>
         <translation>keine Streuung</translation>
     </message>
@@ -7533,10 +7501,6 @@
     <message>
         <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
         <translation>das Messmodell hat bei den Schätzwerten seiner Eingangsgrößen keinen Wert%1: die Nenngeometrie und die eingegebenen Werte prüfen</translation>
-    </message>
-    <message>
-        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
-        <translation>das Messmodell hat bei den Schätzwerten seiner Eingangsgrößen keine Sensitivitätskoeffizienten%1: es ist dort nicht differenzierbar (singuläre Geometrie)</translation>
     </message>
     <message>
         <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
@@ -8775,10 +8739,6 @@
         <translation>das Modell hat keine Ausgangsgröße %1%2%3</translation>
     </message>
     <message>
-        <source>the id %1 is used twice</source>
-        <translation>die Kennung %1 wird zweimal verwendet</translation>
-    </message>
-    <message>
         <source>an axis needs at least two values</source>
         <translation>eine Achse braucht mindestens zwei Werte</translation>
     </message>
@@ -8793,10 +8753,6 @@
     <message>
         <source>&apos;%1&apos; takes whole numbers: there are fewer than %2 between the ends</source>
         <translation>&apos;%1&apos; nimmt ganze Zahlen: zwischen den Enden liegen weniger als %2</translation>
-    </message>
-    <message>
-        <source>the id %1 must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
-        <translation>die Kennung %1 muss aus Buchstaben, Ziffern, &apos;-&apos; und &apos;_&apos; bestehen</translation>
     </message>
     <message>
         <source>a study has one to three axes; this one has %1</source>
@@ -8861,10 +8817,6 @@
     <message>
         <source>%1 cannot be varied: %2</source>
         <translation>%1 kann nicht variiert werden: %2</translation>
-    </message>
-    <message>
-        <source>there is no asset %1</source>
-        <translation>es gibt kein Betriebsmittel %1</translation>
     </message>
     <message>
         <source>the set-up has no schema</source>
@@ -9237,10 +9189,6 @@
     <message>
         <source>the analysis %1 would be made of itself: %2%3</source>
         <translation>die Analyse %1 würde aus sich selbst gebildet: %2%3</translation>
-    </message>
-    <message>
-        <source>more than %1 analyses feed each other in a row</source>
-        <translation>mehr als %1 Analysen speisen einander in einer Kette</translation>
     </message>
     <message>
         <source>the analysis %1 has no output %2%3</source>
@@ -10689,10 +10637,6 @@
     <message>
         <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
         <translation>die Einheit des Ergebnisses ist nicht angegeben: dem Ergebnis eine eigene Zeile geben, die Einheit hinter die Überschrift der Beiträge setzen oder sie als die von &apos;result&apos; angeben</translation>
-    </message>
-    <message>
-        <source>the result is not the sum of c x: %1 is the difference</source>
-        <translation>das Ergebnis ist nicht die Summe der c x: die Differenz ist %1</translation>
     </message>
     <message>
         <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
@@ -13283,10 +13227,6 @@
         <translation>Unsicherheit bei %1 von %2 Punkten gezeichnet</translation>
     </message>
     <message>
-        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>Wie seine Unsicherheit bekannt ist; a und b sind dann: u; s und n; U und k; U und p in %; Halbbreite (und Ungenauigkeit oder Verhältnis von oberer zu unterer Seite); untere und obere Grenze; Anzeigeschritt; Fehlergrenze und % des Wertes; Anzahl der Zählereignisse; Anzahl der Beobachtungen im Mittelwert (zusammengefasst). Leer: eine Konstante.</translation>
-    </message>
-    <message>
         <source>standard deviation known before (Type A)</source>
         <translation>früher bestimmte Standardabweichung (Typ A)</translation>
     </message>
@@ -13309,26 +13249,6 @@
     <message>
         <source>results: in the frame of the sensor</source>
         <translation>Ergebnisse: im Koordinatensystem des Sensors</translation>
-    </message>
-    <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: Standardunsicherheit
-2 ppm: Standardunsicherheit, ein Teil des Wertes; absolut, wo die Größe selbst ein Verhältnis ist
-U = 0,3 um, k = 2 (oder p = 95 %): Kalibrierschein
-s = 13 nm, n = 5: früher bestimmte Standardabweichung, Mittelwert aus n Beobachtungen (Typ A)
-rechteckig 0,5 (oder recht, ±): Grenzen um den Wert; ebenso dreieckig, Arkussinus
-Grenzen 19,5 bis 20,5: sie liefern den Wert
-10,1; 10,3; 10,2: Beobachtungen
-Auflösung 0,01, MPE 3 + 0,1 %, Zählereignisse 12, Konstante
-nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>time</source>
@@ -13645,6 +13565,856 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>it must be an analysis of the kept state and have a name (otherName)</source>
         <translation>es muss eine Analyse des gemerkten Stands sein und einen Namen haben (otherName)</translation>
+    </message>
+    <message>
+        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. A temperature in °C is taken in kelvin only where two make a ratio; a difference of temperatures is given in K.</source>
+        <translation>Dimensionen werden geprüft, wo die Gleichungen gelesen werden; ebene Winkel zählen als Zahl, weil der Radiant im SI eine ist. Eine Temperatur in °C wird nur dort in Kelvin genommen, wo zwei ein Verhältnis bilden; eine Temperaturdifferenz wird in K angegeben.</translation>
+    </message>
+    <message>
+        <source>Angles that inverse functions give or that were read, their sums and whole multiples are on the circle where the result is given in a unit of angle.</source>
+        <translation>Winkel, die Umkehrfunktionen ergeben oder die abgelesen wurden, ihre Summen und ganzen Vielfachen liegen auf dem Kreis, wenn das Ergebnis in einer Winkeleinheit angegeben ist.</translation>
+    </message>
+    <message>
+        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. complex(a, b) and polar(r, phi) make complex numbers, re, im, abs and arg real ones of them. &apos;#&apos; starts a comment.</source>
+        <translation>Eine Gleichung je Zeile: y = x_1*x_2 + x_3. Namen ohne Gleichung sind Eingangsgrößen; eine Zahl hat ihre Einheit in Klammern: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; findet y in jedem Versuch, ausgehend von seinem Startwert. complex(a, b) und polar(r, phi) bilden komplexe Zahlen, re, im, abs und arg reelle aus ihnen. &apos;#&apos; beginnt einen Kommentar.</translation>
+    </message>
+    <message>
+        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled); standard deviation (Laplace, Weibull about the value), scale (and shape); expected number of events; number of trials and probability in %. A sample is drawn as it is listed among the observations, a histogram has the edges of its cells there. Empty: a constant.</source>
+        <translation>Wie ihre Unsicherheit bekannt ist; a und b sind dann: u; s und n; U und k; U und p in %; Halbweite (und Unschärfe der Grenzen oder Verhältnis von oben zu unten); untere und obere Grenze; Ziffernschritt der Anzeige; Fehlergrenze und % des Werts; Zahl der Ereignisse; Zahl der Beobachtungen im Mittelwert (gepoolt); Standardabweichung (Laplace, Weibull um den Wert), Skala (und Form); erwartete Zahl der Ereignisse; Zahl der Versuche und Wahrscheinlichkeit in %. Eine Stichprobe wird gezogen, wie sie unter den Beobachtungen steht, ein Histogramm hat dort die Kanten seiner Zellen. Leer: eine Konstante.</translation>
+    </message>
+    <message>
+        <source>Laplace, standard deviation</source>
+        <translation>Laplace, Standardabweichung</translation>
+    </message>
+    <message>
+        <source>Laplace, scale</source>
+        <translation>Laplace, Skala</translation>
+    </message>
+    <message>
+        <source>Weibull, scale and shape</source>
+        <translation>Weibull, Skala und Form</translation>
+    </message>
+    <message>
+        <source>Weibull, standard deviation</source>
+        <translation>Weibull, Standardabweichung</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Poisson</translation>
+    </message>
+    <message>
+        <source>binomial</source>
+        <translation>binomial</translation>
+    </message>
+    <message>
+        <source>sample of values</source>
+        <translation>Stichprobe von Werten</translation>
+    </message>
+    <message>
+        <source>histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>ensemble</source>
+        <translation>Ensemble</translation>
+    </message>
+    <message>
+        <source>Name of the evaluation that gave several quantities together, with one and the same nu: their uncertainties rest on one estimate of variance, and they are drawn from a multivariate t distribution (JCGM 102 5.3.2). Correlation coefficients between them stand with the correlations of the analysis.</source>
+        <translation>Name der Auswertung, die mehrere Größen zusammen ergab, mit ein und demselben nu: ihre Unsicherheiten beruhen auf einer Schätzung der Varianz, und sie werden aus einer multivariaten t-Verteilung gezogen (JCGM 102 5.3.2). Korrelationskoeffizienten zwischen ihnen stehen bei den Korrelationen der Analyse.</translation>
+    </message>
+    <message>
+        <source>Observed value, value of a sample or edge of a histogram, in the unit of the quantity.</source>
+        <translation>Beobachteter Wert, Wert einer Stichprobe oder Kante eines Histogramms, in der Einheit der Größe.</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Of a value of a sample, or of the cell of a histogram that begins at this edge: counts, or parts of any sum. Empty: one in a sample, none behind the last edge.</source>
+        <translation>Von einem Wert einer Stichprobe oder der Zelle eines Histogramms, die an dieser Kante beginnt: Anzahlen oder Teile einer beliebigen Summe. Leer: eins in einer Stichprobe, keines hinter der letzten Kante.</translation>
+    </message>
+    <message>
+        <source>Covariance of the points</source>
+        <translation>Kovarianz der Punkte</translation>
+    </message>
+    <message>
+        <source>Common u of x</source>
+        <translation>Gemeinsames u von x</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation that all x share beside their own (one standard, one temperature), in the unit of x. Used with stated uncertainties, in the weights too.</source>
+        <translation>Standardunsicherheit einer Abweichung, die alle x neben ihrer eigenen teilen (ein Normal, eine Temperatur), in der Einheit von x. Verwendet mit angegebenen Unsicherheiten, auch in den Gewichten.</translation>
+    </message>
+    <message>
+        <source>Common u of y</source>
+        <translation>Gemeinsames u von y</translation>
+    </message>
+    <message>
+        <source>Likewise of all y, in the unit of y.</source>
+        <translation>Ebenso von allen y, in der Einheit von y.</translation>
+    </message>
+    <message>
+        <source>Correlations of the points</source>
+        <translation>Korrelationen der Punkte</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients between coordinates of the points (ISO/TS 28037): they change the curve, which minimises v^T V^-1 v, and its uncertainty. Used with stated uncertainties.</source>
+        <translation>Korrelationskoeffizienten zwischen Koordinaten der Punkte (ISO/TS 28037): sie ändern die Kurve, die v^T V^-1 v minimiert, und ihre Unsicherheit. Verwendet mit angegebenen Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>A coordinate of a point by its number: y_1 is the y of the first point.</source>
+        <translation>Eine Koordinate eines Punkts durch seine Nummer: y_1 ist das y des ersten Punkts.</translation>
+    </message>
+    <message>
+        <source>Another one: y_2, or the x_1 of the same point.</source>
+        <translation>Eine andere: y_2 oder das x_1 desselben Punkts.</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>Koeffizient</translation>
+    </message>
+    <message>
+        <source>Correlation coefficient of their stated uncertainties.</source>
+        <translation>Korrelationskoeffizient ihrer angegebenen Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>Certificate of a gauge block of 50 mm</source>
+        <translation>Kalibrierschein eines Endmaßes von 50 mm</translation>
+    </message>
+    <message>
+        <source>A gauge block is compared with a standard of the same length, by the model of EA-4/02, S4; its certificate says all that ISO/IEC 17025 7.8 asks for.</source>
+        <translation>Ein Endmaß wird mit einem Normal gleicher Länge verglichen, nach dem Modell von EA-4/02, S4; sein Kalibrierschein sagt alles, was ISO/IEC 17025 7.8 verlangt.</translation>
+    </message>
+    <message>
+        <source>Conformity of a micrometer</source>
+        <translation>Konformität einer Messschraube</translation>
+    </message>
+    <message>
+        <source>Errors of indication of a micrometer of 25 mm at four gauge blocks, and whether they conform with a maximum permissible error of 4 µm under the decision rule of ISO 14253-1.</source>
+        <translation>Anzeigeabweichungen einer Messschraube von 25 mm an vier Endmaßen, und ob sie mit einer Fehlergrenze von 4 µm nach der Entscheidungsregel der ISO 14253-1 konform sind.</translation>
+    </message>
+    <message>
+        <source>A budget from Excel</source>
+        <translation>Ein Budget aus Excel</translation>
+    </message>
+    <message>
+        <source>What &apos;covaria import excel-budget.xlsx&apos; makes of a budget in a spreadsheet, with the columns of EA-4/02.</source>
+        <translation>Was &apos;covaria import excel-budget.xlsx&apos; aus einem Budget in einer Tabelle macht, mit den Spalten von EA-4/02.</translation>
+    </message>
+    <message>
+        <source>Gewichtsstück von 10 kg</source>
+        <translation>Gewichtsstück von 10 kg</translation>
+    </message>
+    <message>
+        <source>Kalibrierung eines Gewichtsstücks nach EA-4/02, S2: ein Beispiel in deutscher Sprache, mit vollständigem Kalibrierschein.</source>
+        <translation>Kalibrierung eines Gewichtsstücks nach EA-4/02, S2: ein Beispiel in deutscher Sprache, mit vollständigem Kalibrierschein.</translation>
+    </message>
+    <message>
+        <source>Guard band</source>
+        <translation>Sicherheitsband</translation>
+    </message>
+    <message>
+        <source>How the guard band follows: by the guard factor, by the ratio TUR of tolerance and U (both limits are needed), or so narrow as a target risk allows (global risks need a prior).</source>
+        <translation>Wie das Sicherheitsband folgt: aus dem Sicherheitsfaktor, aus dem Verhältnis TUR von Toleranz und U (beide Grenzen werden gebraucht), oder so schmal, wie ein Zielrisiko es erlaubt (globale Risiken brauchen eine Vorkenntnis).</translation>
+    </message>
+    <message>
+        <source>Target risk</source>
+        <translation>Zielrisiko</translation>
+    </message>
+    <message>
+        <source>That the guard band is made for, above 0 and up to 0.5: 0.02 or 2 %.</source>
+        <translation>Für das das Sicherheitsband gemacht ist, über 0 und bis 0.5: 0.02 oder 2 %.</translation>
+    </message>
+    <message>
+        <source>guard factor times U</source>
+        <translation>Sicherheitsfaktor mal U</translation>
+    </message>
+    <message>
+        <source>RSS: root of T²/4 − U²</source>
+        <translation>RSS: Wurzel aus T²/4 − U²</translation>
+    </message>
+    <message>
+        <source>NCSL RP-10: 1.25 − 1/TUR</source>
+        <translation>NCSL RP-10: 1.25 − 1/TUR</translation>
+    </message>
+    <message>
+        <source>managed (Dobbert): at most 2 % false accepts</source>
+        <translation>gesteuert (Dobbert): höchstens 2 % falsch angenommene</translation>
+    </message>
+    <message>
+        <source>to a specific risk at the acceptance limit</source>
+        <translation>auf ein spezifisches Risiko an der Annahmegrenze</translation>
+    </message>
+    <message>
+        <source>to a global consumer&apos;s risk</source>
+        <translation>auf ein globales Kundenrisiko</translation>
+    </message>
+    <message>
+        <source>to a risk of what is accepted</source>
+        <translation>auf ein Risiko des Angenommenen</translation>
+    </message>
+    <message>
+        <source>Site of calibration</source>
+        <translation>Ort der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Whose place it was done at; empty: in the laboratory, or elsewhere where a place is stated.</source>
+        <translation>Bei wem sie ausgeführt wurde; leer: im Laboratorium, oder anderswo, wenn ein Ort angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Where it was done if not in the laboratory: the customer&apos;s hall, the field.</source>
+        <translation>Wo sie ausgeführt wurde, wenn nicht im Laboratorium: die Halle des Kunden, das Feld.</translation>
+    </message>
+    <message>
+        <source>To which a statement of conformity refers: the standard or drawing, with its edition.</source>
+        <translation>Worauf sich eine Konformitätsaussage bezieht: die Norm oder Zeichnung, mit ihrer Ausgabe.</translation>
+    </message>
+    <message>
+        <source>at the customer</source>
+        <translation>beim Kunden</translation>
+    </message>
+    <message>
+        <source>in a branch of the laboratory</source>
+        <translation>in einer Zweigstelle des Laboratoriums</translation>
+    </message>
+    <message>
+        <source>in a branch of the customer</source>
+        <translation>in einer Zweigstelle des Kunden</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>anderswo</translation>
+    </message>
+    <message>
+        <source>RSS guard band</source>
+        <translation>Sicherheitsband RSS</translation>
+    </message>
+    <message>
+        <source>NCSL RP-10 guard band</source>
+        <translation>Sicherheitsband NCSL RP-10</translation>
+    </message>
+    <message>
+        <source>managed guard band (Dobbert, 2 % false accepts)</source>
+        <translation>gesteuertes Sicherheitsband (Dobbert, 2 % falsch angenommene)</translation>
+    </message>
+    <message>
+        <source>guard band to a specific risk of %1</source>
+        <translation>Sicherheitsband auf ein spezifisches Risiko von %1</translation>
+    </message>
+    <message>
+        <source>guard band to a global consumer&apos;s risk of %1</source>
+        <translation>Sicherheitsband auf ein globales Kundenrisiko von %1</translation>
+    </message>
+    <message>
+        <source>guard band to a risk of %1 of what is accepted</source>
+        <translation>Sicherheitsband auf ein Risiko von %1 des Angenommenen</translation>
+    </message>
+    <message>
+        <source>pass (accepted)</source>
+        <translation>bestanden (angenommen)</translation>
+    </message>
+    <message>
+        <source>fail (rejected)</source>
+        <translation>nicht bestanden (zurückgewiesen)</translation>
+    </message>
+    <message>
+        <source>January</source>
+        <translation>Januar</translation>
+    </message>
+    <message>
+        <source>February</source>
+        <translation>Februar</translation>
+    </message>
+    <message>
+        <source>March</source>
+        <translation>März</translation>
+    </message>
+    <message>
+        <source>April</source>
+        <translation>April</translation>
+    </message>
+    <message>
+        <source>May</source>
+        <translation>Mai</translation>
+    </message>
+    <message>
+        <source>June</source>
+        <translation>Juni</translation>
+    </message>
+    <message>
+        <source>July</source>
+        <translation>Juli</translation>
+    </message>
+    <message>
+        <source>August</source>
+        <translation>August</translation>
+    </message>
+    <message>
+        <source>September</source>
+        <translation>September</translation>
+    </message>
+    <message>
+        <source>October</source>
+        <translation>Oktober</translation>
+    </message>
+    <message>
+        <source>November</source>
+        <translation>November</translation>
+    </message>
+    <message>
+        <source>December</source>
+        <translation>Dezember</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3</source>
+        <translation>%1. %2 %3</translation>
+    </message>
+    <message>
+        <source>required by %1 where conformity is stated</source>
+        <translation>verlangt von %1, wo Konformität ausgesagt wird</translation>
+    </message>
+    <message>
+        <source>%1 is the unit of a temperature, and the quantity is given in %2, in which it may be a difference: give both in %1, or both in %2</source>
+        <translation>%1 ist die Einheit einer Temperatur, und die Größe ist in %2 angegeben, worin sie eine Differenz sein kann: geben Sie beide in %1 oder beide in %2 an</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in degC, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in K; for its reading in degC write (%2 - 0 [degC]). Only the ratio of two temperatures in degC is taken in kelvin</source>
+        <translation>%1 ist eine Temperatur in degC und würde hier in Kelvin genommen (20 degC als 293.15 K): ist sie eine Differenz, geben Sie sie in K an; für ihre Ablesung in degC schreiben Sie (%2 - 0 [degC]). Nur das Verhältnis zweier Temperaturen in degC wird in Kelvin genommen</translation>
+    </message>
+    <message>
+        <source>%1 is a multiple of a temperature in degC, which depends on where the scale has its zero: if the temperature is a difference, give it in K; else multiply its reading, as in 1.5*(t - 0 [degC])</source>
+        <translation>%1 ist ein Vielfaches einer Temperatur in degC, das davon abhängt, wo die Skala ihren Nullpunkt hat: ist die Temperatur eine Differenz, geben Sie sie in K an; sonst multiplizieren Sie ihre Ablesung, wie in 1.5*(t - 0 [degC])</translation>
+    </message>
+    <message>
+        <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in K</source>
+        <translation>ein Teil (%, ppm) oder Vielfaches einer Temperatur in %1 hängt davon ab, wo die Skala ihren Nullpunkt hat: geben Sie die Zahl in K an</translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures, and %2 a temperature in %3: take a temperature, or give %2 in K</source>
+        <translation>%1 ist eine Temperaturdifferenz, und %2 eine Temperatur in %3: nehmen Sie eine Temperatur, oder geben Sie %2 in K an</translation>
+    </message>
+    <message>
+        <source>%1 is given in %2, which may be a difference of temperatures, and %3 is a temperature in %4: give both in %4, or both in K</source>
+        <translation>%1 ist in %2 angegeben, was eine Temperaturdifferenz sein kann, und %3 ist eine Temperatur in %4: geben Sie beide in %4 oder beide in K an</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in %2, and %3 is given in %4, which may be a difference of temperatures: give both in %2, or both in K</source>
+        <translation>%1 ist eine Temperatur in %2, und %3 ist in %4 angegeben, was eine Temperaturdifferenz sein kann: geben Sie beide in %2 oder beide in K an</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is complex, so that &apos;%2&apos; is a part of it: to use a part write re(%1) or im(%1), else choose another name</source>
+        <translation>&apos;%1&apos; ist komplex, so dass &apos;%2&apos; ein Teil davon ist: um einen Teil zu verwenden, schreiben Sie re(%1) oder im(%1), sonst wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>a complex unknown counts twice, and so does a complex equation: there are %1 real unknowns and %2 real equations</source>
+        <translation>eine komplexe Unbekannte zählt doppelt, ebenso eine komplexe Gleichung: es sind %1 reelle Unbekannte und %2 reelle Gleichungen</translation>
+    </message>
+    <message>
+        <source>modulus and argument</source>
+        <translation>Betrag und Argument</translation>
+    </message>
+    <message>
+        <source>real and imaginary part</source>
+        <translation>Real- und Imaginärteil</translation>
+    </message>
+    <message>
+        <source>%1 of a complex number are real; one of them is complex here</source>
+        <translation>%1 einer komplexen Zahl sind reell; einer davon ist hier komplex</translation>
+    </message>
+    <message>
+        <source>complex numbers have no order and are no condition: compare re, im, abs or arg of them</source>
+        <translation>komplexe Zahlen haben keine Ordnung und sind keine Bedingung: vergleichen Sie re, im, abs oder arg von ihnen</translation>
+    </message>
+    <message>
+        <source>this function is one of real numbers; for a complex one there are + - * / ^, exp, log, sqrt, sin, cos, tan, sinh, cosh, tanh, conj, abs, arg, re and im</source>
+        <translation>diese Funktion ist eine reeller Zahlen; für eine komplexe gibt es + - * / ^, exp, log, sqrt, sin, cos, tan, sinh, cosh, tanh, conj, abs, arg, re und im</translation>
+    </message>
+    <message>
+        <source>%1 unknowns are too many to be solved together: the time for each trial grows with the cube of their number, so the limit is %2; solve what does not depend on the rest in systems of its own</source>
+        <translation>%1 Unbekannte sind zu viele, um zusammen gelöst zu werden: die Zeit je Versuch wächst mit der dritten Potenz ihrer Zahl, darum ist die Grenze %2; lösen Sie, was vom Rest nicht abhängt, in eigenen Systemen</translation>
+    </message>
+    <message>
+        <source>the expected number of events gives the estimate: leave the value empty, or the number</source>
+        <translation>die erwartete Zahl der Ereignisse ergibt den Schätzwert: lassen Sie den Wert oder die Zahl leer</translation>
+    </message>
+    <message>
+        <source>the expected number of events is missing: state it, or the value</source>
+        <translation>die erwartete Zahl der Ereignisse fehlt: geben Sie sie oder den Wert an</translation>
+    </message>
+    <message>
+        <source>trials and probability give the estimate: leave the value empty, or the probability</source>
+        <translation>Versuche und Wahrscheinlichkeit ergeben den Schätzwert: lassen Sie den Wert oder die Wahrscheinlichkeit leer</translation>
+    </message>
+    <message>
+        <source>the probability of each trial is missing: state it, or the value</source>
+        <translation>die Wahrscheinlichkeit jedes Versuchs fehlt: geben Sie sie oder den Wert an</translation>
+    </message>
+    <message>
+        <source>the number of trials must be at least one</source>
+        <translation>die Zahl der Versuche muss mindestens eins sein</translation>
+    </message>
+    <message>
+        <source>the probability of each trial must lie between 0 and 100 %</source>
+        <translation>die Wahrscheinlichkeit jedes Versuchs muss zwischen 0 und 100 % liegen</translation>
+    </message>
+    <message>
+        <source>the value must lie between 0 and the number of trials</source>
+        <translation>der Wert muss zwischen 0 und der Zahl der Versuche liegen</translation>
+    </message>
+    <message>
+        <source>scale and shape give the estimate: leave the value empty, or state the standard deviation alone</source>
+        <translation>Skala und Form ergeben den Schätzwert: lassen Sie den Wert leer, oder geben Sie nur die Standardabweichung an</translation>
+    </message>
+    <message>
+        <source>a Weibull distribution needs a value greater than zero, which is its mean</source>
+        <translation>eine Weibull-Verteilung braucht einen Wert größer als null, der ihr Mittelwert ist</translation>
+    </message>
+    <message>
+        <source>no Weibull distribution has such a ratio of standard deviation to mean: it must lie between 0.000002 and 429</source>
+        <translation>keine Weibull-Verteilung hat ein solches Verhältnis von Standardabweichung zu Mittelwert: es muss zwischen 0.000002 und 429 liegen</translation>
+    </message>
+    <message>
+        <source>observations have no weights: for values with weights write sample 1; 2; 3 weights 2; 5; 2</source>
+        <translation>Beobachtungen haben keine Gewichte: für Werte mit Gewichten schreiben Sie sample 1; 2; 3 weights 2; 5; 2</translation>
+    </message>
+    <message>
+        <source>weights have no unit</source>
+        <translation>Gewichte haben keine Einheit</translation>
+    </message>
+    <message>
+        <source>a histogram has one edge more than weights: histogram 0; 1; 2 weights 5; 8</source>
+        <translation>ein Histogramm hat eine Kante mehr als Gewichte: histogram 0; 1; 2 weights 5; 8</translation>
+    </message>
+    <message>
+        <source>there must be as many weights as values</source>
+        <translation>es muss so viele Gewichte wie Werte geben</translation>
+    </message>
+    <message>
+        <source>the weights of the cells are missing: histogram 0; 1; 2 weights 5; 8</source>
+        <translation>die Gewichte der Zellen fehlen: histogram 0; 1; 2 weights 5; 8</translation>
+    </message>
+    <message>
+        <source>write the probability as p = 0.02 or p = 2 %</source>
+        <translation>schreiben Sie die Wahrscheinlichkeit als p = 0.02 oder p = 2 %</translation>
+    </message>
+    <message>
+        <source>location</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>the shape must lie between 0.1 and 1000000.</source>
+        <translation>die Form muss zwischen 0.1 und 1000000 liegen.</translation>
+    </message>
+    <message>
+        <source>value without an event</source>
+        <translation>Wert ohne Ereignis</translation>
+    </message>
+    <message>
+        <source>the expected number of events must lie between 0 and 10000000; beyond it a normal distribution says the same.</source>
+        <translation>die erwartete Zahl der Ereignisse muss zwischen 0 und 10000000 liegen; darüber sagt eine Normalverteilung dasselbe.</translation>
+    </message>
+    <message>
+        <source>the number of trials must be a whole number up to 10000000; beyond it a normal distribution says the same.</source>
+        <translation>die Zahl der Versuche muss eine ganze Zahl bis 10000000 sein; darüber sagt eine Normalverteilung dasselbe.</translation>
+    </message>
+    <message>
+        <source>the probability must lie between 0 and 1.</source>
+        <translation>die Wahrscheinlichkeit muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>a histogram needs at least one cell.</source>
+        <translation>ein Histogramm braucht mindestens eine Zelle.</translation>
+    </message>
+    <message>
+        <source>there must be one edge more than probabilities.</source>
+        <translation>es muss eine Kante mehr als Wahrscheinlichkeiten geben.</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>the edges must rise.</source>
+        <translation>die Kanten müssen steigen.</translation>
+    </message>
+    <message>
+        <source>histogram: there must be one edge more than probabilities.</source>
+        <translation>Histogramm: es muss eine Kante mehr als Wahrscheinlichkeiten geben.</translation>
+    </message>
+    <message>
+        <source>the measurement model has a kink at the estimates, or bends too sharply there for derivatives of second and third order</source>
+        <translation>das Messmodell hat bei den Schätzwerten einen Knick oder ist dort zu stark gekrümmt für Ableitungen zweiter und dritter Ordnung</translation>
+    </message>
+    <message>
+        <source>the measurement model has no value there</source>
+        <translation>das Messmodell hat dort keinen Wert</translation>
+    </message>
+    <message>
+        <source>its sensitivity coefficients are zero, or there are none</source>
+        <translation>ihre Empfindlichkeitskoeffizienten sind null, oder es gibt keine</translation>
+    </message>
+    <message>
+        <source>Monte Carlo answers alone for %1: the measurement model has no sensitivity coefficients at the estimates of its input quantities.</source>
+        <translation>Nur Monte Carlo antwortet für %1: das Messmodell hat bei den Schätzwerten seiner Eingangsgrößen keine Empfindlichkeitskoeffizienten.</translation>
+    </message>
+    <message>
+        <source>%1 has a kink at the estimates of the input quantities (an absolute value, a maximum, a condition): the law of propagation takes the sensitivity coefficients of one side. Use Monte Carlo.</source>
+        <translation>%1 hat bei den Schätzwerten der Eingangsgrößen einen Knick (ein Betrag, ein Maximum, eine Bedingung): das Fortpflanzungsgesetz nimmt die Empfindlichkeitskoeffizienten einer Seite. Verwenden Sie Monte Carlo.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo answers alone for %1, which has a kink at the estimates of the input quantities (an absolute value, a maximum, a condition): the law of propagation would take the sensitivity coefficients of one side.</source>
+        <translation>Nur Monte Carlo antwortet für %1, das bei den Schätzwerten der Eingangsgrößen einen Knick hat (ein Betrag, ein Maximum, eine Bedingung): das Fortpflanzungsgesetz nähme die Empfindlichkeitskoeffizienten einer Seite.</translation>
+    </message>
+    <message>
+        <source>There is no standard uncertainty with second-order terms of %1: they would make its variance negative, so terms of higher order matter as much. Use Monte Carlo.</source>
+        <translation>Es gibt keine Standardunsicherheit mit Gliedern zweiter Ordnung von %1: sie machten ihre Varianz negativ, so dass Glieder höherer Ordnung ebenso zählen. Verwenden Sie Monte Carlo.</translation>
+    </message>
+    <message>
+        <source>%1 trials are few for a coverage interval of %2 %: some %3 lie beyond each of its ends, so that U is not known well. JCGM 101 7.2.2 asks for some %4 trials.</source>
+        <translation>%1 Versuche sind wenige für ein Überdeckungsintervall von %2 %: etwa %3 liegen jenseits jedes seiner Enden, so dass U nicht gut bekannt ist. JCGM 101 7.2.2 verlangt etwa %4 Versuche.</translation>
+    </message>
+    <message>
+        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry); Monte Carlo needs none</source>
+        <translation>das Messmodell hat bei den Schätzwerten der Eingangsgrößen keine Empfindlichkeitskoeffizienten%1: es ist dort nicht differenzierbar (singuläre Geometrie); Monte Carlo braucht keine</translation>
+    </message>
+    <message>
+        <source>the readings find target %1 %2 mm from its nominal coordinates; look for exchanged names or a unit that was mixed up (the result does not depend on the nominal coordinates)</source>
+        <translation>die Ablesungen finden das Ziel %1 %2 mm von seinen Nennkoordinaten; suchen Sie nach vertauschten Namen oder einer verwechselten Einheit (das Ergebnis hängt nicht von den Nennkoordinaten ab)</translation>
+    </message>
+    <message>
+        <source>the readings find %1 further targets far from their nominal coordinates</source>
+        <translation>die Ablesungen finden %1 weitere Ziele weit von ihren Nennkoordinaten</translation>
+    </message>
+    <message>
+        <source>observations have degrees of freedom of their own; those made together have the same numbers in the table of observations</source>
+        <translation>Beobachtungen haben eigene Freiheitsgrade; zusammen gemachte haben dieselben Nummern in der Tabelle der Beobachtungen</translation>
+    </message>
+    <message>
+        <source>the members of an ensemble have a standard or expanded uncertainty with finite nu</source>
+        <translation>die Mitglieder eines Ensembles haben eine Standard- oder erweiterte Unsicherheit mit endlichem nu</translation>
+    </message>
+    <message>
+        <source>the members of ensemble &apos;%1&apos; have one and the same nu; it is %2 in the first, %3 here</source>
+        <translation>die Mitglieder des Ensembles &apos;%1&apos; haben ein und dasselbe nu; es ist %2 im ersten, %3 hier</translation>
+    </message>
+    <message>
+        <source>the sample gives the estimate: leave the value empty</source>
+        <translation>die Stichprobe ergibt den Schätzwert: lassen Sie den Wert leer</translation>
+    </message>
+    <message>
+        <source>the weight of a cell of its histogram is missing</source>
+        <translation>das Gewicht einer Zelle ihres Histogramms fehlt</translation>
+    </message>
+    <message>
+        <source>a histogram has the weight of each cell beside the edge where it begins, and none beside the last edge</source>
+        <translation>ein Histogramm hat das Gewicht jeder Zelle neben der Kante, an der sie beginnt, und keines neben der letzten Kante</translation>
+    </message>
+    <message>
+        <source>some values of its sample have a weight and some have none</source>
+        <translation>einige Werte ihrer Stichprobe haben ein Gewicht und einige keines</translation>
+    </message>
+    <message>
+        <source>its weights must have a sum above zero</source>
+        <translation>ihre Gewichte müssen eine Summe über null haben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is complex: list its parts %2 and %3, or define abs(%1) and arg(%1) and list these</source>
+        <translation>&apos;%1&apos; ist komplex: führen Sie seine Teile %2 und %3 auf, oder definieren Sie abs(%1) und arg(%1) und führen diese auf</translation>
+    </message>
+    <message>
+        <source>a difference: %1 in K</source>
+        <translation>eine Differenz: %1 in K</translation>
+    </message>
+    <message>
+        <source>a thermodynamic temperature: %1 in K</source>
+        <translation>eine thermodynamische Temperatur: %1 in K</translation>
+    </message>
+    <message>
+        <source>a difference: %1</source>
+        <translation>eine Differenz: %1</translation>
+    </message>
+    <message>
+        <source>its reading in degC: %1 - 0 [degC]</source>
+        <translation>ihre Ablesung in degC: %1 - 0 [degC]</translation>
+    </message>
+    <message>
+        <source>a part of its reading in degC: %1 K</source>
+        <translation>ein Teil ihrer Ablesung in degC: %1 K</translation>
+    </message>
+    <message>
+        <source>as stated with correlations, ISO/TS 28037, 10</source>
+        <translation>wie angegeben mit Korrelationen, ISO/TS 28037, 10</translation>
+    </message>
+    <message>
+        <source>common deviation of all %1</source>
+        <translation>gemeinsame Abweichung aller %1</translation>
+    </message>
+    <message>
+        <source>stated for all points</source>
+        <translation>für alle Punkte angegeben</translation>
+    </message>
+    <message>
+        <source>a common deviation is one of stated uncertainties: choose these, or leave it 0</source>
+        <translation>eine gemeinsame Abweichung ist eine angegebener Unsicherheiten: wählen Sie diese, oder lassen Sie sie 0</translation>
+    </message>
+    <message>
+        <source>correlations are those of stated uncertainties: choose these, or leave out the correlations</source>
+        <translation>Korrelationen sind die angegebener Unsicherheiten: wählen Sie diese, oder lassen Sie die Korrelationen weg</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no coordinate of a point: write y_1 for the y of the first one</source>
+        <translation>&apos;%1&apos; ist keine Koordinate eines Punkts: schreiben Sie y_1 für das y des ersten</translation>
+    </message>
+    <message>
+        <source>%1 has no standard uncertainty of its own that could be correlated</source>
+        <translation>%1 hat keine eigene Standardunsicherheit, die korreliert sein könnte</translation>
+    </message>
+    <message>
+        <source>a coordinate is not correlated with itself</source>
+        <translation>eine Koordinate ist nicht mit sich selbst korreliert</translation>
+    </message>
+    <message>
+        <source>the CSV file &apos;%1&apos; of %2 is a link that leads out of the project&apos;s folder: put the file itself there</source>
+        <translation>die CSV-Datei &apos;%1&apos; von %2 ist eine Verknüpfung, die aus dem Ordner des Projekts hinausführt: legen Sie die Datei selbst dorthin</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 follows from the ratio of tolerance and U: give both limits, or choose a guard factor</source>
+        <translation>das Sicherheitsband von %1 folgt aus dem Verhältnis von Toleranz und U: geben Sie beide Grenzen an, oder wählen Sie einen Sicherheitsfaktor</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 is made for a global risk: give the prior, or choose a specific risk</source>
+        <translation>das Sicherheitsband von %1 ist für ein globales Risiko gemacht: geben Sie die Vorkenntnis an, oder wählen Sie ein spezifisches Risiko</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 needs a tolerance: give a limit</source>
+        <translation>das Sicherheitsband von %1 braucht eine Toleranz: geben Sie eine Grenze an</translation>
+    </message>
+    <message>
+        <source>the target risk of %1 must lie above 0 and not above 0.5</source>
+        <translation>das Zielrisiko von %1 muss über 0 und nicht über 0.5 liegen</translation>
+    </message>
+    <message>
+        <source>another study has the same id</source>
+        <translation>eine andere Studie hat dieselbe Kennung</translation>
+    </message>
+    <message>
+        <source>its id must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
+        <translation>ihre Kennung muss aus Buchstaben, Ziffern, &apos;-&apos; und &apos;_&apos; bestehen</translation>
+    </message>
+    <message>
+        <source>there is no asset %1, and no analysis of this name that this one takes from%2</source>
+        <translation>es gibt kein Objekt %1 und keine Analyse dieses Namens, von der diese nimmt%2</translation>
+    </message>
+    <message>
+        <source> (did you mean %1?)</source>
+        <translation> (meinten Sie %1?)</translation>
+    </message>
+    <message>
+        <source>a number here is larger than any that can be computed with (1.8e308)</source>
+        <translation>eine Zahl hier ist größer als jede, mit der gerechnet werden kann (1.8e308)</translation>
+    </message>
+    <message>
+        <source>the value or its place is no text in UTF-8</source>
+        <translation>der Wert oder sein Ort ist kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>more than %1 analyses feed each other in a row: put the equations of some of them into one</source>
+        <translation>mehr als %1 Analysen speisen einander in einer Reihe: fassen Sie die Gleichungen einiger in einer zusammen</translation>
+    </message>
+    <message>
+        <source>a temperature: %1 in degC</source>
+        <translation>eine Temperatur: %1 in degC</translation>
+    </message>
+    <message>
+        <source>%1 is a link that leads out of the project&apos;s folder: put the picture itself there</source>
+        <translation>%1 ist eine Verknüpfung, die aus dem Ordner des Projekts hinausführt: legen Sie das Bild selbst dorthin</translation>
+    </message>
+    <message>
+        <source>%1; in this file write %2</source>
+        <translation>%1; schreiben Sie in dieser Datei %2</translation>
+    </message>
+    <message>
+        <source>there is no asset %1%2</source>
+        <translation>es gibt kein Objekt %1%2</translation>
+    </message>
+    <message>
+        <source>the file of candidates &apos;%1&apos; is a link that leads out of the project&apos;s folder: put the file itself there</source>
+        <translation>die Datei der Kandidaten &apos;%1&apos; ist eine Verknüpfung, die aus dem Ordner des Projekts hinausführt: legen Sie die Datei selbst dorthin</translation>
+    </message>
+    <message>
+        <source>another design has the same id</source>
+        <translation>ein anderer Entwurf hat dieselbe Kennung</translation>
+    </message>
+    <message>
+        <source>row %1 was left out</source>
+        <translation>Zeile %1 wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>row %1: %2 in %3 beside a sensitivity coefficient is taken as a difference or reading, in %4</source>
+        <translation>Zeile %1: %2 in %3 neben einem Empfindlichkeitskoeffizienten wird als Differenz oder Ablesung genommen, in %4</translation>
+    </message>
+    <message>
+        <source>the result is not the sum of c x: %1 = %2 is the difference</source>
+        <translation>das Ergebnis ist nicht die Summe der c x: %1 = %2 ist die Differenz</translation>
+    </message>
+    <message>
+        <source>the sheet %1 has no row %2 to leave out</source>
+        <translation>das Blatt %1 hat keine Zeile %2, die ausgelassen werden könnte</translation>
+    </message>
+    <message>
+        <source>%1 is no place of a cell; D3 is one</source>
+        <translation>%1 ist kein Ort einer Zelle; D3 ist einer</translation>
+    </message>
+    <message>
+        <source>point %1 with other coordinates: those of line %2 are taken</source>
+        <translation>Punkt %1 mit anderen Koordinaten: die der Zeile %2 werden genommen</translation>
+    </message>
+    <message>
+        <source>%1 determinations of the same points (&lt;coordinates&gt; of lines %2): each is an artefact of its own; keep all of them, or delete those that you do not want</source>
+        <translation>%1 Bestimmungen derselben Punkte (&lt;coordinates&gt; der Zeilen %2): jede ist ein eigenes Artefakt; behalten Sie alle, oder löschen Sie die, die Sie nicht wollen</translation>
+    </message>
+    <message>
+        <source>%1 is no number: write %2, with a point</source>
+        <translation>%1 ist keine Zahl: schreiben Sie %2, mit einem Punkt</translation>
+    </message>
+    <message>
+        <source>column %1%2 of sheet %3 is filled, and what it is is not understood: state the columns, %4, with one of %5 in place of ? (- leaves the column out)</source>
+        <translation>Spalte %1%2 des Blatts %3 ist gefüllt, und was sie ist, wird nicht verstanden: geben Sie die Spalten an, %4, mit einem von %5 anstelle von ? (- lässt die Spalte weg)</translation>
+    </message>
+    <message>
+        <source>the name of the result %1 of %2</source>
+        <translation>den Namen des Ergebnisses %1 von %2</translation>
+    </message>
+    <message>
+        <source>the names of the results %1 of %2</source>
+        <translation>die Namen der Ergebnisse %1 von %2</translation>
+    </message>
+    <message>
+        <source>the certificate calls it by its symbol alone: %1 must be stated (ISO/IEC 17025 %2)</source>
+        <translation>der Kalibrierschein nennt es nur mit seinem Symbol: %1 muss angegeben werden (ISO/IEC 17025 %2)</translation>
+    </message>
+    <message>
+        <source>under an accreditation U is stated for a coverage probability of about 95 % (ILAC-P14 5.3); here it is %1</source>
+        <translation>unter einer Akkreditierung wird U für eine Überdeckungswahrscheinlichkeit von etwa 95 % angegeben (ILAC-P14 5.3); hier ist sie %1</translation>
+    </message>
+    <message>
+        <source>%1: the file states %2, this budget gives %3, %4 apart</source>
+        <translation>%1: die Datei gibt %2 an, dieses Budget ergibt %3, %4 auseinander</translation>
+    </message>
+    <message>
+        <source>%1: FIND OUT WHY before it is used</source>
+        <translation>%1: FINDEN SIE HERAUS, WARUM, bevor es verwendet wird</translation>
+    </message>
+    <message>
+        <source>u(%1) by its contributions</source>
+        <translation>u(%1) aus seinen Beiträgen</translation>
+    </message>
+    <message>
+        <source>%1: the file states no result that this budget could be held against</source>
+        <translation>%1: die Datei gibt kein Ergebnis an, gegen das dieses Budget gehalten werden könnte</translation>
+    </message>
+    <message>
+        <source>another one has the same id</source>
+        <translation>ein anderes hat dieselbe Kennung</translation>
+    </message>
+    <message>
+        <source>%1: of what the rule accepts %2 does not conform, of what it rejects %3 does.</source>
+        <translation>%1: von dem, was die Regel annimmt, ist %2 nicht konform, von dem, was sie zurückweist, ist %3 konform.</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>%1 further components of %2 other sources</source>
+        <translation>%1 weitere Komponenten aus %2 anderen Quellen</translation>
+    </message>
+    <message>
+        <source>other sources</source>
+        <translation>andere Quellen</translation>
+    </message>
+    <message>
+        <source>1 further component: %1</source>
+        <translation>1 weitere Komponente: %1</translation>
+    </message>
+    <message>
+        <source>%1 further components: %2</source>
+        <translation>%1 weitere Komponenten: %2</translation>
+    </message>
+    <message>
+        <source>Left out: %1 components that contribute nothing (less than 10⁻⁹ of u_c).</source>
+        <translation>Weggelassen: %1 Komponenten, die nichts beitragen (weniger als 10⁻⁹ von u_c).</translation>
+    </message>
+    <message>
+        <source>Left out, because they contribute nothing (less than 10⁻⁹ of u_c): %1.</source>
+        <translation>Weggelassen, weil sie nichts beitragen (weniger als 10⁻⁹ von u_c): %1.</translation>
+    </message>
+    <message>
+        <source>Stated in the results: %1 = %2 (propagation of distributions).</source>
+        <translation>In den Ergebnissen angegeben: %1 = %2 (Fortpflanzung von Verteilungen).</translation>
+    </message>
+    <message>
+        <source>%1: under an accreditation U is stated for a coverage probability of about 95 % (ILAC-P14 5.3); with k = %2 that of %3 is %4</source>
+        <translation>%1: unter einer Akkreditierung wird U für eine Überdeckungswahrscheinlichkeit von etwa 95 % angegeben (ILAC-P14 5.3); mit k = %2 ist die von %3 %4</translation>
+    </message>
+    <message>
+        <source>not drawn, for it is farther away than 10¹² km: %1</source>
+        <translation>nicht gezeichnet, denn es ist weiter weg als 10¹² km: %1</translation>
+    </message>
+    <message>
+        <source>Laplace</source>
+        <translation>Laplace</translation>
+    </message>
+    <message>
+        <source>Weibull</source>
+        <translation>Weibull</translation>
+    </message>
+    <message>
+        <source>expected number of events</source>
+        <translation>erwartete Zahl der Ereignisse</translation>
+    </message>
+    <message>
+        <source>step of one event</source>
+        <translation>Schritt eines Ereignisses</translation>
+    </message>
+    <message>
+        <source>probability</source>
+        <translation>Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+Laplace 0.3, Weibull 0.3 (standard deviations), Weibull scale 2, shape 1.5
+Poisson 12, binomial n = 50, p = 2 %: they give the value
+sample 1; 2; 3 weights 2; 5; 2 (drawn as they are), histogram 0; 1; 2 weights 5; 8 (edges)
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: Standardunsicherheit
+2 ppm: Standardunsicherheit, ein Teil des Werts; absolut, wo die Größe selbst ein Verhältnis ist
+U = 0.3 um, k = 2 (oder p = 95 %): Kalibrierschein
+s = 13 nm, n = 5: vorher bekannte Standardabweichung, Mittelwert von n Beobachtungen (Typ A)
+rectangular 0.5 (oder rect, ±): Grenzen um den Wert; ebenso triangular, arcsine
+limits 19.5 to 20.5: sie ergeben den Wert
+10.1; 10.3; 10.2: Beobachtungen
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+Laplace 0.3, Weibull 0.3 (Standardabweichungen), Weibull scale 2, shape 1.5
+Poisson 12, binomial n = 50, p = 2 %: sie ergeben den Wert
+sample 1; 2; 3 weights 2; 5; 2 (gezogen, wie sie sind), histogram 0; 1; 2 weights 5; 8 (Kanten)
+nu 18 hinter jedem davon: Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Stichprobe</translation>
+    </message>
+    <message>
+        <source>weights</source>
+        <translation>Gewichte</translation>
     </message>
 </context>
 <context>
@@ -14135,6 +14905,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Done again: %1</source>
         <translation>Wiederholt: %1</translation>
     </message>
+    <message>
+        <source>Type it as %1.</source>
+        <translation>Schreiben Sie es als %1.</translation>
+    </message>
+    <message>
+        <source>Type it as %1, or as %2.</source>
+        <translation>Schreiben Sie es als %1 oder als %2.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14342,6 +15120,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>English (none chosen)</source>
         <translation>Englisch (keine gewählt)</translation>
+    </message>
+    <message>
+        <source>Required by %1 where conformity is stated.</source>
+        <translation>Verlangt von %1, wo Konformität ausgesagt wird.</translation>
+    </message>
+    <message>
+        <source>in the laboratory, or at the place stated</source>
+        <translation>im Laboratorium oder am angegebenen Ort</translation>
     </message>
 </context>
 <context>
@@ -15215,6 +16001,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Monte Carlo draws: %1, ν = %2</source>
         <translation>Monte Carlo zieht: %1, ν = %2</translation>
     </message>
+    <message>
+        <source>Edges of the cells</source>
+        <translation>Kanten der Zellen</translation>
+    </message>
+    <message>
+        <source>There must be one edge more than probabilities.</source>
+        <translation>Es muss eine Kante mehr als Wahrscheinlichkeiten geben.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
@@ -15312,6 +16106,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Remove the link of %1</source>
         <translation>Verknüpfung von %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file since it was read.</source>
+        <translation>Ein anderes Programm hat die Datei geändert, seit sie gelesen wurde.</translation>
     </message>
 </context>
 <context>
@@ -15612,6 +16410,14 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <source>Name project</source>
         <translation>Projekt benennen</translation>
     </message>
+    <message>
+        <source>%1 was changed by another program since it was read here. Saving replaces what it holds now.</source>
+        <translation>%1 wurde von einem anderen Programm geändert, seit es hier gelesen wurde. Speichern ersetzt, was sie jetzt enthält.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FileEditor</name>
@@ -15873,6 +16679,18 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>Imported from %1, %2 bytes, of %3, SHA-256 %4.</source>
         <translation>Importiert aus %1, %2 Byte, von %3, SHA-256 %4.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave Out or Read the Row</source>
+        <translation>Zeile aus&amp;lassen oder lesen</translation>
+    </message>
+    <message>
+        <source>%1, left out</source>
+        <translation>%1, ausgelassen</translation>
+    </message>
+    <message>
+        <source>What each column is read as; cells can be typed over</source>
+        <translation>Als was jede Spalte gelesen wird; Zellen können überschrieben werden</translation>
     </message>
 </context>
 <context>
@@ -16650,6 +17468,34 @@ Gewählt: %2</translation>
         <source>correlation of %1 and %2</source>
         <translation>Korrelation von %1 und %2</translation>
     </message>
+    <message>
+        <source>link of %1</source>
+        <translation>Verknüpfung von %1</translation>
+    </message>
+    <message>
+        <source>change of %1</source>
+        <translation>Änderung von %1</translation>
+    </message>
+    <message>
+        <source>requirement on %1</source>
+        <translation>Anforderung an %1</translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>design</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Way out</source>
+        <translation>Ausweg</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -17186,6 +18032,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>Die Analyse ausführen, um zu sehen, ob die Anforderung eingehalten ist.</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;Of what the rule accepts %1 does not conform, of what it rejects %2 does.</source>
+        <translation>&lt;br&gt;Von dem, was die Regel annimmt, ist %1 nicht konform, von dem, was sie zurückweist, ist %2 konform.</translation>
     </message>
 </context>
 <context>

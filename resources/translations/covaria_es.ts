@@ -1567,10 +1567,6 @@
         <translation>Ecuaciones</translation>
     </message>
     <message>
-        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation>Una ecuación por línea: y = x_1*x_2 + x_3. Los nombres sin ecuación son magnitudes de entrada; un número lleva su unidad entre corchetes: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; halla y en cada prueba, desde su valor inicial. &apos;#&apos; inicia un comentario.</translation>
-    </message>
-    <message>
         <source>symbol</source>
         <translation>símbolo</translation>
     </message>
@@ -3763,10 +3759,6 @@
         <translation>Lugar de calibración</translation>
     </message>
     <message>
-        <source>Where it was done if not in the laboratory: at the customer, in the field.</source>
-        <translation>Dónde se realizó si no fue en el laboratorio: en las instalaciones del cliente, in situ.</translation>
-    </message>
-    <message>
         <source>Customer</source>
         <translation>Cliente</translation>
     </message>
@@ -4605,14 +4597,6 @@
     <message>
         <source>by</source>
         <translation>por</translation>
-    </message>
-    <message>
-        <source>accepted</source>
-        <translation>aceptado</translation>
-    </message>
-    <message>
-        <source>rejected</source>
-        <translation>rechazado</translation>
     </message>
     <message>
         <source>not judged</source>
@@ -6183,10 +6167,6 @@
         <translation>No se incluye: productos de cargas en la interferencia, desalineación de las cargas, fluencia, temperatura, nuevo montaje.</translation>
     </message>
     <message>
-        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
-        <translation>Las dimensiones se comprueban al leer las ecuaciones; el ángulo plano cuenta como un número, porque en el SI el radián es uno. Las temperaturas en °C se toman como temperaturas termodinámicas; una diferencia de temperaturas se da en K.</translation>
-    </message>
-    <message>
         <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
         <translation>Los coeficientes de sensibilidad son exactos (diferenciación automática); los de incógnitas que las ecuaciones definen implícitamente siguen JCGM 102 6.3.</translation>
     </message>
@@ -6547,10 +6527,6 @@
         <translation>%1 es una diferencia de temperaturas: su unidad es K, no %2</translation>
     </message>
     <message>
-        <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
-        <translation>%1 es un múltiplo de una temperatura: su unidad es K, no %2</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
         <translation>&apos;%1&apos; sería una condición: una definición debe dar un número</translation>
     </message>
@@ -6769,10 +6745,6 @@
     <message>
         <source>%1 unknowns need as many equations; there are %2</source>
         <translation>%1 incógnitas necesitan otras tantas ecuaciones; hay %2</translation>
-    </message>
-    <message>
-        <source>at most six unknowns can be solved together</source>
-        <translation>se pueden resolver juntas como máximo seis incógnitas</translation>
     </message>
     <message>
         <source>an equals sign is expected in an equation to be solved</source>
@@ -7447,10 +7419,6 @@
         <translation>sus componentes correlacionadas no tienen distribución normal</translation>
     </message>
     <message>
-        <source>its sensitivity coefficients are zero</source>
-        <translation>sus coeficientes de sensibilidad son cero</translation>
-    </message>
-    <message>
         <source>no spread</source>
         <translation>sin dispersión</translation>
     </message>
@@ -7533,10 +7501,6 @@
     <message>
         <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
         <translation>el modelo de medición no tiene valor en las estimaciones de sus magnitudes de entrada%1: compruebe la geometría nominal y los valores introducidos</translation>
-    </message>
-    <message>
-        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
-        <translation>el modelo de medición no tiene coeficientes de sensibilidad en las estimaciones de sus magnitudes de entrada%1: no es derivable ahí (geometría singular)</translation>
     </message>
     <message>
         <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
@@ -8775,10 +8739,6 @@
         <translation>el modelo no tiene ninguna magnitud de salida %1%2%3</translation>
     </message>
     <message>
-        <source>the id %1 is used twice</source>
-        <translation>el identificador %1 se usa dos veces</translation>
-    </message>
-    <message>
         <source>an axis needs at least two values</source>
         <translation>un eje necesita al menos dos valores</translation>
     </message>
@@ -8793,10 +8753,6 @@
     <message>
         <source>&apos;%1&apos; takes whole numbers: there are fewer than %2 between the ends</source>
         <translation>&apos;%1&apos; toma números enteros: hay menos de %2 entre los extremos</translation>
-    </message>
-    <message>
-        <source>the id %1 must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
-        <translation>el identificador %1 debe constar de letras, cifras, &apos;-&apos; y &apos;_&apos;</translation>
     </message>
     <message>
         <source>a study has one to three axes; this one has %1</source>
@@ -8861,10 +8817,6 @@
     <message>
         <source>%1 cannot be varied: %2</source>
         <translation>%1 no se puede variar: %2</translation>
-    </message>
-    <message>
-        <source>there is no asset %1</source>
-        <translation>no hay ningún recurso %1</translation>
     </message>
     <message>
         <source>the set-up has no schema</source>
@@ -9237,10 +9189,6 @@
     <message>
         <source>the analysis %1 would be made of itself: %2%3</source>
         <translation>el análisis %1 se formaría a partir de sí mismo: %2%3</translation>
-    </message>
-    <message>
-        <source>more than %1 analyses feed each other in a row</source>
-        <translation>más de %1 análisis se alimentan unos a otros en cadena</translation>
     </message>
     <message>
         <source>the analysis %1 has no output %2%3</source>
@@ -10689,10 +10637,6 @@
     <message>
         <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
         <translation>no se indica la unidad del resultado: dé al resultado una fila propia, ponga la unidad tras el encabezado de las contribuciones, o indíquela como la de &apos;result&apos;</translation>
-    </message>
-    <message>
-        <source>the result is not the sum of c x: %1 is the difference</source>
-        <translation>el resultado no es la suma de c x: la diferencia es %1</translation>
     </message>
     <message>
         <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
@@ -13283,10 +13227,6 @@
         <translation>incertidumbre dibujada en %1 de %2 puntos</translation>
     </message>
     <message>
-        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>Cómo se conoce su incertidumbre; a y b son entonces: u; s y n; U y k; U y p en %; semiamplitud (e inexactitud, o razón entre techo y base); límites inferior y superior; escalón de la indicación; error permitido y % del valor; número de recuentos; número de observaciones de la media (combinadas). Vacío: una constante.</translation>
-    </message>
-    <message>
         <source>standard deviation known before (Type A)</source>
         <translation>desviación típica conocida de antes (Tipo A)</translation>
     </message>
@@ -13309,26 +13249,6 @@
     <message>
         <source>results: in the frame of the sensor</source>
         <translation>resultados: en el sistema del sensor</translation>
-    </message>
-    <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: incertidumbre típica
-2 ppm: incertidumbre típica, una fracción del valor; absoluta si la magnitud misma es una razón
-U = 0,3 um, k = 2 (o p = 95 %): certificado
-s = 13 nm, n = 5: desviación típica conocida de antes, media de n observaciones (Tipo A)
-rectangular 0,5 (o rect, ±): límites en torno al valor; lo mismo triangular, arcoseno
-límites 19,5 hasta 20,5: dan el valor
-10,1; 10,3; 10,2: observaciones
-resolución 0,01, MPE 3 + 0,1 %, recuentos 12, constante
-nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
     <message>
         <source>time</source>
@@ -13645,6 +13565,856 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>it must be an analysis of the kept state and have a name (otherName)</source>
         <translation>debe ser un análisis del estado conservado y tener un nombre (otherName)</translation>
+    </message>
+    <message>
+        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. A temperature in °C is taken in kelvin only where two make a ratio; a difference of temperatures is given in K.</source>
+        <translation>Las dimensiones se comprueban donde se leen las ecuaciones; el ángulo plano cuenta como número, porque el radián lo es en el SI. Una temperatura en °C solo se toma en kelvin donde dos forman una razón; una diferencia de temperaturas se da en K.</translation>
+    </message>
+    <message>
+        <source>Angles that inverse functions give or that were read, their sums and whole multiples are on the circle where the result is given in a unit of angle.</source>
+        <translation>Los ángulos que dan las funciones inversas o que se han leído, sus sumas y sus múltiplos enteros están en el círculo donde el resultado se da en una unidad de ángulo.</translation>
+    </message>
+    <message>
+        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. complex(a, b) and polar(r, phi) make complex numbers, re, im, abs and arg real ones of them. &apos;#&apos; starts a comment.</source>
+        <translation>Una ecuación por línea: y = x_1*x_2 + x_3. Los nombres sin ecuación son magnitudes de entrada; un número lleva su unidad entre corchetes: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; halla y en cada ensayo, desde su valor inicial. complex(a, b) y polar(r, phi) forman números complejos; re, im, abs y arg, reales a partir de ellos. &apos;#&apos; empieza un comentario.</translation>
+    </message>
+    <message>
+        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled); standard deviation (Laplace, Weibull about the value), scale (and shape); expected number of events; number of trials and probability in %. A sample is drawn as it is listed among the observations, a histogram has the edges of its cells there. Empty: a constant.</source>
+        <translation>Cómo se conoce su incertidumbre; a y b son entonces: u; s y n; U y k; U y p en %; semiancho (e inexactitud, o razón de arriba a base); límite inferior y superior; paso de la indicación; error permitido y % del valor; número de cuentas; número de observaciones en la media (combinada); desviación típica (Laplace, Weibull en torno al valor), escala (y forma); número esperado de sucesos; número de pruebas y probabilidad en %. Una muestra se sortea como figura entre las observaciones; un histograma tiene allí los bordes de sus celdas. Vacío: una constante.</translation>
+    </message>
+    <message>
+        <source>Laplace, standard deviation</source>
+        <translation>Laplace, desviación típica</translation>
+    </message>
+    <message>
+        <source>Laplace, scale</source>
+        <translation>Laplace, escala</translation>
+    </message>
+    <message>
+        <source>Weibull, scale and shape</source>
+        <translation>Weibull, escala y forma</translation>
+    </message>
+    <message>
+        <source>Weibull, standard deviation</source>
+        <translation>Weibull, desviación típica</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Poisson</translation>
+    </message>
+    <message>
+        <source>binomial</source>
+        <translation>binomial</translation>
+    </message>
+    <message>
+        <source>sample of values</source>
+        <translation>muestra de valores</translation>
+    </message>
+    <message>
+        <source>histogram</source>
+        <translation>histograma</translation>
+    </message>
+    <message>
+        <source>ensemble</source>
+        <translation>conjunto</translation>
+    </message>
+    <message>
+        <source>Name of the evaluation that gave several quantities together, with one and the same nu: their uncertainties rest on one estimate of variance, and they are drawn from a multivariate t distribution (JCGM 102 5.3.2). Correlation coefficients between them stand with the correlations of the analysis.</source>
+        <translation>Nombre de la evaluación que dio varias magnitudes juntas, con un mismo nu: sus incertidumbres se apoyan en una sola estimación de la varianza y se sortean de una distribución t multivariante (JCGM 102 5.3.2). Los coeficientes de correlación entre ellas están con las correlaciones del análisis.</translation>
+    </message>
+    <message>
+        <source>Observed value, value of a sample or edge of a histogram, in the unit of the quantity.</source>
+        <translation>Valor observado, valor de una muestra o borde de un histograma, en la unidad de la magnitud.</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>peso</translation>
+    </message>
+    <message>
+        <source>Of a value of a sample, or of the cell of a histogram that begins at this edge: counts, or parts of any sum. Empty: one in a sample, none behind the last edge.</source>
+        <translation>De un valor de una muestra, o de la celda de un histograma que empieza en este borde: cuentas, o partes de una suma cualquiera. Vacío: uno en una muestra, ninguno tras el último borde.</translation>
+    </message>
+    <message>
+        <source>Covariance of the points</source>
+        <translation>Covarianza de los puntos</translation>
+    </message>
+    <message>
+        <source>Common u of x</source>
+        <translation>u común de x</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation that all x share beside their own (one standard, one temperature), in the unit of x. Used with stated uncertainties, in the weights too.</source>
+        <translation>Incertidumbre típica de una desviación que comparten todas las x además de la propia (un patrón, una temperatura), en la unidad de x. Se usa con incertidumbres declaradas, también en los pesos.</translation>
+    </message>
+    <message>
+        <source>Common u of y</source>
+        <translation>u común de y</translation>
+    </message>
+    <message>
+        <source>Likewise of all y, in the unit of y.</source>
+        <translation>Lo mismo de todas las y, en la unidad de y.</translation>
+    </message>
+    <message>
+        <source>Correlations of the points</source>
+        <translation>Correlaciones de los puntos</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients between coordinates of the points (ISO/TS 28037): they change the curve, which minimises v^T V^-1 v, and its uncertainty. Used with stated uncertainties.</source>
+        <translation>Coeficientes de correlación entre coordenadas de los puntos (ISO/TS 28037): cambian la curva, que minimiza v^T V^-1 v, y su incertidumbre. Se usan con incertidumbres declaradas.</translation>
+    </message>
+    <message>
+        <source>A coordinate of a point by its number: y_1 is the y of the first point.</source>
+        <translation>Una coordenada de un punto por su número: y_1 es la y del primer punto.</translation>
+    </message>
+    <message>
+        <source>Another one: y_2, or the x_1 of the same point.</source>
+        <translation>Otra: y_2, o la x_1 del mismo punto.</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>coeficiente</translation>
+    </message>
+    <message>
+        <source>Correlation coefficient of their stated uncertainties.</source>
+        <translation>Coeficiente de correlación de sus incertidumbres declaradas.</translation>
+    </message>
+    <message>
+        <source>Certificate of a gauge block of 50 mm</source>
+        <translation>Certificado de un bloque patrón de 50 mm</translation>
+    </message>
+    <message>
+        <source>A gauge block is compared with a standard of the same length, by the model of EA-4/02, S4; its certificate says all that ISO/IEC 17025 7.8 asks for.</source>
+        <translation>Un bloque patrón se compara con un patrón de la misma longitud, según el modelo de EA-4/02, S4; su certificado dice todo lo que pide ISO/IEC 17025 7.8.</translation>
+    </message>
+    <message>
+        <source>Conformity of a micrometer</source>
+        <translation>Conformidad de un micrómetro</translation>
+    </message>
+    <message>
+        <source>Errors of indication of a micrometer of 25 mm at four gauge blocks, and whether they conform with a maximum permissible error of 4 µm under the decision rule of ISO 14253-1.</source>
+        <translation>Errores de indicación de un micrómetro de 25 mm en cuatro bloques patrón, y si cumplen un error máximo permitido de 4 µm con la regla de decisión de ISO 14253-1.</translation>
+    </message>
+    <message>
+        <source>A budget from Excel</source>
+        <translation>Un balance de Excel</translation>
+    </message>
+    <message>
+        <source>What &apos;covaria import excel-budget.xlsx&apos; makes of a budget in a spreadsheet, with the columns of EA-4/02.</source>
+        <translation>Lo que &apos;covaria import excel-budget.xlsx&apos; hace de un balance en una hoja de cálculo, con las columnas de EA-4/02.</translation>
+    </message>
+    <message>
+        <source>Gewichtsstück von 10 kg</source>
+        <translation>Pesa de 10 kg</translation>
+    </message>
+    <message>
+        <source>Kalibrierung eines Gewichtsstücks nach EA-4/02, S2: ein Beispiel in deutscher Sprache, mit vollständigem Kalibrierschein.</source>
+        <translation>Calibración de una pesa según EA-4/02, S2: un ejemplo en alemán, con certificado completo.</translation>
+    </message>
+    <message>
+        <source>Guard band</source>
+        <translation>Banda de seguridad</translation>
+    </message>
+    <message>
+        <source>How the guard band follows: by the guard factor, by the ratio TUR of tolerance and U (both limits are needed), or so narrow as a target risk allows (global risks need a prior).</source>
+        <translation>Cómo resulta la banda de seguridad: del factor de seguridad, de la razón TUR de tolerancia y U (hacen falta ambos límites), o tan estrecha como permite un riesgo objetivo (los riesgos globales necesitan un conocimiento previo).</translation>
+    </message>
+    <message>
+        <source>Target risk</source>
+        <translation>Riesgo objetivo</translation>
+    </message>
+    <message>
+        <source>That the guard band is made for, above 0 and up to 0.5: 0.02 or 2 %.</source>
+        <translation>Para el que se hace la banda de seguridad, mayor que 0 y hasta 0.5: 0.02 o 2 %.</translation>
+    </message>
+    <message>
+        <source>guard factor times U</source>
+        <translation>factor de seguridad por U</translation>
+    </message>
+    <message>
+        <source>RSS: root of T²/4 − U²</source>
+        <translation>RSS: raíz de T²/4 − U²</translation>
+    </message>
+    <message>
+        <source>NCSL RP-10: 1.25 − 1/TUR</source>
+        <translation>NCSL RP-10: 1.25 − 1/TUR</translation>
+    </message>
+    <message>
+        <source>managed (Dobbert): at most 2 % false accepts</source>
+        <translation>gestionada (Dobbert): a lo sumo 2 % de aceptaciones falsas</translation>
+    </message>
+    <message>
+        <source>to a specific risk at the acceptance limit</source>
+        <translation>a un riesgo específico en el límite de aceptación</translation>
+    </message>
+    <message>
+        <source>to a global consumer&apos;s risk</source>
+        <translation>a un riesgo global del consumidor</translation>
+    </message>
+    <message>
+        <source>to a risk of what is accepted</source>
+        <translation>a un riesgo de lo aceptado</translation>
+    </message>
+    <message>
+        <source>Site of calibration</source>
+        <translation>Lugar de calibración</translation>
+    </message>
+    <message>
+        <source>Whose place it was done at; empty: in the laboratory, or elsewhere where a place is stated.</source>
+        <translation>En casa de quién se hizo; vacío: en el laboratorio, o en otra parte donde se indica un lugar.</translation>
+    </message>
+    <message>
+        <source>Where it was done if not in the laboratory: the customer&apos;s hall, the field.</source>
+        <translation>Dónde se hizo si no fue en el laboratorio: la nave del cliente, el campo.</translation>
+    </message>
+    <message>
+        <source>To which a statement of conformity refers: the standard or drawing, with its edition.</source>
+        <translation>A qué se refiere una declaración de conformidad: la norma o el plano, con su edición.</translation>
+    </message>
+    <message>
+        <source>at the customer</source>
+        <translation>en casa del cliente</translation>
+    </message>
+    <message>
+        <source>in a branch of the laboratory</source>
+        <translation>en una sucursal del laboratorio</translation>
+    </message>
+    <message>
+        <source>in a branch of the customer</source>
+        <translation>en una sucursal del cliente</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>en otra parte</translation>
+    </message>
+    <message>
+        <source>RSS guard band</source>
+        <translation>banda de seguridad RSS</translation>
+    </message>
+    <message>
+        <source>NCSL RP-10 guard band</source>
+        <translation>banda de seguridad NCSL RP-10</translation>
+    </message>
+    <message>
+        <source>managed guard band (Dobbert, 2 % false accepts)</source>
+        <translation>banda de seguridad gestionada (Dobbert, 2 % de aceptaciones falsas)</translation>
+    </message>
+    <message>
+        <source>guard band to a specific risk of %1</source>
+        <translation>banda de seguridad a un riesgo específico de %1</translation>
+    </message>
+    <message>
+        <source>guard band to a global consumer&apos;s risk of %1</source>
+        <translation>banda de seguridad a un riesgo global del consumidor de %1</translation>
+    </message>
+    <message>
+        <source>guard band to a risk of %1 of what is accepted</source>
+        <translation>banda de seguridad a un riesgo de %1 de lo aceptado</translation>
+    </message>
+    <message>
+        <source>pass (accepted)</source>
+        <translation>pasa (aceptado)</translation>
+    </message>
+    <message>
+        <source>fail (rejected)</source>
+        <translation>no pasa (rechazado)</translation>
+    </message>
+    <message>
+        <source>January</source>
+        <translation>enero</translation>
+    </message>
+    <message>
+        <source>February</source>
+        <translation>febrero</translation>
+    </message>
+    <message>
+        <source>March</source>
+        <translation>marzo</translation>
+    </message>
+    <message>
+        <source>April</source>
+        <translation>abril</translation>
+    </message>
+    <message>
+        <source>May</source>
+        <translation>mayo</translation>
+    </message>
+    <message>
+        <source>June</source>
+        <translation>junio</translation>
+    </message>
+    <message>
+        <source>July</source>
+        <translation>julio</translation>
+    </message>
+    <message>
+        <source>August</source>
+        <translation>agosto</translation>
+    </message>
+    <message>
+        <source>September</source>
+        <translation>septiembre</translation>
+    </message>
+    <message>
+        <source>October</source>
+        <translation>octubre</translation>
+    </message>
+    <message>
+        <source>November</source>
+        <translation>noviembre</translation>
+    </message>
+    <message>
+        <source>December</source>
+        <translation>diciembre</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3</source>
+        <translation>%1 de %2 de %3</translation>
+    </message>
+    <message>
+        <source>required by %1 where conformity is stated</source>
+        <translation>exigido por %1 donde se declara conformidad</translation>
+    </message>
+    <message>
+        <source>%1 is the unit of a temperature, and the quantity is given in %2, in which it may be a difference: give both in %1, or both in %2</source>
+        <translation>%1 es la unidad de una temperatura, y la magnitud se da en %2, donde puede ser una diferencia: dé ambas en %1, o ambas en %2</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in degC, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in K; for its reading in degC write (%2 - 0 [degC]). Only the ratio of two temperatures in degC is taken in kelvin</source>
+        <translation>%1 es una temperatura en degC, y aquí se tomaría en kelvin (20 degC como 293.15 K): si es una diferencia, déla en K; para su lectura en degC escriba (%2 - 0 [degC]). Solo la razón de dos temperaturas en degC se toma en kelvin</translation>
+    </message>
+    <message>
+        <source>%1 is a multiple of a temperature in degC, which depends on where the scale has its zero: if the temperature is a difference, give it in K; else multiply its reading, as in 1.5*(t - 0 [degC])</source>
+        <translation>%1 es un múltiplo de una temperatura en degC, que depende de dónde tiene la escala su cero: si la temperatura es una diferencia, déla en K; si no, multiplique su lectura, como en 1.5*(t - 0 [degC])</translation>
+    </message>
+    <message>
+        <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in K</source>
+        <translation>una parte (%, ppm) o un múltiplo de una temperatura en %1 depende de dónde tiene la escala su cero: dé la cifra en K</translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures, and %2 a temperature in %3: take a temperature, or give %2 in K</source>
+        <translation>%1 es una diferencia de temperaturas, y %2 una temperatura en %3: tome una temperatura, o dé %2 en K</translation>
+    </message>
+    <message>
+        <source>%1 is given in %2, which may be a difference of temperatures, and %3 is a temperature in %4: give both in %4, or both in K</source>
+        <translation>%1 se da en %2, que puede ser una diferencia de temperaturas, y %3 es una temperatura en %4: dé ambas en %4, o ambas en K</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in %2, and %3 is given in %4, which may be a difference of temperatures: give both in %2, or both in K</source>
+        <translation>%1 es una temperatura en %2, y %3 se da en %4, que puede ser una diferencia de temperaturas: dé ambas en %2, o ambas en K</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is complex, so that &apos;%2&apos; is a part of it: to use a part write re(%1) or im(%1), else choose another name</source>
+        <translation>&apos;%1&apos; es complejo, de modo que &apos;%2&apos; es una parte suya: para usar una parte escriba re(%1) o im(%1); si no, elija otro nombre</translation>
+    </message>
+    <message>
+        <source>a complex unknown counts twice, and so does a complex equation: there are %1 real unknowns and %2 real equations</source>
+        <translation>una incógnita compleja cuenta doble, y también una ecuación compleja: hay %1 incógnitas reales y %2 ecuaciones reales</translation>
+    </message>
+    <message>
+        <source>modulus and argument</source>
+        <translation>módulo y argumento</translation>
+    </message>
+    <message>
+        <source>real and imaginary part</source>
+        <translation>parte real e imaginaria</translation>
+    </message>
+    <message>
+        <source>%1 of a complex number are real; one of them is complex here</source>
+        <translation>%1 de un número complejo son reales; aquí uno de ellos es complejo</translation>
+    </message>
+    <message>
+        <source>complex numbers have no order and are no condition: compare re, im, abs or arg of them</source>
+        <translation>los números complejos no tienen orden y no son una condición: compare re, im, abs o arg de ellos</translation>
+    </message>
+    <message>
+        <source>this function is one of real numbers; for a complex one there are + - * / ^, exp, log, sqrt, sin, cos, tan, sinh, cosh, tanh, conj, abs, arg, re and im</source>
+        <translation>esta función es de números reales; para uno complejo hay + - * / ^, exp, log, sqrt, sin, cos, tan, sinh, cosh, tanh, conj, abs, arg, re e im</translation>
+    </message>
+    <message>
+        <source>%1 unknowns are too many to be solved together: the time for each trial grows with the cube of their number, so the limit is %2; solve what does not depend on the rest in systems of its own</source>
+        <translation>%1 incógnitas son demasiadas para resolverlas juntas: el tiempo de cada ensayo crece con el cubo de su número, por eso el límite es %2; resuelva en sistemas propios lo que no depende del resto</translation>
+    </message>
+    <message>
+        <source>the expected number of events gives the estimate: leave the value empty, or the number</source>
+        <translation>el número esperado de sucesos da la estimación: deje vacío el valor, o el número</translation>
+    </message>
+    <message>
+        <source>the expected number of events is missing: state it, or the value</source>
+        <translation>falta el número esperado de sucesos: indíquelo, o el valor</translation>
+    </message>
+    <message>
+        <source>trials and probability give the estimate: leave the value empty, or the probability</source>
+        <translation>las pruebas y la probabilidad dan la estimación: deje vacío el valor, o la probabilidad</translation>
+    </message>
+    <message>
+        <source>the probability of each trial is missing: state it, or the value</source>
+        <translation>falta la probabilidad de cada prueba: indíquela, o el valor</translation>
+    </message>
+    <message>
+        <source>the number of trials must be at least one</source>
+        <translation>el número de pruebas debe ser al menos uno</translation>
+    </message>
+    <message>
+        <source>the probability of each trial must lie between 0 and 100 %</source>
+        <translation>la probabilidad de cada prueba debe estar entre 0 y 100 %</translation>
+    </message>
+    <message>
+        <source>the value must lie between 0 and the number of trials</source>
+        <translation>el valor debe estar entre 0 y el número de pruebas</translation>
+    </message>
+    <message>
+        <source>scale and shape give the estimate: leave the value empty, or state the standard deviation alone</source>
+        <translation>la escala y la forma dan la estimación: deje vacío el valor, o indique solo la desviación típica</translation>
+    </message>
+    <message>
+        <source>a Weibull distribution needs a value greater than zero, which is its mean</source>
+        <translation>una distribución de Weibull necesita un valor mayor que cero, que es su media</translation>
+    </message>
+    <message>
+        <source>no Weibull distribution has such a ratio of standard deviation to mean: it must lie between 0.000002 and 429</source>
+        <translation>ninguna distribución de Weibull tiene tal razón de desviación típica a media: debe estar entre 0.000002 y 429</translation>
+    </message>
+    <message>
+        <source>observations have no weights: for values with weights write sample 1; 2; 3 weights 2; 5; 2</source>
+        <translation>las observaciones no tienen pesos: para valores con pesos escriba sample 1; 2; 3 weights 2; 5; 2</translation>
+    </message>
+    <message>
+        <source>weights have no unit</source>
+        <translation>los pesos no tienen unidad</translation>
+    </message>
+    <message>
+        <source>a histogram has one edge more than weights: histogram 0; 1; 2 weights 5; 8</source>
+        <translation>un histograma tiene un borde más que pesos: histogram 0; 1; 2 weights 5; 8</translation>
+    </message>
+    <message>
+        <source>there must be as many weights as values</source>
+        <translation>debe haber tantos pesos como valores</translation>
+    </message>
+    <message>
+        <source>the weights of the cells are missing: histogram 0; 1; 2 weights 5; 8</source>
+        <translation>faltan los pesos de las celdas: histogram 0; 1; 2 weights 5; 8</translation>
+    </message>
+    <message>
+        <source>write the probability as p = 0.02 or p = 2 %</source>
+        <translation>escriba la probabilidad como p = 0.02 o p = 2 %</translation>
+    </message>
+    <message>
+        <source>location</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>the shape must lie between 0.1 and 1000000.</source>
+        <translation>la forma debe estar entre 0.1 y 1000000.</translation>
+    </message>
+    <message>
+        <source>value without an event</source>
+        <translation>valor sin suceso</translation>
+    </message>
+    <message>
+        <source>the expected number of events must lie between 0 and 10000000; beyond it a normal distribution says the same.</source>
+        <translation>el número esperado de sucesos debe estar entre 0 y 10000000; más allá, una distribución normal dice lo mismo.</translation>
+    </message>
+    <message>
+        <source>the number of trials must be a whole number up to 10000000; beyond it a normal distribution says the same.</source>
+        <translation>el número de pruebas debe ser un entero hasta 10000000; más allá, una distribución normal dice lo mismo.</translation>
+    </message>
+    <message>
+        <source>the probability must lie between 0 and 1.</source>
+        <translation>la probabilidad debe estar entre 0 y 1.</translation>
+    </message>
+    <message>
+        <source>a histogram needs at least one cell.</source>
+        <translation>un histograma necesita al menos una celda.</translation>
+    </message>
+    <message>
+        <source>there must be one edge more than probabilities.</source>
+        <translation>debe haber un borde más que probabilidades.</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>bordes</translation>
+    </message>
+    <message>
+        <source>the edges must rise.</source>
+        <translation>los bordes deben crecer.</translation>
+    </message>
+    <message>
+        <source>histogram: there must be one edge more than probabilities.</source>
+        <translation>histograma: debe haber un borde más que probabilidades.</translation>
+    </message>
+    <message>
+        <source>the measurement model has a kink at the estimates, or bends too sharply there for derivatives of second and third order</source>
+        <translation>el modelo de medición tiene un quiebro en las estimaciones, o se curva allí demasiado para derivadas de segundo y tercer orden</translation>
+    </message>
+    <message>
+        <source>the measurement model has no value there</source>
+        <translation>el modelo de medición no tiene valor allí</translation>
+    </message>
+    <message>
+        <source>its sensitivity coefficients are zero, or there are none</source>
+        <translation>sus coeficientes de sensibilidad son cero, o no los hay</translation>
+    </message>
+    <message>
+        <source>Monte Carlo answers alone for %1: the measurement model has no sensitivity coefficients at the estimates of its input quantities.</source>
+        <translation>Solo Monte Carlo responde para %1: el modelo de medición no tiene coeficientes de sensibilidad en las estimaciones de sus magnitudes de entrada.</translation>
+    </message>
+    <message>
+        <source>%1 has a kink at the estimates of the input quantities (an absolute value, a maximum, a condition): the law of propagation takes the sensitivity coefficients of one side. Use Monte Carlo.</source>
+        <translation>%1 tiene un quiebro en las estimaciones de las magnitudes de entrada (un valor absoluto, un máximo, una condición): la ley de propagación toma los coeficientes de sensibilidad de un lado. Use Monte Carlo.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo answers alone for %1, which has a kink at the estimates of the input quantities (an absolute value, a maximum, a condition): the law of propagation would take the sensitivity coefficients of one side.</source>
+        <translation>Solo Monte Carlo responde para %1, que tiene un quiebro en las estimaciones de las magnitudes de entrada (un valor absoluto, un máximo, una condición): la ley de propagación tomaría los coeficientes de sensibilidad de un lado.</translation>
+    </message>
+    <message>
+        <source>There is no standard uncertainty with second-order terms of %1: they would make its variance negative, so terms of higher order matter as much. Use Monte Carlo.</source>
+        <translation>No hay incertidumbre típica con términos de segundo orden de %1: harían negativa su varianza, de modo que los términos de orden superior importan igual. Use Monte Carlo.</translation>
+    </message>
+    <message>
+        <source>%1 trials are few for a coverage interval of %2 %: some %3 lie beyond each of its ends, so that U is not known well. JCGM 101 7.2.2 asks for some %4 trials.</source>
+        <translation>%1 ensayos son pocos para un intervalo de cobertura del %2 %: unos %3 quedan más allá de cada extremo, de modo que U no se conoce bien. JCGM 101 7.2.2 pide unos %4 ensayos.</translation>
+    </message>
+    <message>
+        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry); Monte Carlo needs none</source>
+        <translation>el modelo de medición no tiene coeficientes de sensibilidad en las estimaciones de las magnitudes de entrada%1: no es diferenciable allí (geometría singular); Monte Carlo no necesita ninguno</translation>
+    </message>
+    <message>
+        <source>the readings find target %1 %2 mm from its nominal coordinates; look for exchanged names or a unit that was mixed up (the result does not depend on the nominal coordinates)</source>
+        <translation>las lecturas hallan el objetivo %1 a %2 mm de sus coordenadas nominales; busque nombres intercambiados o una unidad confundida (el resultado no depende de las coordenadas nominales)</translation>
+    </message>
+    <message>
+        <source>the readings find %1 further targets far from their nominal coordinates</source>
+        <translation>las lecturas hallan otros %1 objetivos lejos de sus coordenadas nominales</translation>
+    </message>
+    <message>
+        <source>observations have degrees of freedom of their own; those made together have the same numbers in the table of observations</source>
+        <translation>las observaciones tienen grados de libertad propios; las hechas juntas tienen los mismos números en la tabla de observaciones</translation>
+    </message>
+    <message>
+        <source>the members of an ensemble have a standard or expanded uncertainty with finite nu</source>
+        <translation>los miembros de un conjunto tienen una incertidumbre típica o expandida con nu finito</translation>
+    </message>
+    <message>
+        <source>the members of ensemble &apos;%1&apos; have one and the same nu; it is %2 in the first, %3 here</source>
+        <translation>los miembros del conjunto &apos;%1&apos; tienen un mismo nu; es %2 en el primero, %3 aquí</translation>
+    </message>
+    <message>
+        <source>the sample gives the estimate: leave the value empty</source>
+        <translation>la muestra da la estimación: deje vacío el valor</translation>
+    </message>
+    <message>
+        <source>the weight of a cell of its histogram is missing</source>
+        <translation>falta el peso de una celda de su histograma</translation>
+    </message>
+    <message>
+        <source>a histogram has the weight of each cell beside the edge where it begins, and none beside the last edge</source>
+        <translation>un histograma tiene el peso de cada celda junto al borde donde empieza, y ninguno junto al último borde</translation>
+    </message>
+    <message>
+        <source>some values of its sample have a weight and some have none</source>
+        <translation>algunos valores de su muestra tienen peso y otros no</translation>
+    </message>
+    <message>
+        <source>its weights must have a sum above zero</source>
+        <translation>sus pesos deben tener una suma mayor que cero</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is complex: list its parts %2 and %3, or define abs(%1) and arg(%1) and list these</source>
+        <translation>&apos;%1&apos; es complejo: enumere sus partes %2 y %3, o defina abs(%1) y arg(%1) y enumere estas</translation>
+    </message>
+    <message>
+        <source>a difference: %1 in K</source>
+        <translation>una diferencia: %1 en K</translation>
+    </message>
+    <message>
+        <source>a thermodynamic temperature: %1 in K</source>
+        <translation>una temperatura termodinámica: %1 en K</translation>
+    </message>
+    <message>
+        <source>a difference: %1</source>
+        <translation>una diferencia: %1</translation>
+    </message>
+    <message>
+        <source>its reading in degC: %1 - 0 [degC]</source>
+        <translation>su lectura en degC: %1 - 0 [degC]</translation>
+    </message>
+    <message>
+        <source>a part of its reading in degC: %1 K</source>
+        <translation>una parte de su lectura en degC: %1 K</translation>
+    </message>
+    <message>
+        <source>as stated with correlations, ISO/TS 28037, 10</source>
+        <translation>como se declara, con correlaciones, ISO/TS 28037, 10</translation>
+    </message>
+    <message>
+        <source>common deviation of all %1</source>
+        <translation>desviación común de todas las %1</translation>
+    </message>
+    <message>
+        <source>stated for all points</source>
+        <translation>declarada para todos los puntos</translation>
+    </message>
+    <message>
+        <source>a common deviation is one of stated uncertainties: choose these, or leave it 0</source>
+        <translation>una desviación común es de incertidumbres declaradas: elíjalas, o déjela en 0</translation>
+    </message>
+    <message>
+        <source>correlations are those of stated uncertainties: choose these, or leave out the correlations</source>
+        <translation>las correlaciones son de incertidumbres declaradas: elíjalas, o quite las correlaciones</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no coordinate of a point: write y_1 for the y of the first one</source>
+        <translation>&apos;%1&apos; no es una coordenada de un punto: escriba y_1 para la y del primero</translation>
+    </message>
+    <message>
+        <source>%1 has no standard uncertainty of its own that could be correlated</source>
+        <translation>%1 no tiene una incertidumbre típica propia que pueda estar correlacionada</translation>
+    </message>
+    <message>
+        <source>a coordinate is not correlated with itself</source>
+        <translation>una coordenada no está correlacionada consigo misma</translation>
+    </message>
+    <message>
+        <source>the CSV file &apos;%1&apos; of %2 is a link that leads out of the project&apos;s folder: put the file itself there</source>
+        <translation>el archivo CSV &apos;%1&apos; de %2 es un enlace que lleva fuera de la carpeta del proyecto: ponga allí el archivo mismo</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 follows from the ratio of tolerance and U: give both limits, or choose a guard factor</source>
+        <translation>la banda de seguridad de %1 resulta de la razón de tolerancia y U: dé ambos límites, o elija un factor de seguridad</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 is made for a global risk: give the prior, or choose a specific risk</source>
+        <translation>la banda de seguridad de %1 se hace para un riesgo global: dé el conocimiento previo, o elija un riesgo específico</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 needs a tolerance: give a limit</source>
+        <translation>la banda de seguridad de %1 necesita una tolerancia: dé un límite</translation>
+    </message>
+    <message>
+        <source>the target risk of %1 must lie above 0 and not above 0.5</source>
+        <translation>el riesgo objetivo de %1 debe ser mayor que 0 y no mayor que 0.5</translation>
+    </message>
+    <message>
+        <source>another study has the same id</source>
+        <translation>otro estudio tiene el mismo identificador</translation>
+    </message>
+    <message>
+        <source>its id must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
+        <translation>su identificador debe constar de letras, cifras, &apos;-&apos; y &apos;_&apos;</translation>
+    </message>
+    <message>
+        <source>there is no asset %1, and no analysis of this name that this one takes from%2</source>
+        <translation>no hay activo %1, ni análisis de este nombre del que este tome%2</translation>
+    </message>
+    <message>
+        <source> (did you mean %1?)</source>
+        <translation> (¿quiso decir %1?)</translation>
+    </message>
+    <message>
+        <source>a number here is larger than any that can be computed with (1.8e308)</source>
+        <translation>un número aquí es mayor que cualquiera con el que se pueda calcular (1.8e308)</translation>
+    </message>
+    <message>
+        <source>the value or its place is no text in UTF-8</source>
+        <translation>el valor o su lugar no es un texto en UTF-8</translation>
+    </message>
+    <message>
+        <source>more than %1 analyses feed each other in a row: put the equations of some of them into one</source>
+        <translation>más de %1 análisis se alimentan unos a otros en fila: ponga las ecuaciones de algunos en uno</translation>
+    </message>
+    <message>
+        <source>a temperature: %1 in degC</source>
+        <translation>una temperatura: %1 en degC</translation>
+    </message>
+    <message>
+        <source>%1 is a link that leads out of the project&apos;s folder: put the picture itself there</source>
+        <translation>%1 es un enlace que lleva fuera de la carpeta del proyecto: ponga allí la imagen misma</translation>
+    </message>
+    <message>
+        <source>%1; in this file write %2</source>
+        <translation>%1; en este archivo escriba %2</translation>
+    </message>
+    <message>
+        <source>there is no asset %1%2</source>
+        <translation>no hay activo %1%2</translation>
+    </message>
+    <message>
+        <source>the file of candidates &apos;%1&apos; is a link that leads out of the project&apos;s folder: put the file itself there</source>
+        <translation>el archivo de candidatos &apos;%1&apos; es un enlace que lleva fuera de la carpeta del proyecto: ponga allí el archivo mismo</translation>
+    </message>
+    <message>
+        <source>another design has the same id</source>
+        <translation>otro diseño tiene el mismo identificador</translation>
+    </message>
+    <message>
+        <source>row %1 was left out</source>
+        <translation>se omitió la fila %1</translation>
+    </message>
+    <message>
+        <source>row %1: %2 in %3 beside a sensitivity coefficient is taken as a difference or reading, in %4</source>
+        <translation>fila %1: %2 en %3 junto a un coeficiente de sensibilidad se toma como diferencia o lectura, en %4</translation>
+    </message>
+    <message>
+        <source>the result is not the sum of c x: %1 = %2 is the difference</source>
+        <translation>el resultado no es la suma de las c x: %1 = %2 es la diferencia</translation>
+    </message>
+    <message>
+        <source>the sheet %1 has no row %2 to leave out</source>
+        <translation>la hoja %1 no tiene una fila %2 que omitir</translation>
+    </message>
+    <message>
+        <source>%1 is no place of a cell; D3 is one</source>
+        <translation>%1 no es el lugar de una celda; D3 lo es</translation>
+    </message>
+    <message>
+        <source>point %1 with other coordinates: those of line %2 are taken</source>
+        <translation>punto %1 con otras coordenadas: se toman las de la línea %2</translation>
+    </message>
+    <message>
+        <source>%1 determinations of the same points (&lt;coordinates&gt; of lines %2): each is an artefact of its own; keep all of them, or delete those that you do not want</source>
+        <translation>%1 determinaciones de los mismos puntos (&lt;coordinates&gt; de las líneas %2): cada una es un artefacto propio; conserve todas, o borre las que no quiera</translation>
+    </message>
+    <message>
+        <source>%1 is no number: write %2, with a point</source>
+        <translation>%1 no es un número: escriba %2, con punto</translation>
+    </message>
+    <message>
+        <source>column %1%2 of sheet %3 is filled, and what it is is not understood: state the columns, %4, with one of %5 in place of ? (- leaves the column out)</source>
+        <translation>la columna %1%2 de la hoja %3 está llena, y no se entiende qué es: indique las columnas, %4, con uno de %5 en lugar de ? (- omite la columna)</translation>
+    </message>
+    <message>
+        <source>the name of the result %1 of %2</source>
+        <translation>el nombre del resultado %1 de %2</translation>
+    </message>
+    <message>
+        <source>the names of the results %1 of %2</source>
+        <translation>los nombres de los resultados %1 de %2</translation>
+    </message>
+    <message>
+        <source>the certificate calls it by its symbol alone: %1 must be stated (ISO/IEC 17025 %2)</source>
+        <translation>el certificado lo llama solo por su símbolo: debe indicarse %1 (ISO/IEC 17025 %2)</translation>
+    </message>
+    <message>
+        <source>under an accreditation U is stated for a coverage probability of about 95 % (ILAC-P14 5.3); here it is %1</source>
+        <translation>bajo una acreditación U se declara para una probabilidad de cobertura de alrededor del 95 % (ILAC-P14 5.3); aquí es %1</translation>
+    </message>
+    <message>
+        <source>%1: the file states %2, this budget gives %3, %4 apart</source>
+        <translation>%1: el archivo declara %2, este balance da %3, una diferencia de %4</translation>
+    </message>
+    <message>
+        <source>%1: FIND OUT WHY before it is used</source>
+        <translation>%1: AVERIGÜE POR QUÉ antes de usarlo</translation>
+    </message>
+    <message>
+        <source>u(%1) by its contributions</source>
+        <translation>u(%1) por sus contribuciones</translation>
+    </message>
+    <message>
+        <source>%1: the file states no result that this budget could be held against</source>
+        <translation>%1: el archivo no declara ningún resultado con el que comparar este balance</translation>
+    </message>
+    <message>
+        <source>another one has the same id</source>
+        <translation>otro tiene el mismo identificador</translation>
+    </message>
+    <message>
+        <source>%1: of what the rule accepts %2 does not conform, of what it rejects %3 does.</source>
+        <translation>%1: de lo que la regla acepta, %2 no es conforme; de lo que rechaza, %3 lo es.</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Índice</translation>
+    </message>
+    <message>
+        <source>%1 further components of %2 other sources</source>
+        <translation>%1 componentes más de otras %2 fuentes</translation>
+    </message>
+    <message>
+        <source>other sources</source>
+        <translation>otras fuentes</translation>
+    </message>
+    <message>
+        <source>1 further component: %1</source>
+        <translation>1 componente más: %1</translation>
+    </message>
+    <message>
+        <source>%1 further components: %2</source>
+        <translation>%1 componentes más: %2</translation>
+    </message>
+    <message>
+        <source>Left out: %1 components that contribute nothing (less than 10⁻⁹ of u_c).</source>
+        <translation>Omitidas: %1 componentes que no contribuyen nada (menos de 10⁻⁹ de u_c).</translation>
+    </message>
+    <message>
+        <source>Left out, because they contribute nothing (less than 10⁻⁹ of u_c): %1.</source>
+        <translation>Omitidas, porque no contribuyen nada (menos de 10⁻⁹ de u_c): %1.</translation>
+    </message>
+    <message>
+        <source>Stated in the results: %1 = %2 (propagation of distributions).</source>
+        <translation>Declarado en los resultados: %1 = %2 (propagación de distribuciones).</translation>
+    </message>
+    <message>
+        <source>%1: under an accreditation U is stated for a coverage probability of about 95 % (ILAC-P14 5.3); with k = %2 that of %3 is %4</source>
+        <translation>%1: bajo una acreditación U se declara para una probabilidad de cobertura de alrededor del 95 % (ILAC-P14 5.3); con k = %2 la de %3 es %4</translation>
+    </message>
+    <message>
+        <source>not drawn, for it is farther away than 10¹² km: %1</source>
+        <translation>no se dibuja, porque está a más de 10¹² km: %1</translation>
+    </message>
+    <message>
+        <source>Laplace</source>
+        <translation>Laplace</translation>
+    </message>
+    <message>
+        <source>Weibull</source>
+        <translation>Weibull</translation>
+    </message>
+    <message>
+        <source>expected number of events</source>
+        <translation>número esperado de sucesos</translation>
+    </message>
+    <message>
+        <source>step of one event</source>
+        <translation>paso de un suceso</translation>
+    </message>
+    <message>
+        <source>probability</source>
+        <translation>probabilidad</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+Laplace 0.3, Weibull 0.3 (standard deviations), Weibull scale 2, shape 1.5
+Poisson 12, binomial n = 50, p = 2 %: they give the value
+sample 1; 2; 3 weights 2; 5; 2 (drawn as they are), histogram 0; 1; 2 weights 5; 8 (edges)
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: incertidumbre típica
+2 ppm: incertidumbre típica, una parte del valor; absoluta donde la magnitud es ella misma una razón
+U = 0.3 um, k = 2 (o p = 95 %): certificado
+s = 13 nm, n = 5: desviación típica conocida de antes, media de n observaciones (tipo A)
+rectangular 0.5 (o rect, ±): límites en torno al valor; igual triangular, arcsine
+limits 19.5 to 20.5: dan el valor
+10.1; 10.3; 10.2: observaciones
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+Laplace 0.3, Weibull 0.3 (desviaciones típicas), Weibull scale 2, shape 1.5
+Poisson 12, binomial n = 50, p = 2 %: dan el valor
+sample 1; 2; 3 weights 2; 5; 2 (se sortean como son), histogram 0; 1; 2 weights 5; 8 (bordes)
+nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>muestra</translation>
+    </message>
+    <message>
+        <source>weights</source>
+        <translation>pesos</translation>
     </message>
 </context>
 <context>
@@ -14135,6 +14905,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Done again: %1</source>
         <translation>Rehecho: %1</translation>
     </message>
+    <message>
+        <source>Type it as %1.</source>
+        <translation>Escríbalo como %1.</translation>
+    </message>
+    <message>
+        <source>Type it as %1, or as %2.</source>
+        <translation>Escríbalo como %1, o como %2.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14342,6 +15120,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>English (none chosen)</source>
         <translation>Inglés (ninguno elegido)</translation>
+    </message>
+    <message>
+        <source>Required by %1 where conformity is stated.</source>
+        <translation>Exigido por %1 donde se declara conformidad.</translation>
+    </message>
+    <message>
+        <source>in the laboratory, or at the place stated</source>
+        <translation>en el laboratorio, o en el lugar indicado</translation>
     </message>
 </context>
 <context>
@@ -15215,6 +16001,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Monte Carlo draws: %1, ν = %2</source>
         <translation>Monte Carlo extrae de: %1, ν = %2</translation>
     </message>
+    <message>
+        <source>Edges of the cells</source>
+        <translation>Bordes de las celdas</translation>
+    </message>
+    <message>
+        <source>There must be one edge more than probabilities.</source>
+        <translation>Debe haber un borde más que probabilidades.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
@@ -15312,6 +16106,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>Remove the link of %1</source>
         <translation>Quitar el vínculo de %1</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file since it was read.</source>
+        <translation>Otro programa ha cambiado el archivo desde que se leyó.</translation>
     </message>
 </context>
 <context>
@@ -15612,6 +16410,14 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <source>Name project</source>
         <translation>Dar nombre al proyecto</translation>
     </message>
+    <message>
+        <source>%1 was changed by another program since it was read here. Saving replaces what it holds now.</source>
+        <translation>Otro programa cambió %1 desde que se leyó aquí. Guardar reemplaza lo que contiene ahora.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FileEditor</name>
@@ -15873,6 +16679,18 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>Imported from %1, %2 bytes, of %3, SHA-256 %4.</source>
         <translation>Importado de %1, %2 bytes, del %3, SHA-256 %4.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave Out or Read the Row</source>
+        <translation>&amp;Omitir o leer la fila</translation>
+    </message>
+    <message>
+        <source>%1, left out</source>
+        <translation>%1, omitida</translation>
+    </message>
+    <message>
+        <source>What each column is read as; cells can be typed over</source>
+        <translation>Como qué se lee cada columna; se puede escribir sobre las celdas</translation>
     </message>
 </context>
 <context>
@@ -16650,6 +17468,34 @@ Elegido: %2</translation>
         <source>correlation of %1 and %2</source>
         <translation>correlación de %1 y %2</translation>
     </message>
+    <message>
+        <source>link of %1</source>
+        <translation>enlace de %1</translation>
+    </message>
+    <message>
+        <source>change of %1</source>
+        <translation>cambio de %1</translation>
+    </message>
+    <message>
+        <source>requirement on %1</source>
+        <translation>requisito de %1</translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation>estudio</translation>
+    </message>
+    <message>
+        <source>design</source>
+        <translation>diseño</translation>
+    </message>
+    <message>
+        <source>Way out</source>
+        <translation>Salida</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>o</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -17186,6 +18032,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>Ejecute el análisis para ver si se cumple el requisito.</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;Of what the rule accepts %1 does not conform, of what it rejects %2 does.</source>
+        <translation>&lt;br&gt;De lo que la regla acepta, %1 no es conforme; de lo que rechaza, %2 lo es.</translation>
     </message>
 </context>
 <context>

@@ -1566,10 +1566,6 @@
         <translation>방정식</translation>
     </message>
     <message>
-        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation>한 줄에 방정식 하나: y = x_1*x_2 + x_3. 방정식이 없는 이름은 입력량이며, 숫자의 단위는 대괄호 안에 적습니다: 3 [mm]. &apos;solve y = 1: y^2 = x&apos;는 매 시행에서 시작값으로부터 y를 구합니다. &apos;#&apos;은 주석의 시작입니다.</translation>
-    </message>
-    <message>
         <source>symbol</source>
         <translation>기호</translation>
     </message>
@@ -3762,10 +3758,6 @@
         <translation>교정 장소</translation>
     </message>
     <message>
-        <source>Where it was done if not in the laboratory: at the customer, in the field.</source>
-        <translation>교정기관이 아닌 경우 교정한 곳: 고객의 사업장, 현장.</translation>
-    </message>
-    <message>
         <source>Customer</source>
         <translation>고객</translation>
     </message>
@@ -4604,14 +4596,6 @@
     <message>
         <source>by</source>
         <translation>근거</translation>
-    </message>
-    <message>
-        <source>accepted</source>
-        <translation>합격</translation>
-    </message>
-    <message>
-        <source>rejected</source>
-        <translation>불합격</translation>
     </message>
     <message>
         <source>not judged</source>
@@ -6182,10 +6166,6 @@
         <translation>포함하지 않음: 간섭에서 하중의 곱, 하중의 정렬 불량, 크리프, 온도, 재장착.</translation>
     </message>
     <message>
-        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
-        <translation>차원은 식을 읽을 때 확인합니다. SI에서 라디안은 1이므로 평면각은 수로 봅니다. °C로 된 온도는 열역학적 온도로 보며 온도 차는 K로 제시합니다.</translation>
-    </message>
-    <message>
         <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
         <translation>감도계수는 정확합니다(자동 미분). 식이 음함수로 정의하는 미지수의 것은 JCGM 102 6.3을 따릅니다.</translation>
     </message>
@@ -6546,10 +6526,6 @@
         <translation>%1은(는) 온도 차입니다. 단위는 %2이(가) 아니라 K입니다</translation>
     </message>
     <message>
-        <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
-        <translation>%1은(는) 온도의 배수입니다. 단위는 %2이(가) 아니라 K입니다</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
         <translation>&apos;%1&apos;은(는) 조건이 됩니다. 정의는 수를 주어야 합니다</translation>
     </message>
@@ -6768,10 +6744,6 @@
     <message>
         <source>%1 unknowns need as many equations; there are %2</source>
         <translation>미지수 %1개에는 같은 수의 방정식이 필요합니다. 지금은 %2개입니다</translation>
-    </message>
-    <message>
-        <source>at most six unknowns can be solved together</source>
-        <translation>미지수는 최대 6개까지 함께 풀 수 있습니다</translation>
     </message>
     <message>
         <source>an equals sign is expected in an equation to be solved</source>
@@ -7446,10 +7418,6 @@
         <translation>상관된 성분이 정규분포를 따르지 않습니다</translation>
     </message>
     <message>
-        <source>its sensitivity coefficients are zero</source>
-        <translation>감도계수가 0입니다</translation>
-    </message>
-    <message>
         <source>no spread</source>
         <translation>산포 없음</translation>
     </message>
@@ -7532,10 +7500,6 @@
     <message>
         <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
         <translation>측정 모델이 입력량의 추정값%1에서 값을 갖지 않습니다. 공칭 기하와 입력한 값을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
-        <translation>측정 모델이 입력량의 추정값%1에서 감도계수를 갖지 않습니다. 그곳에서 미분할 수 없습니다(특이 기하)</translation>
     </message>
     <message>
         <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
@@ -8774,10 +8738,6 @@
         <translation>모델에 출력량 %1이(가) 없습니다%2%3</translation>
     </message>
     <message>
-        <source>the id %1 is used twice</source>
-        <translation>id %1이(가) 두 번 쓰였습니다</translation>
-    </message>
-    <message>
         <source>an axis needs at least two values</source>
         <translation>축에는 값이 둘 이상 필요합니다</translation>
     </message>
@@ -8792,10 +8752,6 @@
     <message>
         <source>&apos;%1&apos; takes whole numbers: there are fewer than %2 between the ends</source>
         <translation>&apos;%1&apos;은(는) 정수를 받습니다. 양 끝 사이에 %2개보다 적습니다</translation>
-    </message>
-    <message>
-        <source>the id %1 must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
-        <translation>id %1은(는) 문자, 숫자, &apos;-&apos;, &apos;_&apos;로 이루어져야 합니다</translation>
     </message>
     <message>
         <source>a study has one to three axes; this one has %1</source>
@@ -8860,10 +8816,6 @@
     <message>
         <source>%1 cannot be varied: %2</source>
         <translation>%1을(를) 바꿀 수 없습니다: %2</translation>
-    </message>
-    <message>
-        <source>there is no asset %1</source>
-        <translation>에셋 %1이(가) 없습니다</translation>
     </message>
     <message>
         <source>the set-up has no schema</source>
@@ -9236,10 +9188,6 @@
     <message>
         <source>the analysis %1 would be made of itself: %2%3</source>
         <translation>분석 %1이(가) 자기 자신으로 이루어지게 됩니다: %2%3</translation>
-    </message>
-    <message>
-        <source>more than %1 analyses feed each other in a row</source>
-        <translation>연이어 서로 입력이 되는 분석이 %1개를 넘습니다</translation>
     </message>
     <message>
         <source>the analysis %1 has no output %2%3</source>
@@ -10688,10 +10636,6 @@
     <message>
         <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
         <translation>결과의 단위가 없습니다. 결과에 별도의 행을 주거나, 기여의 머리글 뒤에 단위를 넣거나, &apos;result&apos;의 단위로 지정하십시오</translation>
-    </message>
-    <message>
-        <source>the result is not the sum of c x: %1 is the difference</source>
-        <translation>결과가 c x의 합이 아닙니다. 그 차이는 %1입니다</translation>
     </message>
     <message>
         <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
@@ -13282,10 +13226,6 @@
         <translation>%2개 점 중 %1개에 불확도를 표시함</translation>
     </message>
     <message>
-        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>불확도가 알려진 방식. 이에 따라 a와 b는: u; s와 n; U와 k; U와 p(%); 반폭(과 부정확도, 또는 윗변과 밑변의 비); 하한과 상한; 지시의 간격; 허용오차와 값의 %; 계수 횟수; 평균의 관측 횟수(합동). 비어 있으면 상수.</translation>
-    </message>
-    <message>
         <source>standard deviation known before (Type A)</source>
         <translation>앞서 알려진 표준편차(A형)</translation>
     </message>
@@ -13308,26 +13248,6 @@
     <message>
         <source>results: in the frame of the sensor</source>
         <translation>결과: 센서 좌표계의 값</translation>
-    </message>
-    <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: 표준불확도
-2 ppm: 표준불확도, 값에 대한 비. 양 자체가 비이면 절대값
-U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
-s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
-직사각형 0.5 (또는 rect, ±): 값을 중심으로 한 한계. 삼각형, 아크사인도 같음
-한계 19.5 까지 20.5: 한계가 값을 줌
-10.1; 10.3; 10.2: 관측값
-분해능 0.01, MPE 3 + 0.1 %, 계수 횟수 12, 상수
-이들 뒤의 nu 18: 자유도</translation>
     </message>
     <message>
         <source>time</source>
@@ -13644,6 +13564,856 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
     <message>
         <source>it must be an analysis of the kept state and have a name (otherName)</source>
         <translation>보관된 상태의 분석이어야 하고 이름(otherName)이 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. A temperature in °C is taken in kelvin only where two make a ratio; a difference of temperatures is given in K.</source>
+        <translation>차원은 방정식을 읽는 곳에서 검사합니다. 평면각은 수로 취급합니다. SI에서 라디안은 수이기 때문입니다. °C로 나타낸 온도는 두 온도가 비를 이루는 곳에서만 켈빈으로 취합니다. 온도차는 K로 줍니다.</translation>
+    </message>
+    <message>
+        <source>Angles that inverse functions give or that were read, their sums and whole multiples are on the circle where the result is given in a unit of angle.</source>
+        <translation>역함수가 주거나 읽은 각도, 그 합과 정수배는 결과가 각도 단위로 주어질 때 원 위에 있습니다.</translation>
+    </message>
+    <message>
+        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. complex(a, b) and polar(r, phi) make complex numbers, re, im, abs and arg real ones of them. &apos;#&apos; starts a comment.</source>
+        <translation>한 줄에 방정식 하나: y = x_1*x_2 + x_3. 방정식이 없는 이름은 입력량이고, 수의 단위는 대괄호에 씁니다: 3 [mm]. &apos;solve y = 1: y^2 = x&apos;는 시작값에서 출발하여 시행마다 y를 찾습니다. complex(a, b)와 polar(r, phi)는 복소수를 만들고, re, im, abs, arg는 그로부터 실수를 만듭니다. &apos;#&apos;은 주석을 시작합니다.</translation>
+    </message>
+    <message>
+        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled); standard deviation (Laplace, Weibull about the value), scale (and shape); expected number of events; number of trials and probability in %. A sample is drawn as it is listed among the observations, a histogram has the edges of its cells there. Empty: a constant.</source>
+        <translation>그 불확도를 어떻게 아는가. a와 b는 다음과 같습니다: u; s와 n; U와 k; U와 %로 나타낸 p; 반폭(과 한계의 부정확함, 또는 윗변과 밑변의 비); 하한과 상한; 지시의 분해능; 최대 허용 오차와 값의 %; 계수; 평균에 든 관측 횟수(합동); 표준편차(라플라스, 값을 평균으로 하는 와이블), 척도(와 형상); 사건의 기대 횟수; 시도 횟수와 %로 나타낸 확률. 표본은 관측값에 적힌 대로 뽑고, 히스토그램의 칸 경계도 거기에 있습니다. 비어 있음: 상수.</translation>
+    </message>
+    <message>
+        <source>Laplace, standard deviation</source>
+        <translation>라플라스, 표준편차</translation>
+    </message>
+    <message>
+        <source>Laplace, scale</source>
+        <translation>라플라스, 척도</translation>
+    </message>
+    <message>
+        <source>Weibull, scale and shape</source>
+        <translation>와이블, 척도와 형상</translation>
+    </message>
+    <message>
+        <source>Weibull, standard deviation</source>
+        <translation>와이블, 표준편차</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>푸아송</translation>
+    </message>
+    <message>
+        <source>binomial</source>
+        <translation>이항</translation>
+    </message>
+    <message>
+        <source>sample of values</source>
+        <translation>값의 표본</translation>
+    </message>
+    <message>
+        <source>histogram</source>
+        <translation>히스토그램</translation>
+    </message>
+    <message>
+        <source>ensemble</source>
+        <translation>앙상블</translation>
+    </message>
+    <message>
+        <source>Name of the evaluation that gave several quantities together, with one and the same nu: their uncertainties rest on one estimate of variance, and they are drawn from a multivariate t distribution (JCGM 102 5.3.2). Correlation coefficients between them stand with the correlations of the analysis.</source>
+        <translation>여러 양을 같은 nu로 함께 준 평가의 이름: 그 불확도는 하나의 분산 추정에 근거하며 다변량 t 분포에서 뽑습니다(JCGM 102 5.3.2). 그 사이의 상관계수는 분석의 상관과 함께 있습니다.</translation>
+    </message>
+    <message>
+        <source>Observed value, value of a sample or edge of a histogram, in the unit of the quantity.</source>
+        <translation>관측값, 표본의 값 또는 히스토그램의 경계, 그 양의 단위로.</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>가중치</translation>
+    </message>
+    <message>
+        <source>Of a value of a sample, or of the cell of a histogram that begins at this edge: counts, or parts of any sum. Empty: one in a sample, none behind the last edge.</source>
+        <translation>표본의 한 값, 또는 이 경계에서 시작하는 히스토그램 칸의 가중치: 횟수, 또는 임의의 합의 부분. 비어 있음: 표본에서는 1, 마지막 경계 뒤에는 없음.</translation>
+    </message>
+    <message>
+        <source>Covariance of the points</source>
+        <translation>점들의 공분산</translation>
+    </message>
+    <message>
+        <source>Common u of x</source>
+        <translation>x의 공통 u</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation that all x share beside their own (one standard, one temperature), in the unit of x. Used with stated uncertainties, in the weights too.</source>
+        <translation>모든 x가 자기 편차 외에 함께 갖는 편차(하나의 표준기, 하나의 온도)의 표준불확도, x의 단위로. 명시된 불확도와 함께, 가중치에도 쓰입니다.</translation>
+    </message>
+    <message>
+        <source>Common u of y</source>
+        <translation>y의 공통 u</translation>
+    </message>
+    <message>
+        <source>Likewise of all y, in the unit of y.</source>
+        <translation>모든 y에 대해서도 같음, y의 단위로.</translation>
+    </message>
+    <message>
+        <source>Correlations of the points</source>
+        <translation>점들의 상관</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients between coordinates of the points (ISO/TS 28037): they change the curve, which minimises v^T V^-1 v, and its uncertainty. Used with stated uncertainties.</source>
+        <translation>점 좌표 사이의 상관계수(ISO/TS 28037): v^T V^-1 v를 최소로 하는 곡선과 그 불확도를 바꿉니다. 명시된 불확도와 함께 쓰입니다.</translation>
+    </message>
+    <message>
+        <source>A coordinate of a point by its number: y_1 is the y of the first point.</source>
+        <translation>번호로 나타낸 점의 좌표: y_1은 첫째 점의 y입니다.</translation>
+    </message>
+    <message>
+        <source>Another one: y_2, or the x_1 of the same point.</source>
+        <translation>다른 좌표: y_2, 또는 같은 점의 x_1.</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>계수</translation>
+    </message>
+    <message>
+        <source>Correlation coefficient of their stated uncertainties.</source>
+        <translation>명시된 불확도의 상관계수.</translation>
+    </message>
+    <message>
+        <source>Certificate of a gauge block of 50 mm</source>
+        <translation>50 mm 게이지 블록의 성적서</translation>
+    </message>
+    <message>
+        <source>A gauge block is compared with a standard of the same length, by the model of EA-4/02, S4; its certificate says all that ISO/IEC 17025 7.8 asks for.</source>
+        <translation>게이지 블록을 같은 길이의 표준기와 EA-4/02 S4의 모델로 비교합니다. 성적서는 ISO/IEC 17025 7.8이 요구하는 모든 것을 담습니다.</translation>
+    </message>
+    <message>
+        <source>Conformity of a micrometer</source>
+        <translation>마이크로미터의 적합성</translation>
+    </message>
+    <message>
+        <source>Errors of indication of a micrometer of 25 mm at four gauge blocks, and whether they conform with a maximum permissible error of 4 µm under the decision rule of ISO 14253-1.</source>
+        <translation>게이지 블록 네 개에서 25 mm 마이크로미터의 지시 오차와, ISO 14253-1의 판정 규칙에 따라 최대 허용 오차 4 µm에 적합한지.</translation>
+    </message>
+    <message>
+        <source>A budget from Excel</source>
+        <translation>Excel의 예산</translation>
+    </message>
+    <message>
+        <source>What &apos;covaria import excel-budget.xlsx&apos; makes of a budget in a spreadsheet, with the columns of EA-4/02.</source>
+        <translation>&apos;covaria import excel-budget.xlsx&apos;가 EA-4/02의 열을 가진 스프레드시트 예산으로 만드는 것.</translation>
+    </message>
+    <message>
+        <source>Gewichtsstück von 10 kg</source>
+        <translation>10 kg 분동</translation>
+    </message>
+    <message>
+        <source>Kalibrierung eines Gewichtsstücks nach EA-4/02, S2: ein Beispiel in deutscher Sprache, mit vollständigem Kalibrierschein.</source>
+        <translation>EA-4/02 S2에 따른 분동 교정: 완전한 교정성적서가 있는 독일어 예제.</translation>
+    </message>
+    <message>
+        <source>Guard band</source>
+        <translation>보호 대역</translation>
+    </message>
+    <message>
+        <source>How the guard band follows: by the guard factor, by the ratio TUR of tolerance and U (both limits are needed), or so narrow as a target risk allows (global risks need a prior).</source>
+        <translation>보호 대역이 어떻게 정해지는가: 보호 계수로, 공차와 U의 비 TUR로(두 한계가 필요), 또는 목표 위험이 허용하는 만큼 좁게(전체 위험에는 사전 지식이 필요).</translation>
+    </message>
+    <message>
+        <source>Target risk</source>
+        <translation>목표 위험</translation>
+    </message>
+    <message>
+        <source>That the guard band is made for, above 0 and up to 0.5: 0.02 or 2 %.</source>
+        <translation>보호 대역이 목표로 하는 위험, 0보다 크고 0.5 이하: 0.02 또는 2 %.</translation>
+    </message>
+    <message>
+        <source>guard factor times U</source>
+        <translation>보호 계수 곱하기 U</translation>
+    </message>
+    <message>
+        <source>RSS: root of T²/4 − U²</source>
+        <translation>RSS: T²/4 − U²의 제곱근</translation>
+    </message>
+    <message>
+        <source>NCSL RP-10: 1.25 − 1/TUR</source>
+        <translation>NCSL RP-10: 1.25 − 1/TUR</translation>
+    </message>
+    <message>
+        <source>managed (Dobbert): at most 2 % false accepts</source>
+        <translation>관리형(Dobbert): 잘못된 수락 2 % 이하</translation>
+    </message>
+    <message>
+        <source>to a specific risk at the acceptance limit</source>
+        <translation>수락 한계에서의 특정 위험으로</translation>
+    </message>
+    <message>
+        <source>to a global consumer&apos;s risk</source>
+        <translation>전체 소비자 위험으로</translation>
+    </message>
+    <message>
+        <source>to a risk of what is accepted</source>
+        <translation>수락된 것의 위험으로</translation>
+    </message>
+    <message>
+        <source>Site of calibration</source>
+        <translation>교정 장소</translation>
+    </message>
+    <message>
+        <source>Whose place it was done at; empty: in the laboratory, or elsewhere where a place is stated.</source>
+        <translation>누구의 장소에서 했는가. 비어 있음: 시험실에서, 또는 장소가 적혀 있으면 다른 곳에서.</translation>
+    </message>
+    <message>
+        <source>Where it was done if not in the laboratory: the customer&apos;s hall, the field.</source>
+        <translation>시험실이 아니면 어디에서 했는가: 고객의 작업장, 현장.</translation>
+    </message>
+    <message>
+        <source>To which a statement of conformity refers: the standard or drawing, with its edition.</source>
+        <translation>적합성 진술이 근거하는 표준 또는 도면과 그 판.</translation>
+    </message>
+    <message>
+        <source>at the customer</source>
+        <translation>고객의 장소에서</translation>
+    </message>
+    <message>
+        <source>in a branch of the laboratory</source>
+        <translation>시험실의 지점에서</translation>
+    </message>
+    <message>
+        <source>in a branch of the customer</source>
+        <translation>고객의 지점에서</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>다른 곳</translation>
+    </message>
+    <message>
+        <source>RSS guard band</source>
+        <translation>RSS 보호 대역</translation>
+    </message>
+    <message>
+        <source>NCSL RP-10 guard band</source>
+        <translation>NCSL RP-10 보호 대역</translation>
+    </message>
+    <message>
+        <source>managed guard band (Dobbert, 2 % false accepts)</source>
+        <translation>관리형 보호 대역(Dobbert, 잘못된 수락 2 %)</translation>
+    </message>
+    <message>
+        <source>guard band to a specific risk of %1</source>
+        <translation>특정 위험 %1의 보호 대역</translation>
+    </message>
+    <message>
+        <source>guard band to a global consumer&apos;s risk of %1</source>
+        <translation>전체 소비자 위험 %1의 보호 대역</translation>
+    </message>
+    <message>
+        <source>guard band to a risk of %1 of what is accepted</source>
+        <translation>수락된 것의 위험 %1의 보호 대역</translation>
+    </message>
+    <message>
+        <source>pass (accepted)</source>
+        <translation>합격(수락)</translation>
+    </message>
+    <message>
+        <source>fail (rejected)</source>
+        <translation>불합격(거부)</translation>
+    </message>
+    <message>
+        <source>January</source>
+        <translation>1월</translation>
+    </message>
+    <message>
+        <source>February</source>
+        <translation>2월</translation>
+    </message>
+    <message>
+        <source>March</source>
+        <translation>3월</translation>
+    </message>
+    <message>
+        <source>April</source>
+        <translation>4월</translation>
+    </message>
+    <message>
+        <source>May</source>
+        <translation>5월</translation>
+    </message>
+    <message>
+        <source>June</source>
+        <translation>6월</translation>
+    </message>
+    <message>
+        <source>July</source>
+        <translation>7월</translation>
+    </message>
+    <message>
+        <source>August</source>
+        <translation>8월</translation>
+    </message>
+    <message>
+        <source>September</source>
+        <translation>9월</translation>
+    </message>
+    <message>
+        <source>October</source>
+        <translation>10월</translation>
+    </message>
+    <message>
+        <source>November</source>
+        <translation>11월</translation>
+    </message>
+    <message>
+        <source>December</source>
+        <translation>12월</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3</source>
+        <translation>%3년 %2 %1일</translation>
+    </message>
+    <message>
+        <source>required by %1 where conformity is stated</source>
+        <translation>적합성을 진술하는 경우 %1이(가) 요구함</translation>
+    </message>
+    <message>
+        <source>%1 is the unit of a temperature, and the quantity is given in %2, in which it may be a difference: give both in %1, or both in %2</source>
+        <translation>%1은(는) 온도의 단위이고, 이 양은 온도차일 수 있는 %2로 주어졌습니다: 둘 다 %1로, 또는 둘 다 %2로 주십시오</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in degC, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in K; for its reading in degC write (%2 - 0 [degC]). Only the ratio of two temperatures in degC is taken in kelvin</source>
+        <translation>%1은(는) degC로 나타낸 온도이며 여기서는 켈빈으로 취하게 됩니다(20 degC는 293.15 K): 온도차라면 K로 주고, degC의 읽음값이라면 (%2 - 0 [degC])로 쓰십시오. 두 degC 온도의 비만 켈빈으로 취합니다</translation>
+    </message>
+    <message>
+        <source>%1 is a multiple of a temperature in degC, which depends on where the scale has its zero: if the temperature is a difference, give it in K; else multiply its reading, as in 1.5*(t - 0 [degC])</source>
+        <translation>%1은(는) degC 온도의 배수로, 눈금의 영점이 어디인지에 달려 있습니다: 온도차라면 K로 주고, 아니면 1.5*(t - 0 [degC])처럼 읽음값을 곱하십시오</translation>
+    </message>
+    <message>
+        <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in K</source>
+        <translation>%1로 나타낸 온도의 일부(%, ppm)나 배수는 눈금의 영점이 어디인지에 달려 있습니다: 그 값을 K로 주십시오</translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures, and %2 a temperature in %3: take a temperature, or give %2 in K</source>
+        <translation>%1은(는) 온도차이고 %2은(는) %3로 나타낸 온도입니다: 온도를 취하거나 %2을(를) K로 주십시오</translation>
+    </message>
+    <message>
+        <source>%1 is given in %2, which may be a difference of temperatures, and %3 is a temperature in %4: give both in %4, or both in K</source>
+        <translation>%1은(는) 온도차일 수 있는 %2로 주어졌고 %3은(는) %4로 나타낸 온도입니다: 둘 다 %4로, 또는 둘 다 K로 주십시오</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in %2, and %3 is given in %4, which may be a difference of temperatures: give both in %2, or both in K</source>
+        <translation>%1은(는) %2로 나타낸 온도이고 %3은(는) 온도차일 수 있는 %4로 주어졌습니다: 둘 다 %2로, 또는 둘 다 K로 주십시오</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is complex, so that &apos;%2&apos; is a part of it: to use a part write re(%1) or im(%1), else choose another name</source>
+        <translation>&apos;%1&apos;은(는) 복소수이므로 &apos;%2&apos;은(는) 그 일부입니다: 일부를 쓰려면 re(%1) 또는 im(%1)로 쓰고, 아니면 다른 이름을 고르십시오</translation>
+    </message>
+    <message>
+        <source>a complex unknown counts twice, and so does a complex equation: there are %1 real unknowns and %2 real equations</source>
+        <translation>복소 미지수는 둘로 세고 복소 방정식도 그렇습니다: 실수 미지수 %1개와 실수 방정식 %2개가 있습니다</translation>
+    </message>
+    <message>
+        <source>modulus and argument</source>
+        <translation>크기와 편각</translation>
+    </message>
+    <message>
+        <source>real and imaginary part</source>
+        <translation>실수부와 허수부</translation>
+    </message>
+    <message>
+        <source>%1 of a complex number are real; one of them is complex here</source>
+        <translation>복소수의 %1은(는) 실수입니다. 여기서는 하나가 복소수입니다</translation>
+    </message>
+    <message>
+        <source>complex numbers have no order and are no condition: compare re, im, abs or arg of them</source>
+        <translation>복소수에는 순서가 없고 조건이 될 수 없습니다: 그 re, im, abs 또는 arg를 비교하십시오</translation>
+    </message>
+    <message>
+        <source>this function is one of real numbers; for a complex one there are + - * / ^, exp, log, sqrt, sin, cos, tan, sinh, cosh, tanh, conj, abs, arg, re and im</source>
+        <translation>이 함수는 실수의 함수입니다. 복소수에는 + - * / ^, exp, log, sqrt, sin, cos, tan, sinh, cosh, tanh, conj, abs, arg, re, im이 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 unknowns are too many to be solved together: the time for each trial grows with the cube of their number, so the limit is %2; solve what does not depend on the rest in systems of its own</source>
+        <translation>미지수 %1개는 함께 풀기에 너무 많습니다: 시행마다 시간이 그 수의 세제곱으로 늘어나므로 한계는 %2입니다. 나머지에 의존하지 않는 것은 따로 푸십시오</translation>
+    </message>
+    <message>
+        <source>the expected number of events gives the estimate: leave the value empty, or the number</source>
+        <translation>사건의 기대 횟수가 추정값을 줍니다: 값 또는 그 수를 비워 두십시오</translation>
+    </message>
+    <message>
+        <source>the expected number of events is missing: state it, or the value</source>
+        <translation>사건의 기대 횟수가 없습니다: 그것이나 값을 주십시오</translation>
+    </message>
+    <message>
+        <source>trials and probability give the estimate: leave the value empty, or the probability</source>
+        <translation>시도 횟수와 확률이 추정값을 줍니다: 값 또는 확률을 비워 두십시오</translation>
+    </message>
+    <message>
+        <source>the probability of each trial is missing: state it, or the value</source>
+        <translation>각 시도의 확률이 없습니다: 그것이나 값을 주십시오</translation>
+    </message>
+    <message>
+        <source>the number of trials must be at least one</source>
+        <translation>시도 횟수는 적어도 하나여야 합니다</translation>
+    </message>
+    <message>
+        <source>the probability of each trial must lie between 0 and 100 %</source>
+        <translation>각 시도의 확률은 0과 100 % 사이여야 합니다</translation>
+    </message>
+    <message>
+        <source>the value must lie between 0 and the number of trials</source>
+        <translation>값은 0과 시도 횟수 사이여야 합니다</translation>
+    </message>
+    <message>
+        <source>scale and shape give the estimate: leave the value empty, or state the standard deviation alone</source>
+        <translation>척도와 형상이 추정값을 줍니다: 값을 비우거나 표준편차만 주십시오</translation>
+    </message>
+    <message>
+        <source>a Weibull distribution needs a value greater than zero, which is its mean</source>
+        <translation>와이블 분포에는 평균이 되는 0보다 큰 값이 필요합니다</translation>
+    </message>
+    <message>
+        <source>no Weibull distribution has such a ratio of standard deviation to mean: it must lie between 0.000002 and 429</source>
+        <translation>어떤 와이블 분포도 표준편차와 평균의 이런 비를 갖지 않습니다: 0.000002와 429 사이여야 합니다</translation>
+    </message>
+    <message>
+        <source>observations have no weights: for values with weights write sample 1; 2; 3 weights 2; 5; 2</source>
+        <translation>관측값에는 가중치가 없습니다: 가중치가 있는 값은 sample 1; 2; 3 weights 2; 5; 2로 쓰십시오</translation>
+    </message>
+    <message>
+        <source>weights have no unit</source>
+        <translation>가중치에는 단위가 없습니다</translation>
+    </message>
+    <message>
+        <source>a histogram has one edge more than weights: histogram 0; 1; 2 weights 5; 8</source>
+        <translation>히스토그램의 경계는 가중치보다 하나 많습니다: histogram 0; 1; 2 weights 5; 8</translation>
+    </message>
+    <message>
+        <source>there must be as many weights as values</source>
+        <translation>가중치는 값만큼 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>the weights of the cells are missing: histogram 0; 1; 2 weights 5; 8</source>
+        <translation>칸의 가중치가 없습니다: histogram 0; 1; 2 weights 5; 8</translation>
+    </message>
+    <message>
+        <source>write the probability as p = 0.02 or p = 2 %</source>
+        <translation>확률은 p = 0.02 또는 p = 2 %로 쓰십시오</translation>
+    </message>
+    <message>
+        <source>location</source>
+        <translation>위치</translation>
+    </message>
+    <message>
+        <source>the shape must lie between 0.1 and 1000000.</source>
+        <translation>형상은 0.1과 1000000 사이여야 합니다.</translation>
+    </message>
+    <message>
+        <source>value without an event</source>
+        <translation>사건이 없을 때의 값</translation>
+    </message>
+    <message>
+        <source>the expected number of events must lie between 0 and 10000000; beyond it a normal distribution says the same.</source>
+        <translation>사건의 기대 횟수는 0과 10000000 사이여야 합니다. 그 이상에서는 정규분포가 같은 것을 말합니다.</translation>
+    </message>
+    <message>
+        <source>the number of trials must be a whole number up to 10000000; beyond it a normal distribution says the same.</source>
+        <translation>시도 횟수는 10000000까지의 정수여야 합니다. 그 이상에서는 정규분포가 같은 것을 말합니다.</translation>
+    </message>
+    <message>
+        <source>the probability must lie between 0 and 1.</source>
+        <translation>확률은 0과 1 사이여야 합니다.</translation>
+    </message>
+    <message>
+        <source>a histogram needs at least one cell.</source>
+        <translation>히스토그램에는 적어도 한 칸이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>there must be one edge more than probabilities.</source>
+        <translation>경계는 확률보다 하나 많아야 합니다.</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>경계</translation>
+    </message>
+    <message>
+        <source>the edges must rise.</source>
+        <translation>경계는 커져야 합니다.</translation>
+    </message>
+    <message>
+        <source>histogram: there must be one edge more than probabilities.</source>
+        <translation>히스토그램: 경계는 확률보다 하나 많아야 합니다.</translation>
+    </message>
+    <message>
+        <source>the measurement model has a kink at the estimates, or bends too sharply there for derivatives of second and third order</source>
+        <translation>측정 모델이 추정값에서 꺾이거나, 이차와 삼차 도함수를 구하기에는 너무 심하게 휩니다</translation>
+    </message>
+    <message>
+        <source>the measurement model has no value there</source>
+        <translation>측정 모델이 그곳에서 값을 갖지 않습니다</translation>
+    </message>
+    <message>
+        <source>its sensitivity coefficients are zero, or there are none</source>
+        <translation>감도계수가 0이거나 없습니다</translation>
+    </message>
+    <message>
+        <source>Monte Carlo answers alone for %1: the measurement model has no sensitivity coefficients at the estimates of its input quantities.</source>
+        <translation>%1은(는) 몬테카를로만 답합니다: 측정 모델이 입력량의 추정값에서 감도계수를 갖지 않습니다.</translation>
+    </message>
+    <message>
+        <source>%1 has a kink at the estimates of the input quantities (an absolute value, a maximum, a condition): the law of propagation takes the sensitivity coefficients of one side. Use Monte Carlo.</source>
+        <translation>%1은(는) 입력량의 추정값에서 꺾입니다(절댓값, 최댓값, 조건): 전파 법칙은 한쪽의 감도계수를 취합니다. 몬테카를로를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo answers alone for %1, which has a kink at the estimates of the input quantities (an absolute value, a maximum, a condition): the law of propagation would take the sensitivity coefficients of one side.</source>
+        <translation>%1은(는) 몬테카를로만 답합니다. 입력량의 추정값에서 꺾이기 때문입니다(절댓값, 최댓값, 조건): 전파 법칙은 한쪽의 감도계수를 취하게 됩니다.</translation>
+    </message>
+    <message>
+        <source>There is no standard uncertainty with second-order terms of %1: they would make its variance negative, so terms of higher order matter as much. Use Monte Carlo.</source>
+        <translation>%1에는 이차항을 포함한 표준불확도가 없습니다: 분산이 음수가 되므로 더 높은 차수의 항도 그만큼 중요합니다. 몬테카를로를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>%1 trials are few for a coverage interval of %2 %: some %3 lie beyond each of its ends, so that U is not known well. JCGM 101 7.2.2 asks for some %4 trials.</source>
+        <translation>%2 %의 포함구간에는 %1회 시행이 적습니다: 양 끝 너머에 약 %3회씩 있으므로 U를 잘 알 수 없습니다. JCGM 101 7.2.2는 약 %4회 시행을 요구합니다.</translation>
+    </message>
+    <message>
+        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry); Monte Carlo needs none</source>
+        <translation>측정 모델이 입력량의 추정값에서 감도계수를 갖지 않습니다%1: 그곳에서 미분할 수 없습니다(특이 기하). 몬테카를로에는 필요하지 않습니다</translation>
+    </message>
+    <message>
+        <source>the readings find target %1 %2 mm from its nominal coordinates; look for exchanged names or a unit that was mixed up (the result does not depend on the nominal coordinates)</source>
+        <translation>읽음값은 표적 %1을(를) 공칭 좌표에서 %2 mm 떨어진 곳에서 찾습니다. 뒤바뀐 이름이나 혼동된 단위를 찾아보십시오(결과는 공칭 좌표에 의존하지 않습니다)</translation>
+    </message>
+    <message>
+        <source>the readings find %1 further targets far from their nominal coordinates</source>
+        <translation>읽음값은 그 밖에 %1개 표적을 공칭 좌표에서 먼 곳에서 찾습니다</translation>
+    </message>
+    <message>
+        <source>observations have degrees of freedom of their own; those made together have the same numbers in the table of observations</source>
+        <translation>관측값은 자기 자유도를 갖습니다. 함께 한 관측은 관측 표에서 같은 번호를 갖습니다</translation>
+    </message>
+    <message>
+        <source>the members of an ensemble have a standard or expanded uncertainty with finite nu</source>
+        <translation>앙상블의 구성원은 유한한 nu의 표준 또는 확장불확도를 갖습니다</translation>
+    </message>
+    <message>
+        <source>the members of ensemble &apos;%1&apos; have one and the same nu; it is %2 in the first, %3 here</source>
+        <translation>앙상블 &apos;%1&apos;의 구성원은 같은 nu를 갖습니다. 첫째는 %2, 여기는 %3입니다</translation>
+    </message>
+    <message>
+        <source>the sample gives the estimate: leave the value empty</source>
+        <translation>표본이 추정값을 줍니다: 값을 비워 두십시오</translation>
+    </message>
+    <message>
+        <source>the weight of a cell of its histogram is missing</source>
+        <translation>히스토그램 한 칸의 가중치가 없습니다</translation>
+    </message>
+    <message>
+        <source>a histogram has the weight of each cell beside the edge where it begins, and none beside the last edge</source>
+        <translation>히스토그램은 각 칸이 시작하는 경계 옆에 그 가중치를 두고, 마지막 경계 옆에는 두지 않습니다</translation>
+    </message>
+    <message>
+        <source>some values of its sample have a weight and some have none</source>
+        <translation>표본의 일부 값에는 가중치가 있고 일부에는 없습니다</translation>
+    </message>
+    <message>
+        <source>its weights must have a sum above zero</source>
+        <translation>가중치의 합은 0보다 커야 합니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is complex: list its parts %2 and %3, or define abs(%1) and arg(%1) and list these</source>
+        <translation>&apos;%1&apos;은(는) 복소수입니다: 그 부분 %2와(과) %3을(를) 나열하거나, abs(%1)과 arg(%1)을 정의하여 나열하십시오</translation>
+    </message>
+    <message>
+        <source>a difference: %1 in K</source>
+        <translation>온도차: %1, K로</translation>
+    </message>
+    <message>
+        <source>a thermodynamic temperature: %1 in K</source>
+        <translation>열역학 온도: %1, K로</translation>
+    </message>
+    <message>
+        <source>a difference: %1</source>
+        <translation>온도차: %1</translation>
+    </message>
+    <message>
+        <source>its reading in degC: %1 - 0 [degC]</source>
+        <translation>degC의 읽음값: %1 - 0 [degC]</translation>
+    </message>
+    <message>
+        <source>a part of its reading in degC: %1 K</source>
+        <translation>degC 읽음값의 일부: %1 K</translation>
+    </message>
+    <message>
+        <source>as stated with correlations, ISO/TS 28037, 10</source>
+        <translation>명시된 대로 상관 포함, ISO/TS 28037, 10</translation>
+    </message>
+    <message>
+        <source>common deviation of all %1</source>
+        <translation>모든 %1의 공통 편차</translation>
+    </message>
+    <message>
+        <source>stated for all points</source>
+        <translation>모든 점에 대해 명시됨</translation>
+    </message>
+    <message>
+        <source>a common deviation is one of stated uncertainties: choose these, or leave it 0</source>
+        <translation>공통 편차는 명시된 불확도의 것입니다: 그것을 고르거나 0으로 두십시오</translation>
+    </message>
+    <message>
+        <source>correlations are those of stated uncertainties: choose these, or leave out the correlations</source>
+        <translation>상관은 명시된 불확도의 것입니다: 그것을 고르거나 상관을 빼십시오</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no coordinate of a point: write y_1 for the y of the first one</source>
+        <translation>&apos;%1&apos;은(는) 점의 좌표가 아닙니다: 첫째 점의 y는 y_1로 쓰십시오</translation>
+    </message>
+    <message>
+        <source>%1 has no standard uncertainty of its own that could be correlated</source>
+        <translation>%1에는 상관될 수 있는 자기 표준불확도가 없습니다</translation>
+    </message>
+    <message>
+        <source>a coordinate is not correlated with itself</source>
+        <translation>좌표는 자기 자신과 상관되지 않습니다</translation>
+    </message>
+    <message>
+        <source>the CSV file &apos;%1&apos; of %2 is a link that leads out of the project&apos;s folder: put the file itself there</source>
+        <translation>%2의 CSV 파일 &apos;%1&apos;은(는) 프로젝트 폴더 밖으로 나가는 링크입니다: 파일 자체를 그곳에 두십시오</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 follows from the ratio of tolerance and U: give both limits, or choose a guard factor</source>
+        <translation>%1의 보호 대역은 공차와 U의 비에서 나옵니다: 두 한계를 주거나 보호 계수를 고르십시오</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 is made for a global risk: give the prior, or choose a specific risk</source>
+        <translation>%1의 보호 대역은 전체 위험을 위한 것입니다: 사전 지식을 주거나 특정 위험을 고르십시오</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 needs a tolerance: give a limit</source>
+        <translation>%1의 보호 대역에는 공차가 필요합니다: 한계를 주십시오</translation>
+    </message>
+    <message>
+        <source>the target risk of %1 must lie above 0 and not above 0.5</source>
+        <translation>%1의 목표 위험은 0보다 크고 0.5 이하여야 합니다</translation>
+    </message>
+    <message>
+        <source>another study has the same id</source>
+        <translation>다른 연구가 같은 식별자를 갖습니다</translation>
+    </message>
+    <message>
+        <source>its id must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
+        <translation>식별자는 글자, 숫자, &apos;-&apos;와 &apos;_&apos;로 되어야 합니다</translation>
+    </message>
+    <message>
+        <source>there is no asset %1, and no analysis of this name that this one takes from%2</source>
+        <translation>대상 %1이(가) 없고, 이 분석이 값을 취하는 그 이름의 분석도 없습니다%2</translation>
+    </message>
+    <message>
+        <source> (did you mean %1?)</source>
+        <translation> (%1입니까?)</translation>
+    </message>
+    <message>
+        <source>a number here is larger than any that can be computed with (1.8e308)</source>
+        <translation>여기의 수는 계산할 수 있는 어떤 수보다 큽니다(1.8e308)</translation>
+    </message>
+    <message>
+        <source>the value or its place is no text in UTF-8</source>
+        <translation>값이나 그 위치가 UTF-8 글이 아닙니다</translation>
+    </message>
+    <message>
+        <source>more than %1 analyses feed each other in a row: put the equations of some of them into one</source>
+        <translation>%1개가 넘는 분석이 줄지어 서로 값을 줍니다: 그 일부의 방정식을 하나로 합치십시오</translation>
+    </message>
+    <message>
+        <source>a temperature: %1 in degC</source>
+        <translation>온도: %1, degC로</translation>
+    </message>
+    <message>
+        <source>%1 is a link that leads out of the project&apos;s folder: put the picture itself there</source>
+        <translation>%1은(는) 프로젝트 폴더 밖으로 나가는 링크입니다: 그림 자체를 그곳에 두십시오</translation>
+    </message>
+    <message>
+        <source>%1; in this file write %2</source>
+        <translation>%1; 이 파일에서는 %2로 쓰십시오</translation>
+    </message>
+    <message>
+        <source>there is no asset %1%2</source>
+        <translation>대상 %1이(가) 없습니다%2</translation>
+    </message>
+    <message>
+        <source>the file of candidates &apos;%1&apos; is a link that leads out of the project&apos;s folder: put the file itself there</source>
+        <translation>후보 파일 &apos;%1&apos;은(는) 프로젝트 폴더 밖으로 나가는 링크입니다: 파일 자체를 그곳에 두십시오</translation>
+    </message>
+    <message>
+        <source>another design has the same id</source>
+        <translation>다른 설계가 같은 식별자를 갖습니다</translation>
+    </message>
+    <message>
+        <source>row %1 was left out</source>
+        <translation>%1행을 뺐습니다</translation>
+    </message>
+    <message>
+        <source>row %1: %2 in %3 beside a sensitivity coefficient is taken as a difference or reading, in %4</source>
+        <translation>%1행: 감도계수 옆 %3의 %2은(는) 차이 또는 읽음값으로, %4로 취합니다</translation>
+    </message>
+    <message>
+        <source>the result is not the sum of c x: %1 = %2 is the difference</source>
+        <translation>결과가 c x의 합이 아닙니다: %1 = %2가 그 차이입니다</translation>
+    </message>
+    <message>
+        <source>the sheet %1 has no row %2 to leave out</source>
+        <translation>시트 %1에는 뺄 %2행이 없습니다</translation>
+    </message>
+    <message>
+        <source>%1 is no place of a cell; D3 is one</source>
+        <translation>%1은(는) 칸의 위치가 아닙니다. D3은 위치입니다</translation>
+    </message>
+    <message>
+        <source>point %1 with other coordinates: those of line %2 are taken</source>
+        <translation>다른 좌표를 가진 점 %1: %2행의 좌표를 취합니다</translation>
+    </message>
+    <message>
+        <source>%1 determinations of the same points (&lt;coordinates&gt; of lines %2): each is an artefact of its own; keep all of them, or delete those that you do not want</source>
+        <translation>같은 점들의 결정 %1회(%2행의 &lt;coordinates&gt;): 각각 별도의 기준물입니다. 모두 두거나 원하지 않는 것을 지우십시오</translation>
+    </message>
+    <message>
+        <source>%1 is no number: write %2, with a point</source>
+        <translation>%1은(는) 수가 아닙니다: 소수점을 써서 %2로 쓰십시오</translation>
+    </message>
+    <message>
+        <source>column %1%2 of sheet %3 is filled, and what it is is not understood: state the columns, %4, with one of %5 in place of ? (- leaves the column out)</source>
+        <translation>시트 %3의 열 %1%2은(는) 채워져 있으나 무엇인지 알 수 없습니다: 열 %4을(를) 명시하고 ? 자리에 %5 중 하나를 쓰십시오(-는 열을 뺍니다)</translation>
+    </message>
+    <message>
+        <source>the name of the result %1 of %2</source>
+        <translation>%2의 결과 %1의 이름</translation>
+    </message>
+    <message>
+        <source>the names of the results %1 of %2</source>
+        <translation>%2의 결과 %1의 이름들</translation>
+    </message>
+    <message>
+        <source>the certificate calls it by its symbol alone: %1 must be stated (ISO/IEC 17025 %2)</source>
+        <translation>성적서가 기호로만 부릅니다: %1을(를) 명시해야 합니다(ISO/IEC 17025 %2)</translation>
+    </message>
+    <message>
+        <source>under an accreditation U is stated for a coverage probability of about 95 % (ILAC-P14 5.3); here it is %1</source>
+        <translation>인정 범위에서 U는 약 95 %의 포함확률로 명시합니다(ILAC-P14 5.3). 여기서는 %1입니다</translation>
+    </message>
+    <message>
+        <source>%1: the file states %2, this budget gives %3, %4 apart</source>
+        <translation>%1: 파일은 %2, 이 예산은 %3을(를) 주며 %4만큼 다릅니다</translation>
+    </message>
+    <message>
+        <source>%1: FIND OUT WHY before it is used</source>
+        <translation>%1: 쓰기 전에 이유를 찾으십시오</translation>
+    </message>
+    <message>
+        <source>u(%1) by its contributions</source>
+        <translation>기여로 구한 u(%1)</translation>
+    </message>
+    <message>
+        <source>%1: the file states no result that this budget could be held against</source>
+        <translation>%1: 파일은 이 예산과 견줄 결과를 명시하지 않습니다</translation>
+    </message>
+    <message>
+        <source>another one has the same id</source>
+        <translation>다른 것이 같은 식별자를 갖습니다</translation>
+    </message>
+    <message>
+        <source>%1: of what the rule accepts %2 does not conform, of what it rejects %3 does.</source>
+        <translation>%1: 규칙이 수락하는 것 중 %2은(는) 부적합하고, 거부하는 것 중 %3은(는) 적합합니다.</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>차례</translation>
+    </message>
+    <message>
+        <source>%1 further components of %2 other sources</source>
+        <translation>다른 %2개 출처의 나머지 성분 %1개</translation>
+    </message>
+    <message>
+        <source>other sources</source>
+        <translation>다른 출처</translation>
+    </message>
+    <message>
+        <source>1 further component: %1</source>
+        <translation>나머지 성분 1개: %1</translation>
+    </message>
+    <message>
+        <source>%1 further components: %2</source>
+        <translation>나머지 성분 %1개: %2</translation>
+    </message>
+    <message>
+        <source>Left out: %1 components that contribute nothing (less than 10⁻⁹ of u_c).</source>
+        <translation>뺀 것: 기여하지 않는 성분 %1개(u_c의 10⁻⁹ 미만).</translation>
+    </message>
+    <message>
+        <source>Left out, because they contribute nothing (less than 10⁻⁹ of u_c): %1.</source>
+        <translation>기여하지 않아(u_c의 10⁻⁹ 미만) 뺀 것: %1.</translation>
+    </message>
+    <message>
+        <source>Stated in the results: %1 = %2 (propagation of distributions).</source>
+        <translation>결과에 명시된 값: %1 = %2 (분포의 전파).</translation>
+    </message>
+    <message>
+        <source>%1: under an accreditation U is stated for a coverage probability of about 95 % (ILAC-P14 5.3); with k = %2 that of %3 is %4</source>
+        <translation>%1: 인정 범위에서 U는 약 95 %의 포함확률로 명시합니다(ILAC-P14 5.3). k = %2이면 %3의 포함확률은 %4입니다</translation>
+    </message>
+    <message>
+        <source>not drawn, for it is farther away than 10¹² km: %1</source>
+        <translation>10¹² km보다 멀어 그리지 않음: %1</translation>
+    </message>
+    <message>
+        <source>Laplace</source>
+        <translation>라플라스</translation>
+    </message>
+    <message>
+        <source>Weibull</source>
+        <translation>와이블</translation>
+    </message>
+    <message>
+        <source>expected number of events</source>
+        <translation>사건의 기대 횟수</translation>
+    </message>
+    <message>
+        <source>step of one event</source>
+        <translation>한 사건의 간격</translation>
+    </message>
+    <message>
+        <source>probability</source>
+        <translation>확률</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+Laplace 0.3, Weibull 0.3 (standard deviations), Weibull scale 2, shape 1.5
+Poisson 12, binomial n = 50, p = 2 %: they give the value
+sample 1; 2; 3 weights 2; 5; 2 (drawn as they are), histogram 0; 1; 2 weights 5; 8 (edges)
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: 표준불확도
+2 ppm: 표준불확도, 값의 일부. 양 자체가 비이면 절대값
+U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
+s = 13 nm, n = 5: 이미 알려진 표준편차, 관측 n회의 평균(A형)
+rectangular 0.5 (또는 rect, ±): 값을 중심으로 한 한계. triangular, arcsine도 같음
+limits 19.5 to 20.5: 값을 줍니다
+10.1; 10.3; 10.2: 관측값
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+Laplace 0.3, Weibull 0.3 (표준편차), Weibull scale 2, shape 1.5
+Poisson 12, binomial n = 50, p = 2 %: 값을 줍니다
+sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 8 (경계)
+이 중 어느 것이든 뒤의 nu 18: 자유도</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>표본</translation>
+    </message>
+    <message>
+        <source>weights</source>
+        <translation>가중치</translation>
     </message>
 </context>
 <context>
@@ -14134,6 +14904,14 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <source>Done again: %1</source>
         <translation>다시 실행됨: %1</translation>
     </message>
+    <message>
+        <source>Type it as %1.</source>
+        <translation>%1(으)로 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Type it as %1, or as %2.</source>
+        <translation>%1 또는 %2(으)로 쓰십시오.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14341,6 +15119,14 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
     <message>
         <source>English (none chosen)</source>
         <translation>영어 (선택 안 함)</translation>
+    </message>
+    <message>
+        <source>Required by %1 where conformity is stated.</source>
+        <translation>적합성을 진술하는 경우 %1이(가) 요구합니다.</translation>
+    </message>
+    <message>
+        <source>in the laboratory, or at the place stated</source>
+        <translation>시험실에서, 또는 명시된 장소에서</translation>
     </message>
 </context>
 <context>
@@ -15212,6 +15998,14 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
         <source>Monte Carlo draws: %1, ν = %2</source>
         <translation>몬테카를로 추출: %1, ν = %2</translation>
     </message>
+    <message>
+        <source>Edges of the cells</source>
+        <translation>칸의 경계</translation>
+    </message>
+    <message>
+        <source>There must be one edge more than probabilities.</source>
+        <translation>경계는 확률보다 하나 많아야 합니다.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
@@ -15309,6 +16103,10 @@ s = 13 nm, n = 5: 앞서 알려진 표준편차, 관측 n개의 평균(A형)
     <message>
         <source>Remove the link of %1</source>
         <translation>%1의 연결 제거</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file since it was read.</source>
+        <translation>파일을 읽은 뒤 다른 프로그램이 그것을 바꾸었습니다.</translation>
     </message>
 </context>
 <context>
@@ -15608,6 +16406,14 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>Name project</source>
         <translation>프로젝트 이름 지정</translation>
     </message>
+    <message>
+        <source>%1 was changed by another program since it was read here. Saving replaces what it holds now.</source>
+        <translation>여기서 읽은 뒤 다른 프로그램이 %1을(를) 바꾸었습니다. 저장하면 지금 들어 있는 것을 대신합니다.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>바꾸기</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FileEditor</name>
@@ -15869,6 +16675,18 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Imported from %1, %2 bytes, of %3, SHA-256 %4.</source>
         <translation>%1에서 가져옴, %2바이트, %3, SHA-256 %4.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave Out or Read the Row</source>
+        <translation>행을 빼거나 읽기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>%1, left out</source>
+        <translation>%1, 뺌</translation>
+    </message>
+    <message>
+        <source>What each column is read as; cells can be typed over</source>
+        <translation>각 열을 무엇으로 읽는가. 칸은 덮어쓸 수 있습니다</translation>
     </message>
 </context>
 <context>
@@ -16646,6 +17464,34 @@ Chosen: %2</source>
         <source>correlation of %1 and %2</source>
         <translation>%1과(와) %2의 상관</translation>
     </message>
+    <message>
+        <source>link of %1</source>
+        <translation>%1의 링크</translation>
+    </message>
+    <message>
+        <source>change of %1</source>
+        <translation>%1의 변경</translation>
+    </message>
+    <message>
+        <source>requirement on %1</source>
+        <translation>%1에 대한 요구</translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation>연구</translation>
+    </message>
+    <message>
+        <source>design</source>
+        <translation>설계</translation>
+    </message>
+    <message>
+        <source>Way out</source>
+        <translation>해결 방법</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>또는</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -17182,6 +18028,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>요구사항의 충족 여부를 보려면 분석을 실행하세요.</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;Of what the rule accepts %1 does not conform, of what it rejects %2 does.</source>
+        <translation>&lt;br&gt;규칙이 수락하는 것 중 %1은(는) 부적합하고, 거부하는 것 중 %2은(는) 적합합니다.</translation>
     </message>
 </context>
 <context>

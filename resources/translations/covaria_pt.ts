@@ -1567,10 +1567,6 @@
         <translation>Equações</translation>
     </message>
     <message>
-        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation>Uma equação por linha: y = x_1*x_2 + x_3. Nomes sem equação são grandezas de entrada; um número tem sua unidade entre colchetes: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; acha y em cada ensaio, a partir de seu valor inicial. &apos;#&apos; inicia um comentário.</translation>
-    </message>
-    <message>
         <source>symbol</source>
         <translation>símbolo</translation>
     </message>
@@ -3763,10 +3759,6 @@
         <translation>Local da calibração</translation>
     </message>
     <message>
-        <source>Where it was done if not in the laboratory: at the customer, in the field.</source>
-        <translation>Onde foi feita, se não no laboratório: no cliente, em campo.</translation>
-    </message>
-    <message>
         <source>Customer</source>
         <translation>Cliente</translation>
     </message>
@@ -4605,14 +4597,6 @@
     <message>
         <source>by</source>
         <translation>por</translation>
-    </message>
-    <message>
-        <source>accepted</source>
-        <translation>aceito</translation>
-    </message>
-    <message>
-        <source>rejected</source>
-        <translation>rejeitado</translation>
     </message>
     <message>
         <source>not judged</source>
@@ -6183,10 +6167,6 @@
         <translation>Não incluído: produtos de cargas na interferência, desalinhamento de cargas, fluência, temperatura, remontagem.</translation>
     </message>
     <message>
-        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
-        <translation>As dimensões são conferidas onde as equações são lidas; o ângulo plano conta como número, porque o radiano é um no SI. Temperaturas em °C são tomadas como temperaturas termodinâmicas; uma diferença de temperaturas é dada em K.</translation>
-    </message>
-    <message>
         <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
         <translation>Os coeficientes de sensibilidade são exatos (derivação automática); os de incógnitas que equações definem implicitamente seguem a JCGM 102 6.3.</translation>
     </message>
@@ -6547,10 +6527,6 @@
         <translation>%1 é uma diferença de temperaturas: sua unidade é K, não %2</translation>
     </message>
     <message>
-        <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
-        <translation>%1 é um múltiplo de uma temperatura: sua unidade é K, não %2</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
         <translation>&apos;%1&apos; seria uma condição: uma definição deve dar um número</translation>
     </message>
@@ -6769,10 +6745,6 @@
     <message>
         <source>%1 unknowns need as many equations; there are %2</source>
         <translation>%1 incógnitas precisam de outras tantas equações; há %2</translation>
-    </message>
-    <message>
-        <source>at most six unknowns can be solved together</source>
-        <translation>no máximo seis incógnitas podem ser resolvidas juntas</translation>
     </message>
     <message>
         <source>an equals sign is expected in an equation to be solved</source>
@@ -7447,10 +7419,6 @@
         <translation>suas componentes correlacionadas não têm distribuição normal</translation>
     </message>
     <message>
-        <source>its sensitivity coefficients are zero</source>
-        <translation>seus coeficientes de sensibilidade são zero</translation>
-    </message>
-    <message>
         <source>no spread</source>
         <translation>sem dispersão</translation>
     </message>
@@ -7533,10 +7501,6 @@
     <message>
         <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
         <translation>o modelo de medição não tem valor nas estimativas de suas grandezas de entrada%1: confira a geometria nominal e os valores digitados</translation>
-    </message>
-    <message>
-        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
-        <translation>o modelo de medição não tem coeficientes de sensibilidade nas estimativas de suas grandezas de entrada%1: não é derivável ali (geometria singular)</translation>
     </message>
     <message>
         <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
@@ -8775,10 +8739,6 @@
         <translation>o modelo não tem grandeza de saída %1%2%3</translation>
     </message>
     <message>
-        <source>the id %1 is used twice</source>
-        <translation>o id %1 é usado duas vezes</translation>
-    </message>
-    <message>
         <source>an axis needs at least two values</source>
         <translation>um eixo precisa de pelo menos dois valores</translation>
     </message>
@@ -8793,10 +8753,6 @@
     <message>
         <source>&apos;%1&apos; takes whole numbers: there are fewer than %2 between the ends</source>
         <translation>&apos;%1&apos; toma números inteiros: há menos de %2 entre os extremos</translation>
-    </message>
-    <message>
-        <source>the id %1 must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
-        <translation>o id %1 deve ser feito de letras, dígitos, &apos;-&apos; e &apos;_&apos;</translation>
     </message>
     <message>
         <source>a study has one to three axes; this one has %1</source>
@@ -8861,10 +8817,6 @@
     <message>
         <source>%1 cannot be varied: %2</source>
         <translation>%1 não pode ser variado: %2</translation>
-    </message>
-    <message>
-        <source>there is no asset %1</source>
-        <translation>não há recurso %1</translation>
     </message>
     <message>
         <source>the set-up has no schema</source>
@@ -9237,10 +9189,6 @@
     <message>
         <source>the analysis %1 would be made of itself: %2%3</source>
         <translation>a análise %1 seria feita de si mesma: %2%3</translation>
-    </message>
-    <message>
-        <source>more than %1 analyses feed each other in a row</source>
-        <translation>mais de %1 análises alimentam-se em sequência</translation>
     </message>
     <message>
         <source>the analysis %1 has no output %2%3</source>
@@ -10689,10 +10637,6 @@
     <message>
         <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
         <translation>a unidade do resultado não é declarada: dê ao resultado uma linha própria, ponha a unidade após o cabeçalho das contribuições, ou declare-a como a de &apos;result&apos;</translation>
-    </message>
-    <message>
-        <source>the result is not the sum of c x: %1 is the difference</source>
-        <translation>o resultado não é a soma de c x: a diferença é %1</translation>
     </message>
     <message>
         <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
@@ -13283,10 +13227,6 @@
         <translation>incerteza desenhada em %1 de %2 pontos</translation>
     </message>
     <message>
-        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>Como se conhece sua incerteza; a e b são então: u; s e n; U e k; U e p em %; semiamplitude (e inexatidão, ou razão do topo à base); limite inferior e superior; degrau da indicação; erro admissível e % do valor; número de contagens; número de observações na média (agrupada). Vazio: uma constante.</translation>
-    </message>
-    <message>
         <source>standard deviation known before (Type A)</source>
         <translation>desvio-padrão conhecido de antes (Tipo A)</translation>
     </message>
@@ -13309,26 +13249,6 @@
     <message>
         <source>results: in the frame of the sensor</source>
         <translation>resultados: no sistema do sensor</translation>
-    </message>
-    <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm: incerteza-padrão
-2 ppm: incerteza-padrão, uma parte do valor; absoluta se a própria grandeza for uma razão
-U = 0,3 um, k = 2 (ou p = 95 %): certificado
-s = 13 nm, n = 5: desvio-padrão conhecido de antes, média de n observações (Tipo A)
-retangular 0,5 (ou ret, ±): limites em torno do valor; do mesmo modo triangular, arco-seno
-limites 19,5 até 20,5: dão o valor
-10,1; 10,3; 10,2: observações
-resolução 0,01, MPE 3 + 0,1 %, contagens 12, constante
-nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>time</source>
@@ -13645,6 +13565,856 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>it must be an analysis of the kept state and have a name (otherName)</source>
         <translation>deve ser uma análise do estado mantido e ter um nome (otherName)</translation>
+    </message>
+    <message>
+        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. A temperature in °C is taken in kelvin only where two make a ratio; a difference of temperatures is given in K.</source>
+        <translation>As dimensões são verificadas onde as equações são lidas; o ângulo plano conta como número, porque o radiano o é no SI. Uma temperatura em °C só é tomada em kelvin onde duas formam uma razão; uma diferença de temperaturas é dada em K.</translation>
+    </message>
+    <message>
+        <source>Angles that inverse functions give or that were read, their sums and whole multiples are on the circle where the result is given in a unit of angle.</source>
+        <translation>Os ângulos que as funções inversas dão ou que foram lidos, as suas somas e os seus múltiplos inteiros estão no círculo onde o resultado é dado numa unidade de ângulo.</translation>
+    </message>
+    <message>
+        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. complex(a, b) and polar(r, phi) make complex numbers, re, im, abs and arg real ones of them. &apos;#&apos; starts a comment.</source>
+        <translation>Uma equação por linha: y = x_1*x_2 + x_3. Nomes sem equação são grandezas de entrada; um número tem a sua unidade entre colchetes: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; encontra y em cada ensaio, a partir do seu valor inicial. complex(a, b) e polar(r, phi) formam números complexos; re, im, abs e arg, reais a partir deles. &apos;#&apos; começa um comentário.</translation>
+    </message>
+    <message>
+        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled); standard deviation (Laplace, Weibull about the value), scale (and shape); expected number of events; number of trials and probability in %. A sample is drawn as it is listed among the observations, a histogram has the edges of its cells there. Empty: a constant.</source>
+        <translation>Como se conhece a sua incerteza; a e b são então: u; s e n; U e k; U e p em %; meia largura (e inexatidão, ou razão entre topo e base); limite inferior e superior; passo da indicação; erro admissível e % do valor; número de contagens; número de observações na média (combinada); desvio-padrão (Laplace, Weibull em torno do valor), escala (e forma); número esperado de eventos; número de provas e probabilidade em %. Uma amostra é sorteada como está entre as observações; um histograma tem ali as bordas das suas células. Vazio: uma constante.</translation>
+    </message>
+    <message>
+        <source>Laplace, standard deviation</source>
+        <translation>Laplace, desvio-padrão</translation>
+    </message>
+    <message>
+        <source>Laplace, scale</source>
+        <translation>Laplace, escala</translation>
+    </message>
+    <message>
+        <source>Weibull, scale and shape</source>
+        <translation>Weibull, escala e forma</translation>
+    </message>
+    <message>
+        <source>Weibull, standard deviation</source>
+        <translation>Weibull, desvio-padrão</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Poisson</translation>
+    </message>
+    <message>
+        <source>binomial</source>
+        <translation>binomial</translation>
+    </message>
+    <message>
+        <source>sample of values</source>
+        <translation>amostra de valores</translation>
+    </message>
+    <message>
+        <source>histogram</source>
+        <translation>histograma</translation>
+    </message>
+    <message>
+        <source>ensemble</source>
+        <translation>conjunto</translation>
+    </message>
+    <message>
+        <source>Name of the evaluation that gave several quantities together, with one and the same nu: their uncertainties rest on one estimate of variance, and they are drawn from a multivariate t distribution (JCGM 102 5.3.2). Correlation coefficients between them stand with the correlations of the analysis.</source>
+        <translation>Nome da avaliação que deu várias grandezas juntas, com um mesmo nu: as suas incertezas assentam numa só estimativa da variância e são sorteadas de uma distribuição t multivariada (JCGM 102 5.3.2). Os coeficientes de correlação entre elas estão com as correlações da análise.</translation>
+    </message>
+    <message>
+        <source>Observed value, value of a sample or edge of a histogram, in the unit of the quantity.</source>
+        <translation>Valor observado, valor de uma amostra ou borda de um histograma, na unidade da grandeza.</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>peso</translation>
+    </message>
+    <message>
+        <source>Of a value of a sample, or of the cell of a histogram that begins at this edge: counts, or parts of any sum. Empty: one in a sample, none behind the last edge.</source>
+        <translation>De um valor de uma amostra, ou da célula de um histograma que começa nesta borda: contagens, ou partes de uma soma qualquer. Vazio: um numa amostra, nenhum depois da última borda.</translation>
+    </message>
+    <message>
+        <source>Covariance of the points</source>
+        <translation>Covariância dos pontos</translation>
+    </message>
+    <message>
+        <source>Common u of x</source>
+        <translation>u comum de x</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation that all x share beside their own (one standard, one temperature), in the unit of x. Used with stated uncertainties, in the weights too.</source>
+        <translation>Incerteza-padrão de um desvio que todos os x partilham além do próprio (um padrão, uma temperatura), na unidade de x. Usada com incertezas declaradas, também nos pesos.</translation>
+    </message>
+    <message>
+        <source>Common u of y</source>
+        <translation>u comum de y</translation>
+    </message>
+    <message>
+        <source>Likewise of all y, in the unit of y.</source>
+        <translation>O mesmo de todos os y, na unidade de y.</translation>
+    </message>
+    <message>
+        <source>Correlations of the points</source>
+        <translation>Correlações dos pontos</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients between coordinates of the points (ISO/TS 28037): they change the curve, which minimises v^T V^-1 v, and its uncertainty. Used with stated uncertainties.</source>
+        <translation>Coeficientes de correlação entre coordenadas dos pontos (ISO/TS 28037): mudam a curva, que minimiza v^T V^-1 v, e a sua incerteza. Usados com incertezas declaradas.</translation>
+    </message>
+    <message>
+        <source>A coordinate of a point by its number: y_1 is the y of the first point.</source>
+        <translation>Uma coordenada de um ponto pelo seu número: y_1 é o y do primeiro ponto.</translation>
+    </message>
+    <message>
+        <source>Another one: y_2, or the x_1 of the same point.</source>
+        <translation>Outra: y_2, ou o x_1 do mesmo ponto.</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>coeficiente</translation>
+    </message>
+    <message>
+        <source>Correlation coefficient of their stated uncertainties.</source>
+        <translation>Coeficiente de correlação das suas incertezas declaradas.</translation>
+    </message>
+    <message>
+        <source>Certificate of a gauge block of 50 mm</source>
+        <translation>Certificado de um bloco-padrão de 50 mm</translation>
+    </message>
+    <message>
+        <source>A gauge block is compared with a standard of the same length, by the model of EA-4/02, S4; its certificate says all that ISO/IEC 17025 7.8 asks for.</source>
+        <translation>Um bloco-padrão é comparado com um padrão do mesmo comprimento, pelo modelo de EA-4/02, S4; o seu certificado diz tudo o que a ISO/IEC 17025 7.8 pede.</translation>
+    </message>
+    <message>
+        <source>Conformity of a micrometer</source>
+        <translation>Conformidade de um micrômetro</translation>
+    </message>
+    <message>
+        <source>Errors of indication of a micrometer of 25 mm at four gauge blocks, and whether they conform with a maximum permissible error of 4 µm under the decision rule of ISO 14253-1.</source>
+        <translation>Erros de indicação de um micrômetro de 25 mm em quatro blocos-padrão, e se cumprem um erro máximo admissível de 4 µm pela regra de decisão da ISO 14253-1.</translation>
+    </message>
+    <message>
+        <source>A budget from Excel</source>
+        <translation>Um balanço do Excel</translation>
+    </message>
+    <message>
+        <source>What &apos;covaria import excel-budget.xlsx&apos; makes of a budget in a spreadsheet, with the columns of EA-4/02.</source>
+        <translation>O que &apos;covaria import excel-budget.xlsx&apos; faz de um balanço numa planilha, com as colunas de EA-4/02.</translation>
+    </message>
+    <message>
+        <source>Gewichtsstück von 10 kg</source>
+        <translation>Peso de 10 kg</translation>
+    </message>
+    <message>
+        <source>Kalibrierung eines Gewichtsstücks nach EA-4/02, S2: ein Beispiel in deutscher Sprache, mit vollständigem Kalibrierschein.</source>
+        <translation>Calibração de um peso segundo EA-4/02, S2: um exemplo em alemão, com certificado completo.</translation>
+    </message>
+    <message>
+        <source>Guard band</source>
+        <translation>Banda de guarda</translation>
+    </message>
+    <message>
+        <source>How the guard band follows: by the guard factor, by the ratio TUR of tolerance and U (both limits are needed), or so narrow as a target risk allows (global risks need a prior).</source>
+        <translation>Como resulta a banda de guarda: do fator de guarda, da razão TUR entre tolerância e U (são precisos ambos os limites), ou tão estreita quanto um risco-alvo permite (riscos globais precisam de um conhecimento prévio).</translation>
+    </message>
+    <message>
+        <source>Target risk</source>
+        <translation>Risco-alvo</translation>
+    </message>
+    <message>
+        <source>That the guard band is made for, above 0 and up to 0.5: 0.02 or 2 %.</source>
+        <translation>Para o qual a banda de guarda é feita, acima de 0 e até 0.5: 0.02 ou 2 %.</translation>
+    </message>
+    <message>
+        <source>guard factor times U</source>
+        <translation>fator de guarda vezes U</translation>
+    </message>
+    <message>
+        <source>RSS: root of T²/4 − U²</source>
+        <translation>RSS: raiz de T²/4 − U²</translation>
+    </message>
+    <message>
+        <source>NCSL RP-10: 1.25 − 1/TUR</source>
+        <translation>NCSL RP-10: 1.25 − 1/TUR</translation>
+    </message>
+    <message>
+        <source>managed (Dobbert): at most 2 % false accepts</source>
+        <translation>gerida (Dobbert): no máximo 2 % de aceitações falsas</translation>
+    </message>
+    <message>
+        <source>to a specific risk at the acceptance limit</source>
+        <translation>a um risco específico no limite de aceitação</translation>
+    </message>
+    <message>
+        <source>to a global consumer&apos;s risk</source>
+        <translation>a um risco global do consumidor</translation>
+    </message>
+    <message>
+        <source>to a risk of what is accepted</source>
+        <translation>a um risco do que é aceito</translation>
+    </message>
+    <message>
+        <source>Site of calibration</source>
+        <translation>Local da calibração</translation>
+    </message>
+    <message>
+        <source>Whose place it was done at; empty: in the laboratory, or elsewhere where a place is stated.</source>
+        <translation>Em casa de quem foi feita; vazio: no laboratório, ou noutro lado onde se indica um local.</translation>
+    </message>
+    <message>
+        <source>Where it was done if not in the laboratory: the customer&apos;s hall, the field.</source>
+        <translation>Onde foi feita, se não no laboratório: o pavilhão do cliente, o campo.</translation>
+    </message>
+    <message>
+        <source>To which a statement of conformity refers: the standard or drawing, with its edition.</source>
+        <translation>A que se refere uma declaração de conformidade: a norma ou o desenho, com a sua edição.</translation>
+    </message>
+    <message>
+        <source>at the customer</source>
+        <translation>no cliente</translation>
+    </message>
+    <message>
+        <source>in a branch of the laboratory</source>
+        <translation>numa filial do laboratório</translation>
+    </message>
+    <message>
+        <source>in a branch of the customer</source>
+        <translation>numa filial do cliente</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>noutro local</translation>
+    </message>
+    <message>
+        <source>RSS guard band</source>
+        <translation>banda de guarda RSS</translation>
+    </message>
+    <message>
+        <source>NCSL RP-10 guard band</source>
+        <translation>banda de guarda NCSL RP-10</translation>
+    </message>
+    <message>
+        <source>managed guard band (Dobbert, 2 % false accepts)</source>
+        <translation>banda de guarda gerida (Dobbert, 2 % de aceitações falsas)</translation>
+    </message>
+    <message>
+        <source>guard band to a specific risk of %1</source>
+        <translation>banda de guarda a um risco específico de %1</translation>
+    </message>
+    <message>
+        <source>guard band to a global consumer&apos;s risk of %1</source>
+        <translation>banda de guarda a um risco global do consumidor de %1</translation>
+    </message>
+    <message>
+        <source>guard band to a risk of %1 of what is accepted</source>
+        <translation>banda de guarda a um risco de %1 do que é aceito</translation>
+    </message>
+    <message>
+        <source>pass (accepted)</source>
+        <translation>passa (aceito)</translation>
+    </message>
+    <message>
+        <source>fail (rejected)</source>
+        <translation>não passa (rejeitado)</translation>
+    </message>
+    <message>
+        <source>January</source>
+        <translation>janeiro</translation>
+    </message>
+    <message>
+        <source>February</source>
+        <translation>fevereiro</translation>
+    </message>
+    <message>
+        <source>March</source>
+        <translation>março</translation>
+    </message>
+    <message>
+        <source>April</source>
+        <translation>abril</translation>
+    </message>
+    <message>
+        <source>May</source>
+        <translation>maio</translation>
+    </message>
+    <message>
+        <source>June</source>
+        <translation>junho</translation>
+    </message>
+    <message>
+        <source>July</source>
+        <translation>julho</translation>
+    </message>
+    <message>
+        <source>August</source>
+        <translation>agosto</translation>
+    </message>
+    <message>
+        <source>September</source>
+        <translation>setembro</translation>
+    </message>
+    <message>
+        <source>October</source>
+        <translation>outubro</translation>
+    </message>
+    <message>
+        <source>November</source>
+        <translation>novembro</translation>
+    </message>
+    <message>
+        <source>December</source>
+        <translation>dezembro</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3</source>
+        <translation>%1 de %2 de %3</translation>
+    </message>
+    <message>
+        <source>required by %1 where conformity is stated</source>
+        <translation>exigido por %1 onde se declara conformidade</translation>
+    </message>
+    <message>
+        <source>%1 is the unit of a temperature, and the quantity is given in %2, in which it may be a difference: give both in %1, or both in %2</source>
+        <translation>%1 é a unidade de uma temperatura, e a grandeza é dada em %2, em que pode ser uma diferença: dê ambas em %1, ou ambas em %2</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in degC, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in K; for its reading in degC write (%2 - 0 [degC]). Only the ratio of two temperatures in degC is taken in kelvin</source>
+        <translation>%1 é uma temperatura em degC, e aqui seria tomada em kelvin (20 degC como 293.15 K): se for uma diferença, dê-a em K; para a sua leitura em degC escreva (%2 - 0 [degC]). Só a razão de duas temperaturas em degC é tomada em kelvin</translation>
+    </message>
+    <message>
+        <source>%1 is a multiple of a temperature in degC, which depends on where the scale has its zero: if the temperature is a difference, give it in K; else multiply its reading, as in 1.5*(t - 0 [degC])</source>
+        <translation>%1 é um múltiplo de uma temperatura em degC, que depende de onde a escala tem o seu zero: se a temperatura for uma diferença, dê-a em K; senão, multiplique a sua leitura, como em 1.5*(t - 0 [degC])</translation>
+    </message>
+    <message>
+        <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in K</source>
+        <translation>uma parte (%, ppm) ou um múltiplo de uma temperatura em %1 depende de onde a escala tem o seu zero: dê o valor em K</translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures, and %2 a temperature in %3: take a temperature, or give %2 in K</source>
+        <translation>%1 é uma diferença de temperaturas, e %2 uma temperatura em %3: tome uma temperatura, ou dê %2 em K</translation>
+    </message>
+    <message>
+        <source>%1 is given in %2, which may be a difference of temperatures, and %3 is a temperature in %4: give both in %4, or both in K</source>
+        <translation>%1 é dada em %2, que pode ser uma diferença de temperaturas, e %3 é uma temperatura em %4: dê ambas em %4, ou ambas em K</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in %2, and %3 is given in %4, which may be a difference of temperatures: give both in %2, or both in K</source>
+        <translation>%1 é uma temperatura em %2, e %3 é dada em %4, que pode ser uma diferença de temperaturas: dê ambas em %2, ou ambas em K</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is complex, so that &apos;%2&apos; is a part of it: to use a part write re(%1) or im(%1), else choose another name</source>
+        <translation>&apos;%1&apos; é complexo, de modo que &apos;%2&apos; é uma parte dele: para usar uma parte escreva re(%1) ou im(%1); senão, escolha outro nome</translation>
+    </message>
+    <message>
+        <source>a complex unknown counts twice, and so does a complex equation: there are %1 real unknowns and %2 real equations</source>
+        <translation>uma incógnita complexa conta em dobro, e uma equação complexa também: há %1 incógnitas reais e %2 equações reais</translation>
+    </message>
+    <message>
+        <source>modulus and argument</source>
+        <translation>módulo e argumento</translation>
+    </message>
+    <message>
+        <source>real and imaginary part</source>
+        <translation>parte real e imaginária</translation>
+    </message>
+    <message>
+        <source>%1 of a complex number are real; one of them is complex here</source>
+        <translation>%1 de um número complexo são reais; um deles aqui é complexo</translation>
+    </message>
+    <message>
+        <source>complex numbers have no order and are no condition: compare re, im, abs or arg of them</source>
+        <translation>números complexos não têm ordem e não são uma condição: compare re, im, abs ou arg deles</translation>
+    </message>
+    <message>
+        <source>this function is one of real numbers; for a complex one there are + - * / ^, exp, log, sqrt, sin, cos, tan, sinh, cosh, tanh, conj, abs, arg, re and im</source>
+        <translation>esta função é de números reais; para um complexo há + - * / ^, exp, log, sqrt, sin, cos, tan, sinh, cosh, tanh, conj, abs, arg, re e im</translation>
+    </message>
+    <message>
+        <source>%1 unknowns are too many to be solved together: the time for each trial grows with the cube of their number, so the limit is %2; solve what does not depend on the rest in systems of its own</source>
+        <translation>%1 incógnitas são demais para serem resolvidas juntas: o tempo de cada ensaio cresce com o cubo do seu número, por isso o limite é %2; resolva em sistemas próprios o que não depende do resto</translation>
+    </message>
+    <message>
+        <source>the expected number of events gives the estimate: leave the value empty, or the number</source>
+        <translation>o número esperado de eventos dá a estimativa: deixe vazio o valor, ou o número</translation>
+    </message>
+    <message>
+        <source>the expected number of events is missing: state it, or the value</source>
+        <translation>falta o número esperado de eventos: indique-o, ou o valor</translation>
+    </message>
+    <message>
+        <source>trials and probability give the estimate: leave the value empty, or the probability</source>
+        <translation>provas e probabilidade dão a estimativa: deixe vazio o valor, ou a probabilidade</translation>
+    </message>
+    <message>
+        <source>the probability of each trial is missing: state it, or the value</source>
+        <translation>falta a probabilidade de cada prova: indique-a, ou o valor</translation>
+    </message>
+    <message>
+        <source>the number of trials must be at least one</source>
+        <translation>o número de provas deve ser pelo menos um</translation>
+    </message>
+    <message>
+        <source>the probability of each trial must lie between 0 and 100 %</source>
+        <translation>a probabilidade de cada prova deve estar entre 0 e 100 %</translation>
+    </message>
+    <message>
+        <source>the value must lie between 0 and the number of trials</source>
+        <translation>o valor deve estar entre 0 e o número de provas</translation>
+    </message>
+    <message>
+        <source>scale and shape give the estimate: leave the value empty, or state the standard deviation alone</source>
+        <translation>escala e forma dão a estimativa: deixe vazio o valor, ou indique só o desvio-padrão</translation>
+    </message>
+    <message>
+        <source>a Weibull distribution needs a value greater than zero, which is its mean</source>
+        <translation>uma distribuição de Weibull precisa de um valor maior que zero, que é a sua média</translation>
+    </message>
+    <message>
+        <source>no Weibull distribution has such a ratio of standard deviation to mean: it must lie between 0.000002 and 429</source>
+        <translation>nenhuma distribuição de Weibull tem tal razão entre desvio-padrão e média: deve estar entre 0.000002 e 429</translation>
+    </message>
+    <message>
+        <source>observations have no weights: for values with weights write sample 1; 2; 3 weights 2; 5; 2</source>
+        <translation>observações não têm pesos: para valores com pesos escreva sample 1; 2; 3 weights 2; 5; 2</translation>
+    </message>
+    <message>
+        <source>weights have no unit</source>
+        <translation>pesos não têm unidade</translation>
+    </message>
+    <message>
+        <source>a histogram has one edge more than weights: histogram 0; 1; 2 weights 5; 8</source>
+        <translation>um histograma tem uma borda a mais que pesos: histogram 0; 1; 2 weights 5; 8</translation>
+    </message>
+    <message>
+        <source>there must be as many weights as values</source>
+        <translation>deve haver tantos pesos quantos valores</translation>
+    </message>
+    <message>
+        <source>the weights of the cells are missing: histogram 0; 1; 2 weights 5; 8</source>
+        <translation>faltam os pesos das células: histogram 0; 1; 2 weights 5; 8</translation>
+    </message>
+    <message>
+        <source>write the probability as p = 0.02 or p = 2 %</source>
+        <translation>escreva a probabilidade como p = 0.02 ou p = 2 %</translation>
+    </message>
+    <message>
+        <source>location</source>
+        <translation>localização</translation>
+    </message>
+    <message>
+        <source>the shape must lie between 0.1 and 1000000.</source>
+        <translation>a forma deve estar entre 0.1 e 1000000.</translation>
+    </message>
+    <message>
+        <source>value without an event</source>
+        <translation>valor sem evento</translation>
+    </message>
+    <message>
+        <source>the expected number of events must lie between 0 and 10000000; beyond it a normal distribution says the same.</source>
+        <translation>o número esperado de eventos deve estar entre 0 e 10000000; acima disso, uma distribuição normal diz o mesmo.</translation>
+    </message>
+    <message>
+        <source>the number of trials must be a whole number up to 10000000; beyond it a normal distribution says the same.</source>
+        <translation>o número de provas deve ser um inteiro até 10000000; acima disso, uma distribuição normal diz o mesmo.</translation>
+    </message>
+    <message>
+        <source>the probability must lie between 0 and 1.</source>
+        <translation>a probabilidade deve estar entre 0 e 1.</translation>
+    </message>
+    <message>
+        <source>a histogram needs at least one cell.</source>
+        <translation>um histograma precisa de pelo menos uma célula.</translation>
+    </message>
+    <message>
+        <source>there must be one edge more than probabilities.</source>
+        <translation>deve haver uma borda a mais que probabilidades.</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>bordas</translation>
+    </message>
+    <message>
+        <source>the edges must rise.</source>
+        <translation>as bordas devem crescer.</translation>
+    </message>
+    <message>
+        <source>histogram: there must be one edge more than probabilities.</source>
+        <translation>histograma: deve haver uma borda a mais que probabilidades.</translation>
+    </message>
+    <message>
+        <source>the measurement model has a kink at the estimates, or bends too sharply there for derivatives of second and third order</source>
+        <translation>o modelo de medição tem uma quebra nas estimativas, ou curva-se ali demais para derivadas de segunda e terceira ordem</translation>
+    </message>
+    <message>
+        <source>the measurement model has no value there</source>
+        <translation>o modelo de medição não tem valor ali</translation>
+    </message>
+    <message>
+        <source>its sensitivity coefficients are zero, or there are none</source>
+        <translation>os seus coeficientes de sensibilidade são zero, ou não existem</translation>
+    </message>
+    <message>
+        <source>Monte Carlo answers alone for %1: the measurement model has no sensitivity coefficients at the estimates of its input quantities.</source>
+        <translation>Só Monte Carlo responde por %1: o modelo de medição não tem coeficientes de sensibilidade nas estimativas das suas grandezas de entrada.</translation>
+    </message>
+    <message>
+        <source>%1 has a kink at the estimates of the input quantities (an absolute value, a maximum, a condition): the law of propagation takes the sensitivity coefficients of one side. Use Monte Carlo.</source>
+        <translation>%1 tem uma quebra nas estimativas das grandezas de entrada (um valor absoluto, um máximo, uma condição): a lei de propagação toma os coeficientes de sensibilidade de um lado. Use Monte Carlo.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo answers alone for %1, which has a kink at the estimates of the input quantities (an absolute value, a maximum, a condition): the law of propagation would take the sensitivity coefficients of one side.</source>
+        <translation>Só Monte Carlo responde por %1, que tem uma quebra nas estimativas das grandezas de entrada (um valor absoluto, um máximo, uma condição): a lei de propagação tomaria os coeficientes de sensibilidade de um lado.</translation>
+    </message>
+    <message>
+        <source>There is no standard uncertainty with second-order terms of %1: they would make its variance negative, so terms of higher order matter as much. Use Monte Carlo.</source>
+        <translation>Não há incerteza-padrão com termos de segunda ordem de %1: tornariam negativa a sua variância, de modo que termos de ordem superior contam igual. Use Monte Carlo.</translation>
+    </message>
+    <message>
+        <source>%1 trials are few for a coverage interval of %2 %: some %3 lie beyond each of its ends, so that U is not known well. JCGM 101 7.2.2 asks for some %4 trials.</source>
+        <translation>%1 ensaios são poucos para um intervalo de abrangência de %2 %: uns %3 ficam além de cada extremo, de modo que U não é bem conhecida. JCGM 101 7.2.2 pede uns %4 ensaios.</translation>
+    </message>
+    <message>
+        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry); Monte Carlo needs none</source>
+        <translation>o modelo de medição não tem coeficientes de sensibilidade nas estimativas das grandezas de entrada%1: não é diferenciável ali (geometria singular); Monte Carlo não precisa de nenhum</translation>
+    </message>
+    <message>
+        <source>the readings find target %1 %2 mm from its nominal coordinates; look for exchanged names or a unit that was mixed up (the result does not depend on the nominal coordinates)</source>
+        <translation>as leituras encontram o alvo %1 a %2 mm das suas coordenadas nominais; procure nomes trocados ou uma unidade confundida (o resultado não depende das coordenadas nominais)</translation>
+    </message>
+    <message>
+        <source>the readings find %1 further targets far from their nominal coordinates</source>
+        <translation>as leituras encontram mais %1 alvos longe das suas coordenadas nominais</translation>
+    </message>
+    <message>
+        <source>observations have degrees of freedom of their own; those made together have the same numbers in the table of observations</source>
+        <translation>observações têm graus de liberdade próprios; as feitas juntas têm os mesmos números na tabela de observações</translation>
+    </message>
+    <message>
+        <source>the members of an ensemble have a standard or expanded uncertainty with finite nu</source>
+        <translation>os membros de um conjunto têm uma incerteza-padrão ou expandida com nu finito</translation>
+    </message>
+    <message>
+        <source>the members of ensemble &apos;%1&apos; have one and the same nu; it is %2 in the first, %3 here</source>
+        <translation>os membros do conjunto &apos;%1&apos; têm um mesmo nu; é %2 no primeiro, %3 aqui</translation>
+    </message>
+    <message>
+        <source>the sample gives the estimate: leave the value empty</source>
+        <translation>a amostra dá a estimativa: deixe vazio o valor</translation>
+    </message>
+    <message>
+        <source>the weight of a cell of its histogram is missing</source>
+        <translation>falta o peso de uma célula do seu histograma</translation>
+    </message>
+    <message>
+        <source>a histogram has the weight of each cell beside the edge where it begins, and none beside the last edge</source>
+        <translation>um histograma tem o peso de cada célula junto à borda onde ela começa, e nenhum junto à última borda</translation>
+    </message>
+    <message>
+        <source>some values of its sample have a weight and some have none</source>
+        <translation>alguns valores da sua amostra têm peso e outros não</translation>
+    </message>
+    <message>
+        <source>its weights must have a sum above zero</source>
+        <translation>os seus pesos devem ter uma soma acima de zero</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is complex: list its parts %2 and %3, or define abs(%1) and arg(%1) and list these</source>
+        <translation>&apos;%1&apos; é complexo: liste as suas partes %2 e %3, ou defina abs(%1) e arg(%1) e liste estes</translation>
+    </message>
+    <message>
+        <source>a difference: %1 in K</source>
+        <translation>uma diferença: %1 em K</translation>
+    </message>
+    <message>
+        <source>a thermodynamic temperature: %1 in K</source>
+        <translation>uma temperatura termodinâmica: %1 em K</translation>
+    </message>
+    <message>
+        <source>a difference: %1</source>
+        <translation>uma diferença: %1</translation>
+    </message>
+    <message>
+        <source>its reading in degC: %1 - 0 [degC]</source>
+        <translation>a sua leitura em degC: %1 - 0 [degC]</translation>
+    </message>
+    <message>
+        <source>a part of its reading in degC: %1 K</source>
+        <translation>uma parte da sua leitura em degC: %1 K</translation>
+    </message>
+    <message>
+        <source>as stated with correlations, ISO/TS 28037, 10</source>
+        <translation>como declarado, com correlações, ISO/TS 28037, 10</translation>
+    </message>
+    <message>
+        <source>common deviation of all %1</source>
+        <translation>desvio comum de todos os %1</translation>
+    </message>
+    <message>
+        <source>stated for all points</source>
+        <translation>declarada para todos os pontos</translation>
+    </message>
+    <message>
+        <source>a common deviation is one of stated uncertainties: choose these, or leave it 0</source>
+        <translation>um desvio comum é de incertezas declaradas: escolha-as, ou deixe-o em 0</translation>
+    </message>
+    <message>
+        <source>correlations are those of stated uncertainties: choose these, or leave out the correlations</source>
+        <translation>correlações são de incertezas declaradas: escolha-as, ou deixe as correlações de fora</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no coordinate of a point: write y_1 for the y of the first one</source>
+        <translation>&apos;%1&apos; não é uma coordenada de um ponto: escreva y_1 para o y do primeiro</translation>
+    </message>
+    <message>
+        <source>%1 has no standard uncertainty of its own that could be correlated</source>
+        <translation>%1 não tem incerteza-padrão própria que possa estar correlacionada</translation>
+    </message>
+    <message>
+        <source>a coordinate is not correlated with itself</source>
+        <translation>uma coordenada não está correlacionada consigo mesma</translation>
+    </message>
+    <message>
+        <source>the CSV file &apos;%1&apos; of %2 is a link that leads out of the project&apos;s folder: put the file itself there</source>
+        <translation>o arquivo CSV &apos;%1&apos; de %2 é uma ligação que leva para fora da pasta do projeto: ponha lá o próprio arquivo</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 follows from the ratio of tolerance and U: give both limits, or choose a guard factor</source>
+        <translation>a banda de guarda de %1 resulta da razão entre tolerância e U: dê ambos os limites, ou escolha um fator de guarda</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 is made for a global risk: give the prior, or choose a specific risk</source>
+        <translation>a banda de guarda de %1 é feita para um risco global: dê o conhecimento prévio, ou escolha um risco específico</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 needs a tolerance: give a limit</source>
+        <translation>a banda de guarda de %1 precisa de uma tolerância: dê um limite</translation>
+    </message>
+    <message>
+        <source>the target risk of %1 must lie above 0 and not above 0.5</source>
+        <translation>o risco-alvo de %1 deve estar acima de 0 e não acima de 0.5</translation>
+    </message>
+    <message>
+        <source>another study has the same id</source>
+        <translation>outro estudo tem o mesmo identificador</translation>
+    </message>
+    <message>
+        <source>its id must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
+        <translation>o seu identificador deve ser feito de letras, algarismos, &apos;-&apos; e &apos;_&apos;</translation>
+    </message>
+    <message>
+        <source>there is no asset %1, and no analysis of this name that this one takes from%2</source>
+        <translation>não há ativo %1, nem análise deste nome da qual esta tome%2</translation>
+    </message>
+    <message>
+        <source> (did you mean %1?)</source>
+        <translation> (quis dizer %1?)</translation>
+    </message>
+    <message>
+        <source>a number here is larger than any that can be computed with (1.8e308)</source>
+        <translation>um número aqui é maior que qualquer um com que se possa calcular (1.8e308)</translation>
+    </message>
+    <message>
+        <source>the value or its place is no text in UTF-8</source>
+        <translation>o valor ou o seu lugar não é texto em UTF-8</translation>
+    </message>
+    <message>
+        <source>more than %1 analyses feed each other in a row: put the equations of some of them into one</source>
+        <translation>mais de %1 análises alimentam-se umas às outras em fila: ponha as equações de algumas numa só</translation>
+    </message>
+    <message>
+        <source>a temperature: %1 in degC</source>
+        <translation>uma temperatura: %1 em degC</translation>
+    </message>
+    <message>
+        <source>%1 is a link that leads out of the project&apos;s folder: put the picture itself there</source>
+        <translation>%1 é uma ligação que leva para fora da pasta do projeto: ponha lá a própria imagem</translation>
+    </message>
+    <message>
+        <source>%1; in this file write %2</source>
+        <translation>%1; neste arquivo escreva %2</translation>
+    </message>
+    <message>
+        <source>there is no asset %1%2</source>
+        <translation>não há ativo %1%2</translation>
+    </message>
+    <message>
+        <source>the file of candidates &apos;%1&apos; is a link that leads out of the project&apos;s folder: put the file itself there</source>
+        <translation>o arquivo de candidatos &apos;%1&apos; é uma ligação que leva para fora da pasta do projeto: ponha lá o próprio arquivo</translation>
+    </message>
+    <message>
+        <source>another design has the same id</source>
+        <translation>outro projeto de medição tem o mesmo identificador</translation>
+    </message>
+    <message>
+        <source>row %1 was left out</source>
+        <translation>a linha %1 foi omitida</translation>
+    </message>
+    <message>
+        <source>row %1: %2 in %3 beside a sensitivity coefficient is taken as a difference or reading, in %4</source>
+        <translation>linha %1: %2 em %3 ao lado de um coeficiente de sensibilidade é tomada como diferença ou leitura, em %4</translation>
+    </message>
+    <message>
+        <source>the result is not the sum of c x: %1 = %2 is the difference</source>
+        <translation>o resultado não é a soma dos c x: %1 = %2 é a diferença</translation>
+    </message>
+    <message>
+        <source>the sheet %1 has no row %2 to leave out</source>
+        <translation>a folha %1 não tem linha %2 para omitir</translation>
+    </message>
+    <message>
+        <source>%1 is no place of a cell; D3 is one</source>
+        <translation>%1 não é o lugar de uma célula; D3 é um</translation>
+    </message>
+    <message>
+        <source>point %1 with other coordinates: those of line %2 are taken</source>
+        <translation>ponto %1 com outras coordenadas: são tomadas as da linha %2</translation>
+    </message>
+    <message>
+        <source>%1 determinations of the same points (&lt;coordinates&gt; of lines %2): each is an artefact of its own; keep all of them, or delete those that you do not want</source>
+        <translation>%1 determinações dos mesmos pontos (&lt;coordinates&gt; das linhas %2): cada uma é um artefato próprio; mantenha todas, ou apague as que não quer</translation>
+    </message>
+    <message>
+        <source>%1 is no number: write %2, with a point</source>
+        <translation>%1 não é um número: escreva %2, com ponto</translation>
+    </message>
+    <message>
+        <source>column %1%2 of sheet %3 is filled, and what it is is not understood: state the columns, %4, with one of %5 in place of ? (- leaves the column out)</source>
+        <translation>a coluna %1%2 da folha %3 está preenchida, e não se entende o que é: indique as colunas, %4, com um de %5 no lugar de ? (- omite a coluna)</translation>
+    </message>
+    <message>
+        <source>the name of the result %1 of %2</source>
+        <translation>o nome do resultado %1 de %2</translation>
+    </message>
+    <message>
+        <source>the names of the results %1 of %2</source>
+        <translation>os nomes dos resultados %1 de %2</translation>
+    </message>
+    <message>
+        <source>the certificate calls it by its symbol alone: %1 must be stated (ISO/IEC 17025 %2)</source>
+        <translation>o certificado chama-o só pelo seu símbolo: deve ser indicado %1 (ISO/IEC 17025 %2)</translation>
+    </message>
+    <message>
+        <source>under an accreditation U is stated for a coverage probability of about 95 % (ILAC-P14 5.3); here it is %1</source>
+        <translation>sob acreditação, U é declarada para uma probabilidade de abrangência de cerca de 95 % (ILAC-P14 5.3); aqui é %1</translation>
+    </message>
+    <message>
+        <source>%1: the file states %2, this budget gives %3, %4 apart</source>
+        <translation>%1: o arquivo declara %2, este balanço dá %3, uma diferença de %4</translation>
+    </message>
+    <message>
+        <source>%1: FIND OUT WHY before it is used</source>
+        <translation>%1: DESCUBRA PORQUÊ antes de ser usado</translation>
+    </message>
+    <message>
+        <source>u(%1) by its contributions</source>
+        <translation>u(%1) pelas suas contribuições</translation>
+    </message>
+    <message>
+        <source>%1: the file states no result that this budget could be held against</source>
+        <translation>%1: o arquivo não declara nenhum resultado com que este balanço possa ser comparado</translation>
+    </message>
+    <message>
+        <source>another one has the same id</source>
+        <translation>outro tem o mesmo identificador</translation>
+    </message>
+    <message>
+        <source>%1: of what the rule accepts %2 does not conform, of what it rejects %3 does.</source>
+        <translation>%1: do que a regra aceita, %2 não é conforme; do que rejeita, %3 é.</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Índice</translation>
+    </message>
+    <message>
+        <source>%1 further components of %2 other sources</source>
+        <translation>mais %1 componentes de %2 outras fontes</translation>
+    </message>
+    <message>
+        <source>other sources</source>
+        <translation>outras fontes</translation>
+    </message>
+    <message>
+        <source>1 further component: %1</source>
+        <translation>mais 1 componente: %1</translation>
+    </message>
+    <message>
+        <source>%1 further components: %2</source>
+        <translation>mais %1 componentes: %2</translation>
+    </message>
+    <message>
+        <source>Left out: %1 components that contribute nothing (less than 10⁻⁹ of u_c).</source>
+        <translation>Omitidas: %1 componentes que não contribuem nada (menos de 10⁻⁹ de u_c).</translation>
+    </message>
+    <message>
+        <source>Left out, because they contribute nothing (less than 10⁻⁹ of u_c): %1.</source>
+        <translation>Omitidas, porque não contribuem nada (menos de 10⁻⁹ de u_c): %1.</translation>
+    </message>
+    <message>
+        <source>Stated in the results: %1 = %2 (propagation of distributions).</source>
+        <translation>Declarado nos resultados: %1 = %2 (propagação de distribuições).</translation>
+    </message>
+    <message>
+        <source>%1: under an accreditation U is stated for a coverage probability of about 95 % (ILAC-P14 5.3); with k = %2 that of %3 is %4</source>
+        <translation>%1: sob acreditação, U é declarada para uma probabilidade de abrangência de cerca de 95 % (ILAC-P14 5.3); com k = %2 a de %3 é %4</translation>
+    </message>
+    <message>
+        <source>not drawn, for it is farther away than 10¹² km: %1</source>
+        <translation>não desenhado, porque está a mais de 10¹² km: %1</translation>
+    </message>
+    <message>
+        <source>Laplace</source>
+        <translation>Laplace</translation>
+    </message>
+    <message>
+        <source>Weibull</source>
+        <translation>Weibull</translation>
+    </message>
+    <message>
+        <source>expected number of events</source>
+        <translation>número esperado de eventos</translation>
+    </message>
+    <message>
+        <source>step of one event</source>
+        <translation>passo de um evento</translation>
+    </message>
+    <message>
+        <source>probability</source>
+        <translation>probabilidade</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+Laplace 0.3, Weibull 0.3 (standard deviations), Weibull scale 2, shape 1.5
+Poisson 12, binomial n = 50, p = 2 %: they give the value
+sample 1; 2; 3 weights 2; 5; 2 (drawn as they are), histogram 0; 1; 2 weights 5; 8 (edges)
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm: incerteza-padrão
+2 ppm: incerteza-padrão, uma parte do valor; absoluta onde a grandeza é ela mesma uma razão
+U = 0.3 um, k = 2 (ou p = 95 %): certificado
+s = 13 nm, n = 5: desvio-padrão conhecido de antes, média de n observações (tipo A)
+rectangular 0.5 (ou rect, ±): limites em torno do valor; igualmente triangular, arcsine
+limits 19.5 to 20.5: dão o valor
+10.1; 10.3; 10.2: observações
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+Laplace 0.3, Weibull 0.3 (desvios-padrão), Weibull scale 2, shape 1.5
+Poisson 12, binomial n = 50, p = 2 %: dão o valor
+sample 1; 2; 3 weights 2; 5; 2 (sorteados como são), histogram 0; 1; 2 weights 5; 8 (bordas)
+nu 18 atrás de qualquer um deles: graus de liberdade</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>amostra</translation>
+    </message>
+    <message>
+        <source>weights</source>
+        <translation>pesos</translation>
     </message>
 </context>
 <context>
@@ -14135,6 +14905,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Done again: %1</source>
         <translation>Refeito: %1</translation>
     </message>
+    <message>
+        <source>Type it as %1.</source>
+        <translation>Escreva-o como %1.</translation>
+    </message>
+    <message>
+        <source>Type it as %1, or as %2.</source>
+        <translation>Escreva-o como %1, ou como %2.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14342,6 +15120,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>English (none chosen)</source>
         <translation>Inglês (nenhum escolhido)</translation>
+    </message>
+    <message>
+        <source>Required by %1 where conformity is stated.</source>
+        <translation>Exigido por %1 onde se declara conformidade.</translation>
+    </message>
+    <message>
+        <source>in the laboratory, or at the place stated</source>
+        <translation>no laboratório, ou no local indicado</translation>
     </message>
 </context>
 <context>
@@ -15215,6 +16001,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Monte Carlo draws: %1, ν = %2</source>
         <translation>Monte Carlo sorteia: %1, ν = %2</translation>
     </message>
+    <message>
+        <source>Edges of the cells</source>
+        <translation>Bordas das células</translation>
+    </message>
+    <message>
+        <source>There must be one edge more than probabilities.</source>
+        <translation>Deve haver uma borda a mais que probabilidades.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
@@ -15312,6 +16106,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Remove the link of %1</source>
         <translation>Remover o vínculo de %1</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file since it was read.</source>
+        <translation>Outro programa alterou o arquivo desde que foi lido.</translation>
     </message>
 </context>
 <context>
@@ -15612,6 +16410,14 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <source>Name project</source>
         <translation>Dar nome ao projeto</translation>
     </message>
+    <message>
+        <source>%1 was changed by another program since it was read here. Saving replaces what it holds now.</source>
+        <translation>%1 foi alterado por outro programa desde que foi lido aqui. Salvar substitui o que contém agora.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Substituir</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FileEditor</name>
@@ -15873,6 +16679,18 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>Imported from %1, %2 bytes, of %3, SHA-256 %4.</source>
         <translation>Importado de %1, %2 bytes, de %3, SHA-256 %4.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave Out or Read the Row</source>
+        <translation>&amp;Omitir ou ler a linha</translation>
+    </message>
+    <message>
+        <source>%1, left out</source>
+        <translation>%1, omitida</translation>
+    </message>
+    <message>
+        <source>What each column is read as; cells can be typed over</source>
+        <translation>Como cada coluna é lida; pode-se escrever por cima das células</translation>
     </message>
 </context>
 <context>
@@ -16650,6 +17468,34 @@ Escolhido: %2</translation>
         <source>correlation of %1 and %2</source>
         <translation>correlação de %1 e %2</translation>
     </message>
+    <message>
+        <source>link of %1</source>
+        <translation>ligação de %1</translation>
+    </message>
+    <message>
+        <source>change of %1</source>
+        <translation>mudança de %1</translation>
+    </message>
+    <message>
+        <source>requirement on %1</source>
+        <translation>requisito de %1</translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation>estudo</translation>
+    </message>
+    <message>
+        <source>design</source>
+        <translation>projeto de medição</translation>
+    </message>
+    <message>
+        <source>Way out</source>
+        <translation>Saída</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>ou</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -17186,6 +18032,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>Execute a análise para ver se o requisito é atingido.</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;Of what the rule accepts %1 does not conform, of what it rejects %2 does.</source>
+        <translation>&lt;br&gt;Do que a regra aceita, %1 não é conforme; do que rejeita, %2 é.</translation>
     </message>
 </context>
 <context>

@@ -1566,10 +1566,6 @@
         <translation>方程</translation>
     </message>
     <message>
-        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation>每行一个方程：y = x_1*x_2 + x_3。没有方程的名称为输入量；数字的单位写在方括号中：3 [mm]。&apos;solve y = 1: y^2 = x&apos; 在每次试验中从其初值起求解 y。&apos;#&apos; 后为注释。</translation>
-    </message>
-    <message>
         <source>symbol</source>
         <translation>符号</translation>
     </message>
@@ -3762,10 +3758,6 @@
         <translation>校准地点</translation>
     </message>
     <message>
-        <source>Where it was done if not in the laboratory: at the customer, in the field.</source>
-        <translation>不在实验室进行时的地点：在客户处、在现场。</translation>
-    </message>
-    <message>
         <source>Customer</source>
         <translation>客户</translation>
     </message>
@@ -4604,14 +4596,6 @@
     <message>
         <source>by</source>
         <translation>依据</translation>
-    </message>
-    <message>
-        <source>accepted</source>
-        <translation>接受</translation>
-    </message>
-    <message>
-        <source>rejected</source>
-        <translation>拒绝</translation>
     </message>
     <message>
         <source>not judged</source>
@@ -6182,10 +6166,6 @@
         <translation>未涵盖：干扰中载荷的乘积、载荷的不对中、蠕变、温度、重新安装。</translation>
     </message>
     <message>
-        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. Temperatures in °C are taken as thermodynamic temperatures; a difference of temperatures is given in K.</source>
-        <translation>量纲在读取方程时检查；平面角按数计算，因为在 SI 中弧度为一。以 °C 表示的温度按热力学温度处理；温度差以 K 给出。</translation>
-    </message>
-    <message>
         <source>Sensitivity coefficients are exact (automatic differentiation); those of unknowns that equations define implicitly follow JCGM 102 6.3.</source>
         <translation>灵敏系数是精确的（自动微分）；方程隐式定义的未知数按 JCGM 102 6.3 处理。</translation>
     </message>
@@ -6546,10 +6526,6 @@
         <translation>%1 是温度差：其单位是 K，不是 %2</translation>
     </message>
     <message>
-        <source>%1 is a multiple of a temperature: its unit is K, not %2</source>
-        <translation>%1 是温度的倍数：其单位是 K，不是 %2</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would be a condition: a definition must give a number</source>
         <translation>&apos;%1&apos; 会成为条件：定义必须给出数值</translation>
     </message>
@@ -6768,10 +6744,6 @@
     <message>
         <source>%1 unknowns need as many equations; there are %2</source>
         <translation>%1 个未知数需要同样多的方程；现有 %2 个</translation>
-    </message>
-    <message>
-        <source>at most six unknowns can be solved together</source>
-        <translation>最多可同时求解六个未知数</translation>
     </message>
     <message>
         <source>an equals sign is expected in an equation to be solved</source>
@@ -7446,10 +7418,6 @@
         <translation>其相关的分量不是正态分布</translation>
     </message>
     <message>
-        <source>its sensitivity coefficients are zero</source>
-        <translation>其灵敏系数为零</translation>
-    </message>
-    <message>
         <source>no spread</source>
         <translation>无分散性</translation>
     </message>
@@ -7532,10 +7500,6 @@
     <message>
         <source>the measurement model has no value at the estimates of its input quantities%1: check the nominal geometry and the values entered</source>
         <translation>测量模型在其输入量的估计值处没有值%1：请检查标称几何和输入的值</translation>
-    </message>
-    <message>
-        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry)</source>
-        <translation>测量模型在其输入量的估计值处没有灵敏系数%1：它在那里不可微（几何奇异）</translation>
     </message>
     <message>
         <source>Effective degrees of freedom are approximate: the Welch-Satterthwaite formula assumes independent components, and correlated components with finite degrees of freedom contribute. The Monte Carlo coverage interval is the better guide.</source>
@@ -8774,10 +8738,6 @@
         <translation>模型没有输出量 %1%2%3</translation>
     </message>
     <message>
-        <source>the id %1 is used twice</source>
-        <translation>id %1 使用了两次</translation>
-    </message>
-    <message>
         <source>an axis needs at least two values</source>
         <translation>轴至少需要两个值</translation>
     </message>
@@ -8792,10 +8752,6 @@
     <message>
         <source>&apos;%1&apos; takes whole numbers: there are fewer than %2 between the ends</source>
         <translation>&apos;%1&apos; 取整数：两端之间少于 %2 个</translation>
-    </message>
-    <message>
-        <source>the id %1 must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
-        <translation>id %1 必须由字母、数字、&apos;-&apos; 和 &apos;_&apos; 组成</translation>
     </message>
     <message>
         <source>a study has one to three axes; this one has %1</source>
@@ -8860,10 +8816,6 @@
     <message>
         <source>%1 cannot be varied: %2</source>
         <translation>不能改变 %1：%2</translation>
-    </message>
-    <message>
-        <source>there is no asset %1</source>
-        <translation>没有资源 %1</translation>
     </message>
     <message>
         <source>the set-up has no schema</source>
@@ -9236,10 +9188,6 @@
     <message>
         <source>the analysis %1 would be made of itself: %2%3</source>
         <translation>分析 %1 会由其自身构成：%2%3</translation>
-    </message>
-    <message>
-        <source>more than %1 analyses feed each other in a row</source>
-        <translation>依次相互提供输入的分析超过 %1 个</translation>
     </message>
     <message>
         <source>the analysis %1 has no output %2%3</source>
@@ -10688,10 +10636,6 @@
     <message>
         <source>the unit of the result is not stated: give the result a row of its own, put the unit behind the head of the contributions, or state it as that of &apos;result&apos;</source>
         <translation>未给出结果的单位：请给结果单独一行，把单位写在贡献的标题之后，或作为 &apos;result&apos; 的单位给出</translation>
-    </message>
-    <message>
-        <source>the result is not the sum of c x: %1 is the difference</source>
-        <translation>结果不是 c x 之和：差为 %1</translation>
     </message>
     <message>
         <source>model: %1; the sheet has sensitivity coefficients only, write your equation instead where you have it</source>
@@ -13282,10 +13226,6 @@
         <translation>在 %2 个点中的 %1 个处绘出不确定度</translation>
     </message>
     <message>
-        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation>其不确定度的已知方式；a 和 b 相应为：u；s 和 n；U 和 k；U 和 p（%）；半宽（及其不准确度，或上底与下底之比）；下限和上限；示值的步进；允许误差和值的百分数；计数；平均值的观测次数（合并）。留空：常量。</translation>
-    </message>
-    <message>
         <source>standard deviation known before (Type A)</source>
         <translation>先前已知的标准差（A 类）</translation>
     </message>
@@ -13308,26 +13248,6 @@
     <message>
         <source>results: in the frame of the sensor</source>
         <translation>结果：在传感器坐标系中</translation>
-    </message>
-    <message>
-        <source>75 nm: standard uncertainty
-2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
-U = 0.3 um, k = 2 (or p = 95 %): certificate
-s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
-rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
-limits 19.5 to 20.5: they give the value
-10.1; 10.3; 10.2: observations
-resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
-nu 18 behind any of them: degrees of freedom</source>
-        <translation>75 nm：标准不确定度
-2 ppm：标准不确定度，为值的一部分；量本身为比值时则为绝对值
-U = 0.3 um, k = 2（或 p = 95 %）：证书
-s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
-矩形 0.5（或 rect、±）：值两侧的界限；三角、反正弦与此相同
-界限 19.5 至 20.5：由界限给出值
-10.1; 10.3; 10.2：观测值
-分辨力 0.01、MPE 3 + 0.1 %、计数 12、常量
-以上任一项之后加 nu 18：自由度</translation>
     </message>
     <message>
         <source>time</source>
@@ -13644,6 +13564,856 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
     <message>
         <source>it must be an analysis of the kept state and have a name (otherName)</source>
         <translation>它必须是所保留状态中的一个分析并有名称 (otherName)</translation>
+    </message>
+    <message>
+        <source>Dimensions are checked where the equations are read; plane angle counts as a number, because the radian is one in the SI. A temperature in °C is taken in kelvin only where two make a ratio; a difference of temperatures is given in K.</source>
+        <translation>量纲在读取方程时检查；平面角按数处理，因为弧度在 SI 中是一个数。以 °C 表示的温度只有在两者构成比值时才按开尔文取值；温差以 K 给出。</translation>
+    </message>
+    <message>
+        <source>Angles that inverse functions give or that were read, their sums and whole multiples are on the circle where the result is given in a unit of angle.</source>
+        <translation>反函数给出的或读数得到的角度、它们的和与整数倍，当结果以角度单位给出时位于圆周上。</translation>
+    </message>
+    <message>
+        <source>One equation a line: y = x_1*x_2 + x_3. Names without an equation are input quantities; a number has its unit in brackets: 3 [mm]. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. complex(a, b) and polar(r, phi) make complex numbers, re, im, abs and arg real ones of them. &apos;#&apos; starts a comment.</source>
+        <translation>每行一个方程：y = x_1*x_2 + x_3。没有方程的名称是输入量；数的单位写在方括号中：3 [mm]。&apos;solve y = 1: y^2 = x&apos; 在每次试验中从起始值求出 y。complex(a, b) 和 polar(r, phi) 构成复数，re、im、abs 和 arg 由其得到实数。&apos;#&apos; 开始注释。</translation>
+    </message>
+    <message>
+        <source>How its uncertainty is known; a and b are then: u; s and n; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled); standard deviation (Laplace, Weibull about the value), scale (and shape); expected number of events; number of trials and probability in %. A sample is drawn as it is listed among the observations, a histogram has the edges of its cells there. Empty: a constant.</source>
+        <translation>如何得知其不确定度；a 和 b 则为：u；s 和 n；U 和 k；U 和以 % 表示的 p；半宽（以及界限的不精确度，或上底与下底之比）；下限和上限；示值的分辨力；最大允许误差和值的 %；计数；平均值中的观测次数（合并）；标准偏差（拉普拉斯，以值为均值的威布尔），尺度（和形状）；事件的期望数；试验次数和以 % 表示的概率。样本按观测值中所列抽取，直方图的单元边界也在那里。空：常数。</translation>
+    </message>
+    <message>
+        <source>Laplace, standard deviation</source>
+        <translation>拉普拉斯，标准偏差</translation>
+    </message>
+    <message>
+        <source>Laplace, scale</source>
+        <translation>拉普拉斯，尺度</translation>
+    </message>
+    <message>
+        <source>Weibull, scale and shape</source>
+        <translation>威布尔，尺度和形状</translation>
+    </message>
+    <message>
+        <source>Weibull, standard deviation</source>
+        <translation>威布尔，标准偏差</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>泊松</translation>
+    </message>
+    <message>
+        <source>binomial</source>
+        <translation>二项</translation>
+    </message>
+    <message>
+        <source>sample of values</source>
+        <translation>数值样本</translation>
+    </message>
+    <message>
+        <source>histogram</source>
+        <translation>直方图</translation>
+    </message>
+    <message>
+        <source>ensemble</source>
+        <translation>总体组</translation>
+    </message>
+    <message>
+        <source>Name of the evaluation that gave several quantities together, with one and the same nu: their uncertainties rest on one estimate of variance, and they are drawn from a multivariate t distribution (JCGM 102 5.3.2). Correlation coefficients between them stand with the correlations of the analysis.</source>
+        <translation>同时给出若干个量且具有同一 nu 的评定的名称：它们的不确定度基于同一方差估计，并从多元 t 分布中抽取（JCGM 102 5.3.2）。它们之间的相关系数与分析的相关一起给出。</translation>
+    </message>
+    <message>
+        <source>Observed value, value of a sample or edge of a histogram, in the unit of the quantity.</source>
+        <translation>观测值、样本的值或直方图的边界，以该量的单位表示。</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>权重</translation>
+    </message>
+    <message>
+        <source>Of a value of a sample, or of the cell of a histogram that begins at this edge: counts, or parts of any sum. Empty: one in a sample, none behind the last edge.</source>
+        <translation>样本中一个值的权重，或从该边界开始的直方图单元的权重：计数，或任意总和的部分。空：样本中为一，最后边界之后没有。</translation>
+    </message>
+    <message>
+        <source>Covariance of the points</source>
+        <translation>点的协方差</translation>
+    </message>
+    <message>
+        <source>Common u of x</source>
+        <translation>x 的共同 u</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation that all x share beside their own (one standard, one temperature), in the unit of x. Used with stated uncertainties, in the weights too.</source>
+        <translation>所有 x 除各自偏差外共有的偏差的标准不确定度（同一标准器、同一温度），以 x 的单位表示。用于给定的不确定度，也用于权重。</translation>
+    </message>
+    <message>
+        <source>Common u of y</source>
+        <translation>y 的共同 u</translation>
+    </message>
+    <message>
+        <source>Likewise of all y, in the unit of y.</source>
+        <translation>所有 y 同理，以 y 的单位表示。</translation>
+    </message>
+    <message>
+        <source>Correlations of the points</source>
+        <translation>点的相关</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients between coordinates of the points (ISO/TS 28037): they change the curve, which minimises v^T V^-1 v, and its uncertainty. Used with stated uncertainties.</source>
+        <translation>点的坐标之间的相关系数（ISO/TS 28037）：它们改变使 v^T V^-1 v 最小的曲线及其不确定度。用于给定的不确定度。</translation>
+    </message>
+    <message>
+        <source>A coordinate of a point by its number: y_1 is the y of the first point.</source>
+        <translation>用编号表示的点坐标：y_1 是第一个点的 y。</translation>
+    </message>
+    <message>
+        <source>Another one: y_2, or the x_1 of the same point.</source>
+        <translation>另一个坐标：y_2，或同一点的 x_1。</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>系数</translation>
+    </message>
+    <message>
+        <source>Correlation coefficient of their stated uncertainties.</source>
+        <translation>它们的给定不确定度的相关系数。</translation>
+    </message>
+    <message>
+        <source>Certificate of a gauge block of 50 mm</source>
+        <translation>50 mm 量块的证书</translation>
+    </message>
+    <message>
+        <source>A gauge block is compared with a standard of the same length, by the model of EA-4/02, S4; its certificate says all that ISO/IEC 17025 7.8 asks for.</source>
+        <translation>按 EA-4/02 S4 的模型，将量块与相同长度的标准器比较；其证书包含 ISO/IEC 17025 7.8 要求的全部内容。</translation>
+    </message>
+    <message>
+        <source>Conformity of a micrometer</source>
+        <translation>千分尺的符合性</translation>
+    </message>
+    <message>
+        <source>Errors of indication of a micrometer of 25 mm at four gauge blocks, and whether they conform with a maximum permissible error of 4 µm under the decision rule of ISO 14253-1.</source>
+        <translation>25 mm 千分尺在四个量块上的示值误差，以及按 ISO 14253-1 的判定规则是否符合 4 µm 的最大允许误差。</translation>
+    </message>
+    <message>
+        <source>A budget from Excel</source>
+        <translation>来自 Excel 的预算</translation>
+    </message>
+    <message>
+        <source>What &apos;covaria import excel-budget.xlsx&apos; makes of a budget in a spreadsheet, with the columns of EA-4/02.</source>
+        <translation>&apos;covaria import excel-budget.xlsx&apos; 由具有 EA-4/02 各列的电子表格预算得到的结果。</translation>
+    </message>
+    <message>
+        <source>Gewichtsstück von 10 kg</source>
+        <translation>10 kg 砝码</translation>
+    </message>
+    <message>
+        <source>Kalibrierung eines Gewichtsstücks nach EA-4/02, S2: ein Beispiel in deutscher Sprache, mit vollständigem Kalibrierschein.</source>
+        <translation>按 EA-4/02 S2 校准砝码：一个带完整校准证书的德语示例。</translation>
+    </message>
+    <message>
+        <source>Guard band</source>
+        <translation>保护带</translation>
+    </message>
+    <message>
+        <source>How the guard band follows: by the guard factor, by the ratio TUR of tolerance and U (both limits are needed), or so narrow as a target risk allows (global risks need a prior).</source>
+        <translation>保护带如何得出：由保护因子、由公差与 U 之比 TUR（需要两个界限），或窄到目标风险所允许（全局风险需要先验）。</translation>
+    </message>
+    <message>
+        <source>Target risk</source>
+        <translation>目标风险</translation>
+    </message>
+    <message>
+        <source>That the guard band is made for, above 0 and up to 0.5: 0.02 or 2 %.</source>
+        <translation>保护带所针对的风险，大于 0 且不超过 0.5：0.02 或 2 %。</translation>
+    </message>
+    <message>
+        <source>guard factor times U</source>
+        <translation>保护因子乘以 U</translation>
+    </message>
+    <message>
+        <source>RSS: root of T²/4 − U²</source>
+        <translation>RSS：T²/4 − U² 的平方根</translation>
+    </message>
+    <message>
+        <source>NCSL RP-10: 1.25 − 1/TUR</source>
+        <translation>NCSL RP-10：1.25 − 1/TUR</translation>
+    </message>
+    <message>
+        <source>managed (Dobbert): at most 2 % false accepts</source>
+        <translation>受控（Dobbert）：误接受至多 2 %</translation>
+    </message>
+    <message>
+        <source>to a specific risk at the acceptance limit</source>
+        <translation>按接受限处的特定风险</translation>
+    </message>
+    <message>
+        <source>to a global consumer&apos;s risk</source>
+        <translation>按全局消费者风险</translation>
+    </message>
+    <message>
+        <source>to a risk of what is accepted</source>
+        <translation>按被接受者的风险</translation>
+    </message>
+    <message>
+        <source>Site of calibration</source>
+        <translation>校准场所</translation>
+    </message>
+    <message>
+        <source>Whose place it was done at; empty: in the laboratory, or elsewhere where a place is stated.</source>
+        <translation>在谁的场所进行；空：在实验室，或在给出地点处。</translation>
+    </message>
+    <message>
+        <source>Where it was done if not in the laboratory: the customer&apos;s hall, the field.</source>
+        <translation>若不在实验室，在何处进行：客户的车间、现场。</translation>
+    </message>
+    <message>
+        <source>To which a statement of conformity refers: the standard or drawing, with its edition.</source>
+        <translation>符合性声明所依据的标准或图纸及其版本。</translation>
+    </message>
+    <message>
+        <source>at the customer</source>
+        <translation>在客户处</translation>
+    </message>
+    <message>
+        <source>in a branch of the laboratory</source>
+        <translation>在实验室的分支机构</translation>
+    </message>
+    <message>
+        <source>in a branch of the customer</source>
+        <translation>在客户的分支机构</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>其他地点</translation>
+    </message>
+    <message>
+        <source>RSS guard band</source>
+        <translation>RSS 保护带</translation>
+    </message>
+    <message>
+        <source>NCSL RP-10 guard band</source>
+        <translation>NCSL RP-10 保护带</translation>
+    </message>
+    <message>
+        <source>managed guard band (Dobbert, 2 % false accepts)</source>
+        <translation>受控保护带（Dobbert，误接受 2 %）</translation>
+    </message>
+    <message>
+        <source>guard band to a specific risk of %1</source>
+        <translation>按特定风险 %1 的保护带</translation>
+    </message>
+    <message>
+        <source>guard band to a global consumer&apos;s risk of %1</source>
+        <translation>按全局消费者风险 %1 的保护带</translation>
+    </message>
+    <message>
+        <source>guard band to a risk of %1 of what is accepted</source>
+        <translation>按被接受者风险 %1 的保护带</translation>
+    </message>
+    <message>
+        <source>pass (accepted)</source>
+        <translation>合格（接受）</translation>
+    </message>
+    <message>
+        <source>fail (rejected)</source>
+        <translation>不合格（拒绝）</translation>
+    </message>
+    <message>
+        <source>January</source>
+        <translation>1月</translation>
+    </message>
+    <message>
+        <source>February</source>
+        <translation>2月</translation>
+    </message>
+    <message>
+        <source>March</source>
+        <translation>3月</translation>
+    </message>
+    <message>
+        <source>April</source>
+        <translation>4月</translation>
+    </message>
+    <message>
+        <source>May</source>
+        <translation>5月</translation>
+    </message>
+    <message>
+        <source>June</source>
+        <translation>6月</translation>
+    </message>
+    <message>
+        <source>July</source>
+        <translation>7月</translation>
+    </message>
+    <message>
+        <source>August</source>
+        <translation>8月</translation>
+    </message>
+    <message>
+        <source>September</source>
+        <translation>9月</translation>
+    </message>
+    <message>
+        <source>October</source>
+        <translation>10月</translation>
+    </message>
+    <message>
+        <source>November</source>
+        <translation>11月</translation>
+    </message>
+    <message>
+        <source>December</source>
+        <translation>12月</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3</source>
+        <translation>%3年%2%1日</translation>
+    </message>
+    <message>
+        <source>required by %1 where conformity is stated</source>
+        <translation>声明符合性时 %1 要求</translation>
+    </message>
+    <message>
+        <source>%1 is the unit of a temperature, and the quantity is given in %2, in which it may be a difference: give both in %1, or both in %2</source>
+        <translation>%1 是温度的单位，而该量以 %2 给出，在其中可能是温差：两者都用 %1，或都用 %2</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in degC, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in K; for its reading in degC write (%2 - 0 [degC]). Only the ratio of two temperatures in degC is taken in kelvin</source>
+        <translation>%1 是以 degC 表示的温度，在此将按开尔文取值（20 degC 即 293.15 K）：若是温差，请以 K 给出；若是其 degC 读数，请写 (%2 - 0 [degC])。只有两个 degC 温度的比值才按开尔文取值</translation>
+    </message>
+    <message>
+        <source>%1 is a multiple of a temperature in degC, which depends on where the scale has its zero: if the temperature is a difference, give it in K; else multiply its reading, as in 1.5*(t - 0 [degC])</source>
+        <translation>%1 是 degC 温度的倍数，它取决于标度零点的位置：若温度是温差，请以 K 给出；否则乘其读数，如 1.5*(t - 0 [degC])</translation>
+    </message>
+    <message>
+        <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in K</source>
+        <translation>以 %1 表示的温度的一部分（%、ppm）或倍数取决于标度零点的位置：请以 K 给出该数</translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures, and %2 a temperature in %3: take a temperature, or give %2 in K</source>
+        <translation>%1 是温差，而 %2 是以 %3 表示的温度：请取一个温度，或以 K 给出 %2</translation>
+    </message>
+    <message>
+        <source>%1 is given in %2, which may be a difference of temperatures, and %3 is a temperature in %4: give both in %4, or both in K</source>
+        <translation>%1 以 %2 给出，可能是温差，而 %3 是以 %4 表示的温度：两者都用 %4，或都用 K</translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in %2, and %3 is given in %4, which may be a difference of temperatures: give both in %2, or both in K</source>
+        <translation>%1 是以 %2 表示的温度，而 %3 以 %4 给出，可能是温差：两者都用 %2，或都用 K</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is complex, so that &apos;%2&apos; is a part of it: to use a part write re(%1) or im(%1), else choose another name</source>
+        <translation>&apos;%1&apos; 是复数，因此 &apos;%2&apos; 是它的一部分：要使用一部分请写 re(%1) 或 im(%1)，否则换一个名称</translation>
+    </message>
+    <message>
+        <source>a complex unknown counts twice, and so does a complex equation: there are %1 real unknowns and %2 real equations</source>
+        <translation>复未知数计两次，复方程也是：有 %1 个实未知数和 %2 个实方程</translation>
+    </message>
+    <message>
+        <source>modulus and argument</source>
+        <translation>模和辐角</translation>
+    </message>
+    <message>
+        <source>real and imaginary part</source>
+        <translation>实部和虚部</translation>
+    </message>
+    <message>
+        <source>%1 of a complex number are real; one of them is complex here</source>
+        <translation>复数的%1是实数；这里有一个是复数</translation>
+    </message>
+    <message>
+        <source>complex numbers have no order and are no condition: compare re, im, abs or arg of them</source>
+        <translation>复数没有大小顺序，也不是条件：请比较它们的 re、im、abs 或 arg</translation>
+    </message>
+    <message>
+        <source>this function is one of real numbers; for a complex one there are + - * / ^, exp, log, sqrt, sin, cos, tan, sinh, cosh, tanh, conj, abs, arg, re and im</source>
+        <translation>此函数用于实数；用于复数的有 + - * / ^、exp、log、sqrt、sin、cos、tan、sinh、cosh、tanh、conj、abs、arg、re 和 im</translation>
+    </message>
+    <message>
+        <source>%1 unknowns are too many to be solved together: the time for each trial grows with the cube of their number, so the limit is %2; solve what does not depend on the rest in systems of its own</source>
+        <translation>%1 个未知数太多，无法一起求解：每次试验的时间随其个数的立方增长，因此上限为 %2；不依赖其余部分的请用单独的方程组求解</translation>
+    </message>
+    <message>
+        <source>the expected number of events gives the estimate: leave the value empty, or the number</source>
+        <translation>事件的期望数给出估计值：值或该数留空</translation>
+    </message>
+    <message>
+        <source>the expected number of events is missing: state it, or the value</source>
+        <translation>缺少事件的期望数：请给出它或值</translation>
+    </message>
+    <message>
+        <source>trials and probability give the estimate: leave the value empty, or the probability</source>
+        <translation>试验次数和概率给出估计值：值或概率留空</translation>
+    </message>
+    <message>
+        <source>the probability of each trial is missing: state it, or the value</source>
+        <translation>缺少每次试验的概率：请给出它或值</translation>
+    </message>
+    <message>
+        <source>the number of trials must be at least one</source>
+        <translation>试验次数至少为一</translation>
+    </message>
+    <message>
+        <source>the probability of each trial must lie between 0 and 100 %</source>
+        <translation>每次试验的概率必须在 0 到 100 % 之间</translation>
+    </message>
+    <message>
+        <source>the value must lie between 0 and the number of trials</source>
+        <translation>值必须在 0 和试验次数之间</translation>
+    </message>
+    <message>
+        <source>scale and shape give the estimate: leave the value empty, or state the standard deviation alone</source>
+        <translation>尺度和形状给出估计值：值留空，或只给出标准偏差</translation>
+    </message>
+    <message>
+        <source>a Weibull distribution needs a value greater than zero, which is its mean</source>
+        <translation>威布尔分布需要大于零的值，它是其均值</translation>
+    </message>
+    <message>
+        <source>no Weibull distribution has such a ratio of standard deviation to mean: it must lie between 0.000002 and 429</source>
+        <translation>没有威布尔分布具有这样的标准偏差与均值之比：它必须在 0.000002 到 429 之间</translation>
+    </message>
+    <message>
+        <source>observations have no weights: for values with weights write sample 1; 2; 3 weights 2; 5; 2</source>
+        <translation>观测值没有权重：带权重的值请写 sample 1; 2; 3 weights 2; 5; 2</translation>
+    </message>
+    <message>
+        <source>weights have no unit</source>
+        <translation>权重没有单位</translation>
+    </message>
+    <message>
+        <source>a histogram has one edge more than weights: histogram 0; 1; 2 weights 5; 8</source>
+        <translation>直方图的边界比权重多一个：histogram 0; 1; 2 weights 5; 8</translation>
+    </message>
+    <message>
+        <source>there must be as many weights as values</source>
+        <translation>权重必须与值一样多</translation>
+    </message>
+    <message>
+        <source>the weights of the cells are missing: histogram 0; 1; 2 weights 5; 8</source>
+        <translation>缺少单元的权重：histogram 0; 1; 2 weights 5; 8</translation>
+    </message>
+    <message>
+        <source>write the probability as p = 0.02 or p = 2 %</source>
+        <translation>请将概率写作 p = 0.02 或 p = 2 %</translation>
+    </message>
+    <message>
+        <source>location</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>the shape must lie between 0.1 and 1000000.</source>
+        <translation>形状必须在 0.1 到 1000000 之间。</translation>
+    </message>
+    <message>
+        <source>value without an event</source>
+        <translation>无事件时的值</translation>
+    </message>
+    <message>
+        <source>the expected number of events must lie between 0 and 10000000; beyond it a normal distribution says the same.</source>
+        <translation>事件的期望数必须在 0 到 10000000 之间；超出时正态分布给出同样的结果。</translation>
+    </message>
+    <message>
+        <source>the number of trials must be a whole number up to 10000000; beyond it a normal distribution says the same.</source>
+        <translation>试验次数必须是不超过 10000000 的整数；超出时正态分布给出同样的结果。</translation>
+    </message>
+    <message>
+        <source>the probability must lie between 0 and 1.</source>
+        <translation>概率必须在 0 到 1 之间。</translation>
+    </message>
+    <message>
+        <source>a histogram needs at least one cell.</source>
+        <translation>直方图至少需要一个单元。</translation>
+    </message>
+    <message>
+        <source>there must be one edge more than probabilities.</source>
+        <translation>边界必须比概率多一个。</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>边界</translation>
+    </message>
+    <message>
+        <source>the edges must rise.</source>
+        <translation>边界必须递增。</translation>
+    </message>
+    <message>
+        <source>histogram: there must be one edge more than probabilities.</source>
+        <translation>直方图：边界必须比概率多一个。</translation>
+    </message>
+    <message>
+        <source>the measurement model has a kink at the estimates, or bends too sharply there for derivatives of second and third order</source>
+        <translation>测量模型在估计值处有折点，或在那里弯曲过大，无法求二阶和三阶导数</translation>
+    </message>
+    <message>
+        <source>the measurement model has no value there</source>
+        <translation>测量模型在那里没有值</translation>
+    </message>
+    <message>
+        <source>its sensitivity coefficients are zero, or there are none</source>
+        <translation>其灵敏系数为零，或不存在</translation>
+    </message>
+    <message>
+        <source>Monte Carlo answers alone for %1: the measurement model has no sensitivity coefficients at the estimates of its input quantities.</source>
+        <translation>%1 只由蒙特卡洛给出：测量模型在其输入量的估计值处没有灵敏系数。</translation>
+    </message>
+    <message>
+        <source>%1 has a kink at the estimates of the input quantities (an absolute value, a maximum, a condition): the law of propagation takes the sensitivity coefficients of one side. Use Monte Carlo.</source>
+        <translation>%1 在输入量的估计值处有折点（绝对值、最大值、条件）：传播律取一侧的灵敏系数。请使用蒙特卡洛。</translation>
+    </message>
+    <message>
+        <source>Monte Carlo answers alone for %1, which has a kink at the estimates of the input quantities (an absolute value, a maximum, a condition): the law of propagation would take the sensitivity coefficients of one side.</source>
+        <translation>%1 只由蒙特卡洛给出，它在输入量的估计值处有折点（绝对值、最大值、条件）：传播律会取一侧的灵敏系数。</translation>
+    </message>
+    <message>
+        <source>There is no standard uncertainty with second-order terms of %1: they would make its variance negative, so terms of higher order matter as much. Use Monte Carlo.</source>
+        <translation>%1 没有含二阶项的标准不确定度：它们会使其方差为负，因此高阶项同样重要。请使用蒙特卡洛。</translation>
+    </message>
+    <message>
+        <source>%1 trials are few for a coverage interval of %2 %: some %3 lie beyond each of its ends, so that U is not known well. JCGM 101 7.2.2 asks for some %4 trials.</source>
+        <translation>对于 %2 % 的包含区间，%1 次试验太少：每端之外约有 %3 次，因此 U 不够准确。JCGM 101 7.2.2 要求约 %4 次试验。</translation>
+    </message>
+    <message>
+        <source>the measurement model has no sensitivity coefficients at the estimates of its input quantities%1: it is not differentiable there (singular geometry); Monte Carlo needs none</source>
+        <translation>测量模型在输入量的估计值处没有灵敏系数%1：它在那里不可微（奇异几何）；蒙特卡洛不需要灵敏系数</translation>
+    </message>
+    <message>
+        <source>the readings find target %1 %2 mm from its nominal coordinates; look for exchanged names or a unit that was mixed up (the result does not depend on the nominal coordinates)</source>
+        <translation>读数得到的目标 %1 距其标称坐标 %2 mm；请查找互换的名称或弄混的单位（结果不取决于标称坐标）</translation>
+    </message>
+    <message>
+        <source>the readings find %1 further targets far from their nominal coordinates</source>
+        <translation>读数还得到另外 %1 个远离其标称坐标的目标</translation>
+    </message>
+    <message>
+        <source>observations have degrees of freedom of their own; those made together have the same numbers in the table of observations</source>
+        <translation>观测值有自己的自由度；一起进行的观测在观测表中具有相同编号</translation>
+    </message>
+    <message>
+        <source>the members of an ensemble have a standard or expanded uncertainty with finite nu</source>
+        <translation>总体组的成员具有有限 nu 的标准或扩展不确定度</translation>
+    </message>
+    <message>
+        <source>the members of ensemble &apos;%1&apos; have one and the same nu; it is %2 in the first, %3 here</source>
+        <translation>总体组 &apos;%1&apos; 的成员具有同一 nu；第一个为 %2，此处为 %3</translation>
+    </message>
+    <message>
+        <source>the sample gives the estimate: leave the value empty</source>
+        <translation>样本给出估计值：值留空</translation>
+    </message>
+    <message>
+        <source>the weight of a cell of its histogram is missing</source>
+        <translation>缺少其直方图一个单元的权重</translation>
+    </message>
+    <message>
+        <source>a histogram has the weight of each cell beside the edge where it begins, and none beside the last edge</source>
+        <translation>直方图每个单元的权重在其开始的边界旁，最后的边界旁没有权重</translation>
+    </message>
+    <message>
+        <source>some values of its sample have a weight and some have none</source>
+        <translation>其样本的一些值有权重，一些没有</translation>
+    </message>
+    <message>
+        <source>its weights must have a sum above zero</source>
+        <translation>其权重之和必须大于零</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is complex: list its parts %2 and %3, or define abs(%1) and arg(%1) and list these</source>
+        <translation>&apos;%1&apos; 是复数：请列出其部分 %2 和 %3，或定义 abs(%1) 和 arg(%1) 并列出它们</translation>
+    </message>
+    <message>
+        <source>a difference: %1 in K</source>
+        <translation>温差：%1 以 K 为单位</translation>
+    </message>
+    <message>
+        <source>a thermodynamic temperature: %1 in K</source>
+        <translation>热力学温度：%1 以 K 为单位</translation>
+    </message>
+    <message>
+        <source>a difference: %1</source>
+        <translation>温差：%1</translation>
+    </message>
+    <message>
+        <source>its reading in degC: %1 - 0 [degC]</source>
+        <translation>其 degC 读数：%1 - 0 [degC]</translation>
+    </message>
+    <message>
+        <source>a part of its reading in degC: %1 K</source>
+        <translation>其 degC 读数的一部分：%1 K</translation>
+    </message>
+    <message>
+        <source>as stated with correlations, ISO/TS 28037, 10</source>
+        <translation>按给定值并含相关，ISO/TS 28037，10</translation>
+    </message>
+    <message>
+        <source>common deviation of all %1</source>
+        <translation>所有 %1 的共同偏差</translation>
+    </message>
+    <message>
+        <source>stated for all points</source>
+        <translation>对所有点给出</translation>
+    </message>
+    <message>
+        <source>a common deviation is one of stated uncertainties: choose these, or leave it 0</source>
+        <translation>共同偏差属于给定的不确定度：请选择它们，或保持为 0</translation>
+    </message>
+    <message>
+        <source>correlations are those of stated uncertainties: choose these, or leave out the correlations</source>
+        <translation>相关属于给定的不确定度：请选择它们，或去掉相关</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no coordinate of a point: write y_1 for the y of the first one</source>
+        <translation>&apos;%1&apos; 不是点的坐标：第一个点的 y 请写 y_1</translation>
+    </message>
+    <message>
+        <source>%1 has no standard uncertainty of its own that could be correlated</source>
+        <translation>%1 没有可以相关的自身标准不确定度</translation>
+    </message>
+    <message>
+        <source>a coordinate is not correlated with itself</source>
+        <translation>坐标不与自身相关</translation>
+    </message>
+    <message>
+        <source>the CSV file &apos;%1&apos; of %2 is a link that leads out of the project&apos;s folder: put the file itself there</source>
+        <translation>%2 的 CSV 文件 &apos;%1&apos; 是指向项目文件夹之外的链接：请将文件本身放在那里</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 follows from the ratio of tolerance and U: give both limits, or choose a guard factor</source>
+        <translation>%1 的保护带由公差与 U 之比得出：请给出两个界限，或选择保护因子</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 is made for a global risk: give the prior, or choose a specific risk</source>
+        <translation>%1 的保护带针对全局风险：请给出先验，或选择特定风险</translation>
+    </message>
+    <message>
+        <source>the guard band of %1 needs a tolerance: give a limit</source>
+        <translation>%1 的保护带需要公差：请给出一个界限</translation>
+    </message>
+    <message>
+        <source>the target risk of %1 must lie above 0 and not above 0.5</source>
+        <translation>%1 的目标风险必须大于 0 且不大于 0.5</translation>
+    </message>
+    <message>
+        <source>another study has the same id</source>
+        <translation>另一个研究具有相同的标识</translation>
+    </message>
+    <message>
+        <source>its id must be made of letters, digits, &apos;-&apos; and &apos;_&apos;</source>
+        <translation>其标识必须由字母、数字、&apos;-&apos; 和 &apos;_&apos; 组成</translation>
+    </message>
+    <message>
+        <source>there is no asset %1, and no analysis of this name that this one takes from%2</source>
+        <translation>没有对象 %1，也没有本分析从中取值的同名分析%2</translation>
+    </message>
+    <message>
+        <source> (did you mean %1?)</source>
+        <translation> （您是指 %1 吗？）</translation>
+    </message>
+    <message>
+        <source>a number here is larger than any that can be computed with (1.8e308)</source>
+        <translation>这里的一个数大于可以计算的任何数（1.8e308）</translation>
+    </message>
+    <message>
+        <source>the value or its place is no text in UTF-8</source>
+        <translation>该值或其位置不是 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>more than %1 analyses feed each other in a row: put the equations of some of them into one</source>
+        <translation>超过 %1 个分析依次相互供给：请将其中一些的方程合为一个</translation>
+    </message>
+    <message>
+        <source>a temperature: %1 in degC</source>
+        <translation>温度：%1 以 degC 为单位</translation>
+    </message>
+    <message>
+        <source>%1 is a link that leads out of the project&apos;s folder: put the picture itself there</source>
+        <translation>%1 是指向项目文件夹之外的链接：请将图片本身放在那里</translation>
+    </message>
+    <message>
+        <source>%1; in this file write %2</source>
+        <translation>%1；在此文件中写 %2</translation>
+    </message>
+    <message>
+        <source>there is no asset %1%2</source>
+        <translation>没有对象 %1%2</translation>
+    </message>
+    <message>
+        <source>the file of candidates &apos;%1&apos; is a link that leads out of the project&apos;s folder: put the file itself there</source>
+        <translation>候选文件 &apos;%1&apos; 是指向项目文件夹之外的链接：请将文件本身放在那里</translation>
+    </message>
+    <message>
+        <source>another design has the same id</source>
+        <translation>另一个设计具有相同的标识</translation>
+    </message>
+    <message>
+        <source>row %1 was left out</source>
+        <translation>第 %1 行已略去</translation>
+    </message>
+    <message>
+        <source>row %1: %2 in %3 beside a sensitivity coefficient is taken as a difference or reading, in %4</source>
+        <translation>第 %1 行：%3 中灵敏系数旁的 %2 作为差值或读数，以 %4 取值</translation>
+    </message>
+    <message>
+        <source>the result is not the sum of c x: %1 = %2 is the difference</source>
+        <translation>结果不是 c x 之和：%1 = %2 是差值</translation>
+    </message>
+    <message>
+        <source>the sheet %1 has no row %2 to leave out</source>
+        <translation>工作表 %1 没有可略去的第 %2 行</translation>
+    </message>
+    <message>
+        <source>%1 is no place of a cell; D3 is one</source>
+        <translation>%1 不是单元格的位置；D3 才是</translation>
+    </message>
+    <message>
+        <source>point %1 with other coordinates: those of line %2 are taken</source>
+        <translation>点 %1 有其他坐标：取第 %2 行的坐标</translation>
+    </message>
+    <message>
+        <source>%1 determinations of the same points (&lt;coordinates&gt; of lines %2): each is an artefact of its own; keep all of them, or delete those that you do not want</source>
+        <translation>相同点的 %1 次测定（第 %2 行的 &lt;coordinates&gt;）：每次都是单独的器具；全部保留，或删除不需要的</translation>
+    </message>
+    <message>
+        <source>%1 is no number: write %2, with a point</source>
+        <translation>%1 不是数：请写 %2，用小数点</translation>
+    </message>
+    <message>
+        <source>column %1%2 of sheet %3 is filled, and what it is is not understood: state the columns, %4, with one of %5 in place of ? (- leaves the column out)</source>
+        <translation>工作表 %3 的列 %1%2 有内容，但不明白它是什么：请说明各列 %4，用 %5 之一代替 ?（- 略去该列）</translation>
+    </message>
+    <message>
+        <source>the name of the result %1 of %2</source>
+        <translation>%2 的结果 %1 的名称</translation>
+    </message>
+    <message>
+        <source>the names of the results %1 of %2</source>
+        <translation>%2 的结果 %1 的名称</translation>
+    </message>
+    <message>
+        <source>the certificate calls it by its symbol alone: %1 must be stated (ISO/IEC 17025 %2)</source>
+        <translation>证书仅以符号称呼它：必须给出%1（ISO/IEC 17025 %2）</translation>
+    </message>
+    <message>
+        <source>under an accreditation U is stated for a coverage probability of about 95 % (ILAC-P14 5.3); here it is %1</source>
+        <translation>在认可范围内，U 以约 95 % 的包含概率给出（ILAC-P14 5.3）；此处为 %1</translation>
+    </message>
+    <message>
+        <source>%1: the file states %2, this budget gives %3, %4 apart</source>
+        <translation>%1：文件给出 %2，此预算得到 %3，相差 %4</translation>
+    </message>
+    <message>
+        <source>%1: FIND OUT WHY before it is used</source>
+        <translation>%1：使用前请查明原因</translation>
+    </message>
+    <message>
+        <source>u(%1) by its contributions</source>
+        <translation>由各贡献得到的 u(%1)</translation>
+    </message>
+    <message>
+        <source>%1: the file states no result that this budget could be held against</source>
+        <translation>%1：文件没有给出可与此预算比较的结果</translation>
+    </message>
+    <message>
+        <source>another one has the same id</source>
+        <translation>另一个具有相同的标识</translation>
+    </message>
+    <message>
+        <source>%1: of what the rule accepts %2 does not conform, of what it rejects %3 does.</source>
+        <translation>%1：规则接受的之中 %2 不符合，拒绝的之中 %3 符合。</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>%1 further components of %2 other sources</source>
+        <translation>来自另外 %2 个来源的其余 %1 个分量</translation>
+    </message>
+    <message>
+        <source>other sources</source>
+        <translation>其他来源</translation>
+    </message>
+    <message>
+        <source>1 further component: %1</source>
+        <translation>其余 1 个分量：%1</translation>
+    </message>
+    <message>
+        <source>%1 further components: %2</source>
+        <translation>其余 %1 个分量：%2</translation>
+    </message>
+    <message>
+        <source>Left out: %1 components that contribute nothing (less than 10⁻⁹ of u_c).</source>
+        <translation>已略去：%1 个没有贡献的分量（小于 u_c 的 10⁻⁹）。</translation>
+    </message>
+    <message>
+        <source>Left out, because they contribute nothing (less than 10⁻⁹ of u_c): %1.</source>
+        <translation>因没有贡献（小于 u_c 的 10⁻⁹）而略去：%1。</translation>
+    </message>
+    <message>
+        <source>Stated in the results: %1 = %2 (propagation of distributions).</source>
+        <translation>结果中给出：%1 = %2（分布传播）。</translation>
+    </message>
+    <message>
+        <source>%1: under an accreditation U is stated for a coverage probability of about 95 % (ILAC-P14 5.3); with k = %2 that of %3 is %4</source>
+        <translation>%1：在认可范围内，U 以约 95 % 的包含概率给出（ILAC-P14 5.3）；k = %2 时 %3 的包含概率为 %4</translation>
+    </message>
+    <message>
+        <source>not drawn, for it is farther away than 10¹² km: %1</source>
+        <translation>未绘出，因为它远于 10¹² km：%1</translation>
+    </message>
+    <message>
+        <source>Laplace</source>
+        <translation>拉普拉斯</translation>
+    </message>
+    <message>
+        <source>Weibull</source>
+        <translation>威布尔</translation>
+    </message>
+    <message>
+        <source>expected number of events</source>
+        <translation>事件的期望数</translation>
+    </message>
+    <message>
+        <source>step of one event</source>
+        <translation>一个事件的步长</translation>
+    </message>
+    <message>
+        <source>probability</source>
+        <translation>概率</translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value; absolute where the quantity is a ratio itself
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+s = 13 nm, n = 5: standard deviation known before, mean of n observations (Type A)
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+10.1; 10.3; 10.2: observations
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+Laplace 0.3, Weibull 0.3 (standard deviations), Weibull scale 2, shape 1.5
+Poisson 12, binomial n = 50, p = 2 %: they give the value
+sample 1; 2; 3 weights 2; 5; 2 (drawn as they are), histogram 0; 1; 2 weights 5; 8 (edges)
+nu 18 behind any of them: degrees of freedom</source>
+        <translation>75 nm：标准不确定度
+2 ppm：标准不确定度，值的一部分；若该量本身是比值则为绝对值
+U = 0.3 um, k = 2（或 p = 95 %）：证书
+s = 13 nm, n = 5：事先已知的标准偏差，n 次观测的平均值（A 类）
+rectangular 0.5（或 rect, ±）：以值为中心的界限；triangular、arcsine 同理
+limits 19.5 to 20.5：它们给出值
+10.1; 10.3; 10.2：观测值
+resolution 0.01, MPE 3 + 0.1 %, counts 12, constant
+Laplace 0.3, Weibull 0.3（标准偏差），Weibull scale 2, shape 1.5
+Poisson 12, binomial n = 50, p = 2 %：它们给出值
+sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 5; 8（边界）
+其后的 nu 18：自由度</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>样本</translation>
+    </message>
+    <message>
+        <source>weights</source>
+        <translation>权重</translation>
     </message>
 </context>
 <context>
@@ -14134,6 +14904,14 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <source>Done again: %1</source>
         <translation>已重做：%1</translation>
     </message>
+    <message>
+        <source>Type it as %1.</source>
+        <translation>请写作 %1。</translation>
+    </message>
+    <message>
+        <source>Type it as %1, or as %2.</source>
+        <translation>请写作 %1 或 %2。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -14341,6 +15119,14 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
     <message>
         <source>English (none chosen)</source>
         <translation>英语（未选择）</translation>
+    </message>
+    <message>
+        <source>Required by %1 where conformity is stated.</source>
+        <translation>声明符合性时 %1 要求。</translation>
+    </message>
+    <message>
+        <source>in the laboratory, or at the place stated</source>
+        <translation>在实验室，或在给出的地点</translation>
     </message>
 </context>
 <context>
@@ -15212,6 +15998,14 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
         <source>Monte Carlo draws: %1, ν = %2</source>
         <translation>蒙特卡洛抽样所用：%1，ν = %2</translation>
     </message>
+    <message>
+        <source>Edges of the cells</source>
+        <translation>单元的边界</translation>
+    </message>
+    <message>
+        <source>There must be one edge more than probabilities.</source>
+        <translation>边界必须比概率多一个。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
@@ -15309,6 +16103,10 @@ s = 13 nm, n = 5：先前已知的标准差，n 次观测的平均值（A 类）
     <message>
         <source>Remove the link of %1</source>
         <translation>移除 %1 的链接</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file since it was read.</source>
+        <translation>自读取以来，另一个程序更改了该文件。</translation>
     </message>
 </context>
 <context>
@@ -15608,6 +16406,14 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>Name project</source>
         <translation>命名项目</translation>
     </message>
+    <message>
+        <source>%1 was changed by another program since it was read here. Saving replaces what it holds now.</source>
+        <translation>自在此读取以来，%1 已被另一个程序更改。保存将替换其现有内容。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FileEditor</name>
@@ -15869,6 +16675,18 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Imported from %1, %2 bytes, of %3, SHA-256 %4.</source>
         <translation>导入自 %1，%2 字节，%3，SHA-256 %4。</translation>
+    </message>
+    <message>
+        <source>&amp;Leave Out or Read the Row</source>
+        <translation>略去或读取该行(&amp;L)</translation>
+    </message>
+    <message>
+        <source>%1, left out</source>
+        <translation>%1，已略去</translation>
+    </message>
+    <message>
+        <source>What each column is read as; cells can be typed over</source>
+        <translation>每列读作什么；单元格可以改写</translation>
     </message>
 </context>
 <context>
@@ -16646,6 +17464,34 @@ Chosen: %2</source>
         <source>correlation of %1 and %2</source>
         <translation>%1 与 %2 的相关</translation>
     </message>
+    <message>
+        <source>link of %1</source>
+        <translation>%1 的链接</translation>
+    </message>
+    <message>
+        <source>change of %1</source>
+        <translation>%1 的更改</translation>
+    </message>
+    <message>
+        <source>requirement on %1</source>
+        <translation>对 %1 的要求</translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation>研究</translation>
+    </message>
+    <message>
+        <source>design</source>
+        <translation>设计</translation>
+    </message>
+    <message>
+        <source>Way out</source>
+        <translation>出路</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>或</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -17182,6 +18028,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
         <translation>运行分析以查看是否满足要求。</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;Of what the rule accepts %1 does not conform, of what it rejects %2 does.</source>
+        <translation>&lt;br&gt;规则接受的之中 %1 不符合，拒绝的之中 %2 符合。</translation>
     </message>
 </context>
 <context>
