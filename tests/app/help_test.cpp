@@ -193,8 +193,8 @@ TEST(Help, MistypedCommandsAndOptionsAreGuessed) {
     EXPECT_NE(run_program({"run", gauge, "--trials", "-5"}).err.find("'-5' is not a whole number"),
               std::string::npos);
     EXPECT_NE(run_program({"nowhere.covaria"}).err.find("nowhere.covaria"), std::string::npos);
-    EXPECT_EQ(run_program({"describe", "laser-traker"}).status, 1);
-    EXPECT_NE(run_program({"describe", "laser-traker"}).err.find("did you mean 'laser-tracker'"),
+    EXPECT_EQ(run_program({"describe", "spherical-instrumnet"}).status, 1);
+    EXPECT_NE(run_program({"describe", "spherical-instrumnet"}).err.find("did you mean 'spherical-instrument'"),
               std::string::npos);
 }
 
