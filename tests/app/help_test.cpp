@@ -175,7 +175,7 @@ TEST(Help, MistypedCommandsAndOptionsAreGuessed) {
         {{"report", gauge, "--cert"}, "did you mean '--certificate'"},
         {{"export", gauge, "--sa", "points"}, "did you mean '--as'"},
         {{"library", "show", "leica-at500", "--pciture", "a.png"}, "did you mean '--picture'"},
-        {{"run", gauge, "--format", "pdf"}, "an option of 'report'"},
+        {{"validate", gauge, "--format", "pdf"}, "it is an option of 'run'"},
         {{"--langauge", "de"}, "did you mean '--language'"},
         {{"run", gauge, "--qqqqqqqq"}, "\"covaria run --help\" lists its options"},
         {{"frobnicate"}, "covaria has no command 'frobnicate'"}};
