@@ -85,7 +85,7 @@ Command describe_command(CLI::App& app) {
     add_examples(*command, {{"describe", "all models, assets and parts"},
                             {"describe pose-from-points"},
                             {"describe requirements"},
-                            {"describe laser-tracker --json", "for programs"}});
+                            {"describe spherical-instrument --json", "for programs"}});
     command->add_option("NAME", arguments->name,
                         "a model, an asset kind or a part (inputs, options ...); all are listed without it");
     add_json_option(*command, arguments->json);

@@ -122,12 +122,13 @@ Result<void> run(const RunArguments& arguments, const std::stop_token& stop) {
 Command run_command(CLI::App& app) {
     auto arguments = std::make_shared<RunArguments>();
     CLI::App* command = app.add_subcommand("run", "Evaluate a project; write results.json and CSV tables");
-    add_examples(*command, {{"run projects/stewart-platform.covaria --out out"},
-                            {"run projects/stewart-platform.covaria --analysis printed --trials 1e5 --report",
-                             "one analysis, its report too"},
-                            {"run projects/gum/h1-end-gauge.covaria --first-order --set "
-                             "/analyses/table/setup/quantities/rows/l_S/a=150",
-                             "with another value, which the file keeps not"}});
+    add_examples(*command,
+                 {{"run projects/stewart-platform.covaria --trials 1e5 --out out"},
+                  {"run projects/stewart-platform.covaria --analysis printed --first-order --report",
+                   "one analysis, its report too"},
+                  {"run projects/gum/h1-end-gauge.covaria --first-order --set "
+                   "/analyses/table/setup/quantities/rows/l_S/a=150",
+                   "with another value, which the file keeps not"}});
     add_run_options(*command, arguments->request);
     add_output_options(*command, arguments->outputs);
     command

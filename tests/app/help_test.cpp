@@ -175,7 +175,7 @@ TEST(Help, MistypedCommandsAndOptionsAreGuessed) {
         {{"report", gauge, "--cert"}, "did you mean '--certificate'"},
         {{"export", gauge, "--sa", "points"}, "did you mean '--as'"},
         {{"library", "show", "leica-at500", "--pciture", "a.png"}, "did you mean '--picture'"},
-        {{"run", gauge, "--format", "pdf"}, "an option of 'report'"},
+        {{"validate", gauge, "--format", "pdf"}, "it is an option of 'run'"},
         {{"--langauge", "de"}, "did you mean '--language'"},
         {{"run", gauge, "--qqqqqqqq"}, "\"covaria run --help\" lists its options"},
         {{"frobnicate"}, "covaria has no command 'frobnicate'"}};
@@ -193,8 +193,8 @@ TEST(Help, MistypedCommandsAndOptionsAreGuessed) {
     EXPECT_NE(run_program({"run", gauge, "--trials", "-5"}).err.find("'-5' is not a whole number"),
               std::string::npos);
     EXPECT_NE(run_program({"nowhere.covaria"}).err.find("nowhere.covaria"), std::string::npos);
-    EXPECT_EQ(run_program({"describe", "laser-traker"}).status, 1);
-    EXPECT_NE(run_program({"describe", "laser-traker"}).err.find("did you mean 'laser-tracker'"),
+    EXPECT_EQ(run_program({"describe", "spherical-instrumnet"}).status, 1);
+    EXPECT_NE(run_program({"describe", "spherical-instrumnet"}).err.find("did you mean 'spherical-instrument'"),
               std::string::npos);
 }
 
