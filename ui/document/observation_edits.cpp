@@ -1,5 +1,6 @@
 #include "ui/document/observation_edits.h"
 
+#include <QString>
 #include <algorithm>
 
 #include "core/text/symbol.h"
@@ -76,6 +77,25 @@ std::vector<double> observations_of(const Project& project, const SetupAddress& 
 std::vector<double> weights_of(const Project& project, const SetupAddress& address,
                                const std::string& symbol) {
     return numbers_in(project, address, symbol, &Columns::weight);
+}
+
+bool is_listed(const std::string& statement) {
+    return statement == "observations" || statement == "sample" || statement == "histogram";
+}
+
+std::optional<double> listed_mean(const Project& project, const SetupAddress& address,
+                                  const std::string& symbol) {
+    const std::vector<double> values = observations_of(project, address, symbol);
+    const std::vector<double> weights = weights_of(project, address, symbol);
+    const bool cells = !weights.empty() && weights.size() + 1 == values.size();
+    double sum = 0.0, whole = 0.0;
+    for (std::size_t i = 0; i < values.size() && (!cells || i < weights.size()); ++i) {
+        const double weight = i < weights.size() ? weights[i] : 1.0;
+        sum += weight * (cells ? 0.5 * (values[i] + values[i + 1]) : values[i]);
+        whole += weight;
+    }
+    if (!(whole > 0.0)) return std::nullopt;
+    return QString::number(sum / whole, 'g', 12).toDouble();
 }
 
 void set_observations(Project& project, const SetupAddress& address, const std::string& symbol,

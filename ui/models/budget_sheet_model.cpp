@@ -75,23 +75,6 @@ std::optional<std::size_t> row_of(const std::string& source, const std::string& 
     return status == std::errc() ? std::optional(row) : std::nullopt;
 }
 
-/// Stated by rows of the table of observations.
-bool is_list(const std::string& statement) {
-    return statement == "observations" || statement == "sample" || statement == "histogram";
-}
-
-/// Of values, with their weights if they have some, or of cells between edges, which have one weight less.
-std::optional<double> mean_of_list(const std::vector<double>& values, const std::vector<double>& weights) {
-    const bool cells = !weights.empty() && weights.size() + 1 == values.size();
-    double sum = 0.0, whole = 0.0;
-    for (std::size_t i = 0; i < values.size() && (!cells || i < weights.size()); ++i) {
-        const double weight = i < weights.size() ? weights[i] : 1.0;
-        sum += weight * (cells ? 0.5 * (values[i] + values[i + 1]) : values[i]);
-        whole += weight;
-    }
-    return whole > 0.0 ? std::optional(sum / whole) : std::nullopt;
-}
-
 }  // namespace
 
 BudgetSheetModel::BudgetSheetModel(Document& document, const SetupAddress& address, const FieldSpec& field,
@@ -257,15 +240,15 @@ QString BudgetSheetModel::stated_words(int row, bool typeset) const {
     if (kind.empty()) return {};
     TypedStatement statement{kind, number_at(row, "a"), number_at(row, "b"), std::nullopt,
                              text_at(row, "stated_unit")};
-    if (is_list(kind)) statement.observations = observed(symbol_of(row));
-    if (is_list(kind) && kind != "observations")
-        statement.weights = weights_of(document_.project(), address_, symbol_of(row));
+    if (is_listed(kind)) statement.observations = observed(symbol_of(row));
     // A long list would take the room of what follows from it; where it is edited it is whole.
     const std::size_t count = statement.observations.size();
     const int decimals = common_decimals(statement.observations);
     const bool is_long = typeset && count > most_listed;
-    if (is_long) statement.observations.resize(most_listed - 1);
-    if (is_long) statement.weights.clear();
+    if (is_long)
+        statement.observations.resize(most_listed - 1);
+    else if (is_listed(kind) && kind != "observations")
+        statement.weights = weights_of(document_.project(), address_, symbol_of(row));
     const auto number = [typeset, decimals](double value) {
         const std::string alike = decimals < 0 ? std::string() : format_decimals(value, decimals);
         if (typeset) return grouped_digits(alike.empty() ? format_typed(value) : alike, user_numbers());
@@ -474,12 +457,9 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
         const std::string file = file_of_observations(document_.project(), address_);
         if (!file.empty()) return refuse(tr("The observations are read from %1.").arg(to_qt(file)));
         cells[column("value")] = {};  // their mean
-    } else if (is_list(text_at(row, "statement")) && !is_list(read->kind) && !number_at(row, "value")) {
-        const std::string symbol = symbol_of(row);
-        const auto mean = mean_of_list(observations_of(document_.project(), address_, symbol),
-                                       weights_of(document_.project(), address_, symbol));
-        if (mean)  // what it was known by does not change what it is
-            cells[column("value")] = {number_text(without_noise(*mean), QLocale())};
+    } else if (is_listed(text_at(row, "statement")) && !is_listed(read->kind) && !number_at(row, "value")) {
+        if (const auto mean = listed_mean(document_.project(), address_, symbol_of(row)))
+            cells[column("value")] = {number_text(*mean, QLocale())};
     }
     const auto number = [](const std::optional<double>& value) {
         return SetupTableModel::TypedCell{value ? number_text(*value, QLocale()) : QString()};

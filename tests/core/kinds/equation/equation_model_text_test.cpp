@@ -87,9 +87,10 @@ TEST(EquationModel, StatementsGiveTheirStandardUncertainties) {
              {"counts", none, 15.0, none, none, 4.0, inf, "gamma"},
              {"laplace", 1.0, 0.3, none, none, 0.3, inf, "laplace"},
              {"laplace-scale", 1.0, 0.3, none, none, 0.3 * std::sqrt(2.0), inf, "laplace"},
-             // 2 sqrt(Gamma(5/3) - Gamma(4/3)^2)
-             {"weibull", none, 2.0, 3.0, none, 0.6491001402, inf, "weibull"},
-             {"weibull-deviation", 1.785958845, 0.6491001402, none, none, 0.6491001402, inf, "weibull"},
+             {"weibull", none, 2.0, 3.0, none,
+              2.0 * std::sqrt(std::tgamma(5.0 / 3.0) - std::pow(std::tgamma(4.0 / 3.0), 2.0)), inf,
+              "weibull"},
+             {"weibull-deviation", 1.8, 0.65, none, none, 0.65, inf, "weibull"},
              {"poisson", none, 9.0, none, none, 3.0, inf, "poisson"},
              {"poisson", 9.0, none, none, none, 3.0, inf, "poisson"},
              {"binomial", none, 50.0, 2.0, none, std::sqrt(0.98), inf, "binomial"},
