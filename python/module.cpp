@@ -12,7 +12,6 @@
 #include "core/project/linked_files.h"
 #include "core/project/project_file.h"
 #include "core/propagation/engine.h"
-#include "core/propagation/trial_rows.h"
 #include "core/report/report.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
@@ -80,40 +79,6 @@ TableBlock analyses_block(const Project& project) {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// The trials of a block stand beside each other, as `TrialBlock` has them; a trial without value is NaN.
-class BlockOfRows {
-public:
-    BlockOfRows(const MeasurementModel& model, std::size_t inputs)
-        : model_(&model), inputs_(inputs), outputs_(model.outputs().size()), in_(inputs), out_(outputs_) {}
-
-    void evaluate(const double* from, double* to, std::size_t rows) {
-        const std::size_t padded = detail::padded_to_lanes(rows);
-        for (std::size_t i = 0; i < inputs_; ++i)
-            for (std::size_t t = 0; t < padded; ++t)
-                in_.row(i)[t] = from[std::min(t, rows - 1) * inputs_ + i];
-        std::fill(flags_.begin(), flags_.end(), std::uint8_t{1});
-        model_->evaluate_block({in_.data(), out_.data(), flags_.data(), detail::block_trials, rows});
-        for (std::size_t t = 0; t < rows; ++t)
-            for (std::size_t j = 0; j < outputs_; ++j)
-                to[t * outputs_ + j] = flags_[t] ? out_.row(j)[t] : std::nan("");
-    }
-
-private:
-    const MeasurementModel* model_;
-    std::size_t inputs_, outputs_;
-    detail::TrialRows in_, out_;
-    std::vector<std::uint8_t> flags_ = std::vector<std::uint8_t>(detail::block_trials);
-};
-
-/// `in`: the number of input quantities.
-void evaluate_rows(const MeasurementModel& model, std::size_t in, const double* from, double* to,
-                   std::size_t rows) {
-    const std::size_t out = model.outputs().size();
-    BlockOfRows block(model, in);
-    for (std::size_t begin = 0; begin < rows; begin += detail::block_trials)
-        block.evaluate(from + begin * in, to + begin * out, std::min(detail::block_trials, rows - begin));
-}
-
 class Analysis {
 public:
     Analysis(std::shared_ptr<const PreparedAnalysis> prepared, MadeProject::Pointer made)
@@ -139,8 +104,7 @@ public:
         return x;
     }
 
-    /// Of one row of input quantities, or of each row of a matrix: in the blocks of a run, which gives its
-    /// bits.
+    /// Of one row of input quantities, or of each row of a matrix.
     Numbers model(const Numbers& x) const {
         const auto in = prepared_->inputs.quantities.size(), out = prepared_->model->outputs().size();
         if (x.ndim() != 1 && x.ndim() != 2)
@@ -149,15 +113,16 @@ public:
             throw py::value_error("the model has " + std::to_string(in) + " input quantities, not " +
                                   std::to_string(given));
         std::vector<py::ssize_t> shape(x.shape(), x.shape() + x.ndim());
+        const std::size_t rows = x.ndim() == 1 ? 1 : static_cast<std::size_t>(shape.front());
         shape.back() = static_cast<py::ssize_t>(out);
         Numbers y(shape);
         const double* const from = x.data();
         double* const to = y.mutable_data();
         const py::gil_scoped_release others_may_run;
-        if (x.ndim() == 1) {
-            if (!prepared_->model->evaluate({from, in}, {to, out})) std::fill_n(to, out, std::nan(""));
-        } else {
-            evaluate_rows(*prepared_->model, in, from, to, static_cast<std::size_t>(x.shape(0)));
+        for (std::size_t row = 0; row < rows; ++row) {
+            double* const values = to + row * out;
+            if (!prepared_->model->evaluate({from + row * in, in}, {values, out}))
+                std::fill_n(values, out, std::nan(""));
         }
         return y;
     }

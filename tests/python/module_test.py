@@ -89,16 +89,15 @@ class Module(unittest.TestCase):
         for file in ("projects/gum/h1-end-gauge.covaria", "projects/gum/s2-9.4-impedance.covaria"):
             project = covaria.load(source / file)
             analysis = project.analysis(project.analyses[0])
-            x, y = analysis.trials(2200)
+            x, y = analysis.trials(200)
             every = analysis.model(x)
-            self.assertEqual(every.shape, (2200, len(analysis.outputs)))
-            np.testing.assert_array_equal(every, y)  # the bits of the run
-            # Row by row no vector code is used: the same but for the last bits.
-            np.testing.assert_allclose(every, np.array([analysis.model(row) for row in x]), rtol=1e-12)
+            self.assertEqual(every.shape, (200, len(analysis.outputs)))
+            np.testing.assert_array_equal(every, np.array([analysis.model(row) for row in x]))
+            # A run uses vector code: the same but for the last bits.
+            np.testing.assert_allclose(every, y, rtol=1e-12)
             # However the matrix lies in memory, and of whatever numbers it is.
             np.testing.assert_array_equal(analysis.model(np.asfortranarray(x)), every)
-            np.testing.assert_allclose(analysis.model(x[::2]), every[::2], rtol=1e-12)
-            np.testing.assert_allclose(analysis.model(x[:13]), every[:13], rtol=1e-12)
+            np.testing.assert_array_equal(analysis.model(x[::2]), every[::2])
             np.testing.assert_array_equal(analysis(x.tolist()), every)
             self.assertEqual(analysis.model(x[:0]).shape, (0, len(analysis.outputs)))
             for wrong in (x[:, :-1], np.zeros(len(analysis.inputs) + 1), x[None], np.float64(1)):
