@@ -12,7 +12,7 @@ bool localises(const Eigen::MatrixXd& to_point);
 
 /// Standard uncertainties of readings as their weights need them: those stated. Only a reading whose own
 /// figure is 0 (what it shares with others may not be) counts as the limit of a small one: 1e-5 of its
-/// uncertainty in all, or of the smallest figure of the others where that is less. The loss against the limit
+/// uncertainty in all, at most a hundredth of the smallest figure of the others. The loss against the limit
 /// is of the order of the square. `shared`: rows x deviations of standard uncertainty one.
 Eigen::VectorXd weighting_uncertainties(const Eigen::MatrixXd& to_points, const Eigen::VectorXd& u,
                                         const Eigen::MatrixXd& shared);
