@@ -17,8 +17,9 @@ public:
         if (missing_.source && !folder_.has(work(), unit)) missing_.source->wait_for(index_, unit);
         return folder_.find(work(), unit);
     }
-    bool computes_missing() const override {
-        return missing_.rule == MissingUnits::Rule::compute && !missing_.source;
+    bool computes_missing(std::uint64_t unit) const override {
+        const bool of_no_part = unit >= work().shared;
+        return (missing_.rule == MissingUnits::Rule::compute || of_no_part) && !missing_.source;
     }
     bool keep(std::uint64_t unit, std::string bytes) override {
         const bool follows = unit == begun_.range.last && !begun_.partials.empty();

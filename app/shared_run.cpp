@@ -2,11 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/commands/run_options.h"
 #include "core/base/guarded.h"
 #include "core/propagation/engine.h"
+#include "core/propagation/forecast.h"
 
 namespace covaria {
 
@@ -17,18 +19,31 @@ std::shared_ptr<const PreparedStudy> prepared(const SharedRun& run, const UnitWo
     return prepare_study(run.made, work.analysis, work.study, said_when_merged);
 }
 
+/// Of an adaptive run: half as many again as the law of propagation makes expect.
+std::uint64_t expected_batches(const PreparedAnalysis& analysis) {
+    constexpr double reserve = 1.5, most = 1e12;
+    const auto& law = analysis.propagated->propagation();
+    const auto forecast = law ? forecast_adaptive(*analysis.model, *law, analysis.options) : std::nullopt;
+    const double batches =
+        forecast ? forecast->batches : static_cast<double>(analysis.options.minimum_batches);
+    return static_cast<std::uint64_t>(std::min(most, std::ceil(reserve * batches)));
+}
+
 void add_works(const std::string& id, SharedRun& run) {
     const auto analysis = run.made->analysis(id);
     if (!analysis) return;
-    if (const std::uint64_t units = units_of_run(analysis->options); units > 0)
+    if (const std::uint64_t units = units_of_run(analysis->options); units > 0) {
         run.works.push_back({id, "", analysis->fingerprint(), units});
+        if (analysis->options.method == Method::adaptive)
+            run.works.back().shared = std::min(units, expected_batches(*analysis));
+    }
     if (!run.request.studies) return;
     for (const Study& study : run.made->project().find_analysis(id)->studies) {
         UnitWork work{id, study.id, "", 0};
         const auto ready = prepared(run, work);
         if (!ready) continue;
         work.fingerprint = ready->fingerprint;
-        work.units = units_of_study(*ready);
+        work.units = work.shared = units_of_study(*ready);
         run.works.push_back(std::move(work));
     }
 }

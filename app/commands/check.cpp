@@ -11,6 +11,7 @@
 #include "app/exit_status.h"
 #include "app/terminal.h"
 #include "core/base/file_io.h"
+#include "core/base/printable.h"
 #include "core/project/stated_requirements.h"
 #include "core/text/numbers.h"
 
@@ -100,8 +101,9 @@ std::string junit_text(const std::string& file, const std::vector<TestSuite>& su
     root.append_attribute("name") = file.c_str();
     for (const TestSuite& suite : suites) add_suite(root, suite);
     std::ostringstream out;
-    document.save(out, "  ");
-    return out.str();
+    // XML has no place for control characters, in whatever words.
+    document.save(out, "  ", pugi::format_indent | pugi::format_skip_control_chars);
+    return printable(out.str());
 }
 
 /// Says every case; whether all are met.

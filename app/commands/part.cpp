@@ -56,7 +56,13 @@ public:
         section_.partials.push_back(std::move(bytes));
         return true;
     }
-    bool complete() const { return section_.partials.size() == section_.range.size(); }
+    /// All of the range, or from the first unit on as many as the computation needs.
+    bool has_enough() {
+        const std::uint64_t computed = section_.partials.size();
+        if (computed < section_.range.size() && (section_.range.first > 0 || computed == 0)) return false;
+        section_.range.last = section_.range.first + computed;
+        return true;
+    }
 
 private:
     PartSection& section_;
@@ -76,7 +82,7 @@ Result<Part> computed_part(const SharedRun& run, const std::stop_token& stop, Ra
         // It has no results, which is said where the parts are merged too.
         if (!done)
             print_message(work.name() + ": " + done.error().message.english());
-        else if (store.complete())
+        else if (store.has_enough())
             part.sections.push_back(std::move(section));
     }
     return part;
@@ -133,7 +139,7 @@ Result<void> compute_part(const PartArguments& arguments, const std::stop_token&
         return {};
     }
     const auto part = computed_part(
-        *run, stop, [k = k, n = n](const UnitWork& work) { return range_of_part(work.units, k, n); });
+        *run, stop, [k = k, n = n](const UnitWork& work) { return range_of_part(work.shared, k, n); });
     if (!part) return fail(part.error());
     if (auto written = write_part(file, *part); !written) return written;
     std::printf("%s\n", file.c_str());

@@ -91,10 +91,12 @@ Result<void> lead(const Arguments& arguments, const SharedRun& run, Journal& jou
     if (!evaluation) return fail(evaluation.error());
     source.finish();
     if (auto made = make_output_folder(arguments.out); !made) return made;
+    EarlierResults earlier(arguments.out);
     if (auto written = write_result_files(arguments.out, *evaluation->made, evaluation->analyses,
                                           {evaluation->failed, {}});
         !written)
         return written;
+    earlier.are_replaced();
     std::printf("results are in %s\n", arguments.out.c_str());
     return check_complete(*evaluation);
 }

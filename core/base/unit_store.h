@@ -30,8 +30,8 @@ public:
 
     /// The partial result of a unit, if somebody has computed it. On any thread.
     virtual std::optional<std::string> find(std::uint64_t /*unit*/) { return {}; }
-    /// Whether those that are not found are computed here.
-    virtual bool computes_missing() const { return true; }
+    /// Whether this one, which was not found, is computed here.
+    virtual bool computes_missing(std::uint64_t /*unit*/) const { return true; }
     /// A unit is needed for the result, not found and not to be computed: the computation ends as cancelled.
     virtual void lacks(std::uint64_t /*unit*/) {}
     /// The bytes found are not those of such a unit: likewise.

@@ -17,8 +17,17 @@ namespace {
 // What two digits of a stated uncertainty leave open; of a value, a tenth of its u.
 constexpr double far_share = 0.05, far_of_u = 0.1;
 
+std::string after_number(const Unit& unit) {
+    return unit == Unit() ? std::string() : " " + unit.display();
+}
+
 std::string in_unit(double value, const Unit& unit, int digits) {
-    return format_significant(value, digits) + unit_after_number(unit);
+    return format_significant(value, digits) + after_number(unit);
+}
+
+/// As it was written.
+std::string stated_in(double value, const Unit& unit) {
+    return shortest_number(value) + after_number(unit);
 }
 
 Message apart(const Message& of, const Message& stated, const std::string& here, const Message& by,
@@ -43,20 +52,20 @@ void hold(const StatedOutcome& stated, const OutputResult& result, std::vector<M
     const std::string& symbol = stated.symbol;
     if (stated.value) {
         const double here = stated.unit.from_si(result.estimate), by = std::abs(here - *stated.value);
-        lines.push_back(apart(symbol, quantity_words(*stated.value, stated.unit),
-                              readable_number(here) + unit_after_number(stated.unit),
+        lines.push_back(apart(symbol, stated_in(*stated.value, stated.unit),
+                              readable_number(here) + after_number(stated.unit),
                               in_unit(by, interval, 2), !(by <= far_of_u * u)));
     }
     if (stated.u && stated.from_contributions)
         lines.push_back(apart(tell<"u(%1) by its contributions">(symbol), in_unit(*stated.u, interval, 4),
                               in_unit(u, interval, 4), share_apart(*stated.u, u), is_far(*stated.u, u)));
     else if (stated.u)
-        lines.push_back(apart("u(" + symbol + ")", quantity_words(*stated.u, interval),
-                              in_unit(u, interval, 4), share_apart(*stated.u, u), is_far(*stated.u, u)));
+        lines.push_back(apart("u(" + symbol + ")", stated_in(*stated.u, interval), in_unit(u, interval, 4),
+                              share_apart(*stated.u, u), is_far(*stated.u, u)));
     if (!stated.expanded) return;
     const double here = stated.k ? *stated.k * u : interval.interval_from_si(result.expanded_uncertainty);
     const std::string k = stated.k ? ", k = " + shortest_number(*stated.k) : std::string();
-    lines.push_back(apart("U(" + symbol + ")" + k, quantity_words(*stated.expanded, interval),
+    lines.push_back(apart("U(" + symbol + ")" + k, stated_in(*stated.expanded, interval),
                           in_unit(here, interval, 4), share_apart(*stated.expanded, here),
                           is_far(*stated.expanded, here)));
 }

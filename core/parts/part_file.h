@@ -16,6 +16,9 @@ struct UnitWork {
     std::string analysis, study;  ///< ids; the study's is empty for the trials of the analysis
     std::string fingerprint;      ///< of everything that influences its numbers
     std::uint64_t units = 0;
+    /// Those that parts share, from the first: of an adaptive run as many as it is forecast to need. Whoever
+    /// merges computes what it needs beyond them.
+    std::uint64_t shared = units;
 
     std::string name() const { return study.empty() ? analysis : analysis + "/" + study; }
 };

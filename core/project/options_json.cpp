@@ -55,21 +55,28 @@ struct OptionReader {
             refuse(seed_words(), "'" + text + "'");
     }
 
-    void operator()(std::uint64_t EvaluationOptions::*member) {
+    std::optional<std::uint64_t> whole_number() {
         const auto number = reader.number(field.key);
-        if (!number) return;
+        if (!number) return {};
         if (*number >= 0 && *number <= largest_whole_number &&
             *number == static_cast<double>(static_cast<std::uint64_t>(*number)))
-            options.*member = static_cast<std::uint64_t>(*number);
-        else
-            refuse(tell<"a whole number that is not negative">(), readable_number(*number));
+            return static_cast<std::uint64_t>(*number);
+        refuse(tell<"a whole number that is not negative">(), readable_number(*number));
+        return {};
+    }
+
+    void operator()(std::uint64_t EvaluationOptions::*member) {
+        const auto number = whole_number();
+        if (number && static_cast<double>(*number) > field.range.high)
+            refuse(tell<"no more than %1">(readable_number(field.range.high)),
+                   readable_number(static_cast<double>(*number)));
+        else if (number)
+            options.*member = *number;
     }
 
     void operator()(int EvaluationOptions::*member) {
-        EvaluationOptions counted;
-        counted.trials = static_cast<std::uint64_t>(options.*member);
-        OptionReader{value, reader, field, counted}(&EvaluationOptions::trials);
-        options.*member = static_cast<int>(std::min<std::uint64_t>(counted.trials, 100));
+        if (const auto number = whole_number())
+            options.*member = static_cast<int>(std::min<std::uint64_t>(*number, 100));
     }
 
     void operator()(double EvaluationOptions::*member) {

@@ -67,8 +67,7 @@ public:
 
 private:
     tl::unexpected<Error> no(const Message& why) const {
-        return fail(ErrorCode::bad_input, tell<"%1 cannot be varied: %2">(in_quotes(axis_.target), why),
-                    "/target");
+        return fail(ErrorCode::bad_input, tell<"it cannot be varied: %1">(why), "/target");
     }
 
     /// Of an asset after its name.
@@ -96,11 +95,11 @@ private:
             const AssetEntry* asset = project_.find_asset(axis_.asset);
             const AnalysisEntry* upstream = asset ? nullptr : find_upstream();
             if (!asset && !upstream)
-                return fail(ErrorCode::bad_input,
-                            tell<"there is no asset %1, and no analysis of this name that this one takes "
-                                 "from%2">(in_quotes(axis_.asset),
-                                           did_you_mean_entry(axis_.asset, project_.assets)),
-                            "/asset");
+                return fail(
+                    ErrorCode::bad_input,
+                    tell<"there is no asset %1, and no analysis of this name that this one takes "
+                         "from%2">(in_quotes(axis_.asset), did_you_mean_entry(axis_.asset, project_.assets)),
+                    "/asset");
             schema = asset ? of_entry(*asset) : of_entry(*upstream);
             if (asset) target_.asset = static_cast<std::size_t>(asset - project_.assets.data());
             if (upstream) target_.upstream = static_cast<std::size_t>(upstream - project_.analyses.data());

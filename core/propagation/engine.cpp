@@ -392,12 +392,25 @@ void Evaluation::warn_about_reduction(const MonteCarloRun& run) {
 void Evaluation::warn_about_tails() {
     const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
     std::vector<std::string> without_u, unsettled;
+    std::vector<Message> heavy;
+    for (const OutputResult& output : result_.outputs)
+        if (std::isfinite(output.standard_uncertainty) && output.standard_uncertainty > 0.0 &&
+            !output.quantity.periodic && std::isnan(output.monte_carlo->standard_error_of_uncertainty) &&
+            !(output.monte_carlo->reduced && std::isnan(output.monte_carlo->reduced->standard_errors.high)))
+            heavy.push_back(symbol_in_group(output.quantity));
     for (std::size_t j = 0; j < least.size(); ++j) {
         if (!(least[j] <= 4.0) || result_.outputs[j].quantity.periodic) continue;
         std::vector<std::string>& list = least[j] <= 2.0 ? without_u : unsettled;
         const std::string& symbol = result_.outputs[j].quantity.symbol;
         if (std::find(list.begin(), list.end(), symbol) == list.end()) list.push_back(symbol);
     }
+    for (std::size_t j = 0; j < least.size(); ++j)  // said below
+        if (least[j] <= 4.0) std::erase(heavy, symbol_in_group(result_.outputs[j].quantity));
+    if (!heavy.empty())
+        result_.warnings.push_back(
+            tell<"The standard uncertainty by Monte Carlo of %1 is not known from these trials, and may not "
+                 "exist: the tails of its distribution are too heavy. Use the coverage interval.">(
+                in_a_row(heavy)));
     if (!without_u.empty())
         result_.warnings.push_back(
             tell<"The standard uncertainty by Monte Carlo of %1 does not exist, because a Student t "

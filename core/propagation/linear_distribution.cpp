@@ -217,8 +217,9 @@ std::optional<KnownQuantile> LinearDistribution::known_quantile(double p) const 
 }
 
 std::optional<double> LinearDistribution::quantile(double p) const {
-    if (!alone_.empty() && !alone_.front().distribution.has_jumps()) {
+    if (!alone_.empty()) {
         const LinearTerm& term = alone_.front();
+        if (term.distribution.has_jumps()) return {};
         const double x = term.distribution.quantile(term.factor > 0.0 ? p : 1.0 - p);
         return term.factor * (x - term.distribution.mean());
     }

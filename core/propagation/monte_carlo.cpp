@@ -234,6 +234,7 @@ Result<MonteCarloRun> run_monte_carlo(const RunContext& context, Pilot pilot, Ru
 
     OrderedWork<Partial> work;
     work.units = size.units();
+    work.ends_with_enough = watch.adaptive != nullptr;
     work.make_partial = [&run] { return Partial{UnitStatistics(run.pilot), {}}; };
     work.make_worker = [&] {
         auto worker = std::make_shared<Worker>(context, run.pilot, size);

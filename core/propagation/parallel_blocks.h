@@ -30,6 +30,7 @@ struct OrderedWork {
     std::function<Partial()> make_partial;
     std::function<std::function<bool(std::uint64_t, Partial&)>()> make_worker;
     std::function<bool(std::uint64_t, Partial&)> merge;
+    bool ends_with_enough = false;  ///< `merge` decides by what it has: it may end before the last unit
 };
 
 /// Workers take unit numbers; at most two partial results per thread exist, so memory is bounded however

@@ -195,7 +195,8 @@ void ReducedRun::apply(const MonteCarloRun& run, std::vector<MonteCarloOutput>& 
             *gains[f] = points ? plain_gain(plain, run, f, estimate.standard_error) : estimate.gain;
             if (estimate.controlled) *values[f] = estimate.value;
             const double of_output = source_.model->outputs()[j].periodic ? infinity : least[j];
-            if (!has_variance(f, of_output)) *errors[f] = *gains[f] = not_known;
+            const bool heavy = f == 1 && std::isnan(output.standard_error_of_uncertainty);
+            if (heavy || !has_variance(f, of_output)) *errors[f] = *gains[f] = not_known;
             // A gain is stated of a result line, which has an infinite u here.
             if (!mean_settles(of_output)) *gains[f] = not_known;
         }

@@ -93,7 +93,7 @@ void judge_conformity(RequirementResult& made, const OutputResult& output) {
     made.conformance_by = distribution_of(output);
     if (made.lower_limit && made.upper_limit) {
         const double tolerance = *made.upper_limit - *made.lower_limit;
-        if (u > 0.0) made.capability_index = tolerance / (4.0 * u);
+        if (u > 0.0 && std::isfinite(u)) made.capability_index = tolerance / (4.0 * u);
         if (output.expanded_uncertainty > 0.0)
             made.uncertainty_ratio = tolerance / (2.0 * output.expanded_uncertainty);
     }

@@ -16,7 +16,8 @@ struct PartialBytes {
     std::function<void(ByteReader&, Partial&)> read;
 };
 
-/// Computes the ranges that the store asks for, and merges nothing.
+/// Computes the ranges that the store asks for. Nothing is merged, but for work that ends when it has enough:
+/// a range from its beginning knows when that is.
 template <class Partial>
 WorkEnd compute_for_store(const OrderedWork<Partial>& work, const PartialBytes<Partial>& bytes,
                           UnitStore& store, RunMonitor& monitor) {
@@ -30,10 +31,11 @@ WorkEnd compute_for_store(const OrderedWork<Partial>& work, const PartialBytes<P
                 return worker(first + i, partial);
             };
         };
-        part.merge = [&bytes, &store, first](std::uint64_t i, Partial& partial) {
+        part.merge = [&bytes, &store, &work, first](std::uint64_t i, Partial& partial) {
             ByteWriter writer;
             bytes.write(partial, writer);
-            return store.keep(first + i, writer.take());
+            if (!store.keep(first + i, writer.take())) return false;
+            return first > 0 || !work.ends_with_enough || work.merge(i, partial);
         };
         if (run_in_order(part, monitor) != WorkEnd::complete) break;
     }
@@ -64,7 +66,7 @@ WorkEnd merge_from_store(const OrderedWork<Partial>& work, const PartialBytes<Pa
                 found.origin = reader.complete() ? Origin::found : Origin::unreadable;
                 return monitor.advance(0);
             }
-            found.origin = store.computes_missing() ? Origin::computed : Origin::missing;
+            found.origin = store.computes_missing(unit) ? Origin::computed : Origin::missing;
             if (found.origin == Origin::missing) return true;
             store.begins(unit);
             return worker(unit, found.partial);

@@ -162,6 +162,11 @@ std::optional<Error> estimate_problem(const InputSet& inputs) {
 
 std::vector<ComponentCorrelation> detail::correlations_among(const InputSet& inputs,
                                                              const std::vector<std::size_t>& components) {
+    const bool some =
+        !inputs.correlations.empty() ||
+        std::any_of(inputs.quantities.begin(), inputs.quantities.end(),
+                    [](const auto& quantity) { return quantity.combination == Combination::arithmetic; });
+    if (!some) return {};
     std::map<std::size_t, std::size_t> places;
     for (std::size_t i = 0; i < components.size(); ++i) places.emplace(components[i], i);
     Coefficients found;

@@ -82,7 +82,6 @@ Made maximum_permissible_error(const Statement& s) {
 }
 
 Made exponential(const Statement& s) {
-    if (const Message objection = part_objection(s.unit); !objection.empty()) return refused(objection);
     if (!s.estimate || !(*s.estimate > 0.0))
         return refused(tell<"an exponential distribution needs an estimate greater than zero">());
     return of_distribution(s, Exponential{*s.estimate}).map([&](StatedComponent c) {
@@ -166,6 +165,12 @@ Made weibull_of_deviation(const Statement& s) {
     const double shape = std::exp(0.5 * (low + high));
     const double scale = *s.estimate / std::exp(std::lgamma(1.0 + 1.0 / shape));
     return of_distribution(s, Weibull{-*s.estimate, scale, shape});
+}
+
+/// Of distributions that begin at the zero of the quantity, which a temperature in degC has none of.
+bool begins_at_zero(std::string_view kind) {
+    return kind == "exponential" || kind == "weibull" || kind == "weibull-deviation" || kind == "poisson" ||
+           kind == "binomial" || kind == "counts";
 }
 
 Made make(const Statement& s) {
@@ -276,6 +281,9 @@ Result<StatedComponent> stated_component(const Statement& statement) {
     const StatementKind* kind = find_statement(statement.kind);
     if (!kind) return refused(tell<"there is no statement '%1'">(statement.kind));
     if (const Message problem = problem_of(statement, *kind); !problem.empty()) return refused(problem);
+    if (const Message objection = part_objection(statement.unit);
+        begins_at_zero(kind->key) && !objection.empty())
+        return refused(objection);
     Made made = make(statement);
     if (made) made->words = std::string(kind->title);
     return made;

@@ -191,12 +191,11 @@ Result<void> check_no_column_is_dropped(const BudgetCells& cells) {
     int last = 0;
     for (const auto& [row, in_row] : place.sheet->rows) last = std::max(last, in_row.rbegin()->first);
     for (const auto& [column, holds] : unread) {
-        if (!holds.first && !holds.second) continue;
         const WorkbookCell* head = place.sheet->cell(place.head_row, column);
+        if (!holds.first && !holds.second && !head) continue;  // a remark beside the budget
         return fail(Error{ErrorCode::usage,
-                          tell<"column %1%2 of sheet %3 is filled, and what it is is not understood: state "
-                               "the columns, %4, with one of "
-                               "%5 in place of ? (- leaves the column out)">(
+                          tell<"column %1%2 of sheet %3 is filled but not understood: state what each column "
+                               "is, %4, with one of %5 in place of ? (- leaves the column out)">(
                               column_letters(column), head ? " " + in_quotes(head->text) : std::string(),
                               in_quotes(place.sheet->name), typed_columns(place, last), listed(keys)),
                           {},

@@ -50,7 +50,8 @@ std::optional<CellFigure> figure_in_text(const std::string& words);
 Result<NotedComponent> component_of(const BudgetCells& cells, int row, const Unit& unit,
                                     Proposals& proposals);
 
-/// Error{usage}: a column that is not understood holds numbers or units in a row of the budget.
+/// Error{usage}: a column that is not understood is filled in a row of the budget; words without a head
+/// above them are none.
 Result<void> check_no_column_is_dropped(const BudgetCells& cells);
 
 }  // namespace covaria

@@ -150,6 +150,7 @@ constexpr BudgetWord known_words[] = {
     {Column::standard, "en", "standard uncertainty"},
     {Column::standard, "en", "standard measurement uncertainty"},
     {Column::standard, "en", "std uncertainty"},
+    {Column::standard, "en", "std uncert"},
     {Column::standard, "en", "stand uncertainty"},
     {Column::standard, "de", "standardunsicherheit"},
     {Column::standard, "de", "standard unsicherheit"},
@@ -238,6 +239,10 @@ constexpr BudgetWord known_words[] = {
     {Column::divisor, "pt", "fator k"},
     {Column::distribution, "en", "distribution"},
     {Column::distribution, "en", "probability distribution"},
+    {Column::distribution, "en", "prob distribution"},
+    {Column::distribution, "en", "prob dist"},
+    {Column::distribution, "en", "dist"},
+    {Column::distribution, "en", "distr"},
     {Column::distribution, "en", "type of distribution"},
     {Column::distribution, "en", "distribution type"},
     {Column::distribution, "en", "probability density function"},
@@ -533,6 +538,22 @@ bool find_words(const std::string& text, Found& found) {
     return true;
 }
 
+/// Likewise, with symbols of several letters among them: "estimate x_i".
+bool find_words_and_symbols(const std::string& head, Found& found) {
+    std::string words;
+    for (std::size_t begin = 0; begin < head.size();) {
+        const std::size_t end = std::min(head.find(' ', begin), head.size());
+        const std::string piece = head.substr(begin, end - begin);
+        const BudgetSymbol* symbol = bare_symbol(piece).size() > 1 ? symbol_in(piece) : nullptr;
+        if (symbol)
+            found.strong.insert(symbol->column);
+        else
+            words += piece + ' ';
+        begin = end + 1;
+    }
+    return find_words(words, found);
+}
+
 }  // namespace
 
 std::vector<std::string> folded_words(const std::string& text) {
@@ -551,18 +572,7 @@ std::vector<std::string> folded_words(const std::string& text) {
 std::optional<HeadMeaning> meaning_of_head(const std::string& head) {
     if (const BudgetSymbol* whole = symbol_in(head)) return HeadMeaning{whole->column};
     Found found;
-    std::string words;
-    for (std::size_t begin = 0; begin < head.size();) {
-        const std::size_t end = std::min(head.find(' ', begin), head.size());
-        const std::string piece = head.substr(begin, end - begin);
-        const BudgetSymbol* symbol = bare_symbol(piece).size() > 1 ? symbol_in(piece) : nullptr;
-        if (symbol)
-            found.strong.insert(symbol->column);
-        else
-            words += piece + ' ';
-        begin = end + 1;
-    }
-    if (!find_words(words, found)) return std::nullopt;
+    if (!find_words(head, found) && !find_words_and_symbols(head, found = {})) return std::nullopt;
     // "Variance contribution", "contribution %": a share.
     if (found.strong == std::set{Column::contribution, Column::unread}) return HeadMeaning{Column::unread};
     // The unit of the uncertainty only is not that of the estimate.

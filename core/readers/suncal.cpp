@@ -161,6 +161,9 @@ public:
             return input.refused(where + tell<"there are two inputs of that name">());
         if (!input.find("units"))
             unit->unit = unstated_unit(choice_, plain_name(name), description_of(input), Unit(), proposals_);
+        // The equations of Suncal take every temperature in kelvin, as pint does.
+        if (const Unit stated = unit->unit; stated.has_offset())
+            *unit = {stated.interval(), unit->scale, unit->zero - stated.to_si(0.0) / unit->scale};
         NotedQuantity quantity{
             names_.symbol_of(name, proposals_), description_of(input), unit->value(*value), unit->unit, {}};
         if (unit->is_converted())

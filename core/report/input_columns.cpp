@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
+#include <unordered_map>
 
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
@@ -45,9 +47,27 @@ Cell symbols_of(L l) {
     return symbols;
 }
 
-/// Of the quantity, or of a part of it.
-double row_uncertainty(L l) {
-    if (!l.row.part) return standard_uncertainty_of(l.inputs, l.index());
+/// Of the quantities of a table, each computed once: a quantity with hundreds of shares has as many rows.
+class QuantityFigures {
+public:
+    struct Figures {
+        double estimate = 0.0, u = 0.0;
+    };
+    Figures of(const InputSet& inputs, std::size_t quantity) {
+        const std::scoped_lock lock(mutex_);
+        const auto [figures, is_new] = figures_.try_emplace(quantity);
+        if (is_new)
+            figures->second = {estimate_of(inputs, quantity), standard_uncertainty_of(inputs, quantity)};
+        return figures->second;
+    }
+
+private:
+    std::mutex mutex_;
+    std::unordered_map<std::size_t, Figures> figures_;
+};
+
+/// Of a part of the quantity.
+double part_uncertainty(L l) {
     return std::abs(l.share()->factor) * l.component()->distribution.standard_uncertainty();
 }
 
@@ -107,6 +127,16 @@ private:
         });
     }
 
+    /// Of what is computed of a row's quantity.
+    template <class Get>
+    Column& add_of_figures(const char* key, Get get) {
+        return table_.add(key,
+                          [&inputs = inputs_, rows = rows_, figures = figures_, get](std::size_t i) -> Cell {
+                              const InputLine line{inputs, (*rows)[i]};
+                              return get(line, [&] { return figures->of(inputs, line.index()); });
+                          });
+    }
+
     /// Of the component of the row's share; nothing without.
     template <class Get>
     void add_of_component(const char* key, Get get) {
@@ -118,17 +148,18 @@ private:
         add("symbol", symbols_of).print("Symbol").of_symbols();
         add("name", [](L l) -> Cell { return name_of(l); }).print("Quantity");
         add("unit", [](L l) -> Cell { return l.quantity().unit; }).print("Unit");
-        add("estimate",
-            [](L l) -> Cell {
-                if (l.row.part || l.row.quantities.size() > 1) return {};
-                return Measured{estimate_of(l.inputs, l.index()), Scale::value, l.quantity().unit, {}};
-            })
+        add_of_figures("estimate",
+                       [](L l, const auto& figures) -> Cell {
+                           if (l.row.part || l.row.quantities.size() > 1) return {};
+                           return Measured{figures().estimate, Scale::value, l.quantity().unit, {}};
+                       })
             .print("Estimate")
             .round({.match = "u", .input = true});
-        add("u",
-            [](L l) -> Cell {
-                return Measured{row_uncertainty(l), Scale::interval, l.quantity().unit, {}};
-            })
+        add_of_figures("u",
+                       [](L l, const auto& figures) -> Cell {
+                           const double u = l.row.part ? part_uncertainty(l) : figures().u;
+                           return Measured{u, Scale::interval, l.quantity().unit, {}};
+                       })
             .print_symbol("u(x_i)")
             .digits(3)
             .of_row({"estimate", "u"});
@@ -178,6 +209,7 @@ private:
 
     const InputSet& inputs_;
     std::shared_ptr<const std::vector<InputRow>> rows_;
+    std::shared_ptr<QuantityFigures> figures_ = std::make_shared<QuantityFigures>();
     Table table_{"inputs", "Input quantities and their components"};
 };
 

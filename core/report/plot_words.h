@@ -35,6 +35,8 @@ inline const Phrase of_second_order{
     "To first order no input quantity influences %1 at these estimates: its uncertainty is of second order, "
     "as "
     "Monte Carlo shows"};
+inline const Phrase without_first_order{
+    "The law of propagation of uncertainty says nothing of %1 at these estimates: Monte Carlo answers alone"};
 inline const Phrase contributions{"Contributions to u(%1)"};
 inline const Phrase first_order_differs{"%1 (u of first order: %2 of that by Monte Carlo)"};
 inline const Phrase share{"share of the variance, first order"};

@@ -90,11 +90,14 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
                                     const DocumentLanguage& language, std::size_t rows) {
     const PlottedOutput y(result, output);
     const std::string id = y.id("contributions");
-    if (output >= result.budget.rows.size() || !has_contributions(result.budget.rows[output]))
+    if (output >= result.budget.rows.size() || !has_contributions(result.budget.rows[output])) {
+        const bool known = !std::isnan(y.output().first_order.standard_uncertainty);
         return nothing_to_show(
-            id, language.say_text(is_of_second_order(y.output()) ? plot_words::of_second_order
-                                                                 : plot_words::nothing_influences,
+            id, language.say_text(!known                           ? plot_words::without_first_order
+                                  : is_of_second_order(y.output()) ? plot_words::of_second_order
+                                                                   : plot_words::nothing_influences,
                                   {y.label()}));
+    }
     Bars bars = bars_of(result, output, std::max<std::size_t>(rows, 2), language);
     PlotSpecification plot;
     plot.id = id;

@@ -18,7 +18,9 @@ namespace {
 using namespace report_parts;
 
 /// Of all but the annex: pages break where they must, so that these are up to twenty.
-constexpr double room = 20.0 * lines_of_page, room_before = 3.0 * lines_of_page;
+constexpr std::ptrdiff_t most_of_two_levels = 40;  // lines of the contents
+constexpr double room_of_contents = double(most_of_two_levels) + 3.0;
+constexpr double room = 20.0 * lines_of_page - room_of_contents, room_before = 3.0 * lines_of_page;
 
 /// Puts "2.1", "Table 3." and "Figure 2." before headings and captions, in order of appearance.
 struct Numbering {
@@ -92,7 +94,6 @@ bool is_heading(const ReportBlock& block) {
 /// A report of a few pages needs none; of many sections those of the first level are enough.
 void add_contents(Blocks& blocks, const DocumentLanguage& in) {
     constexpr double least_lines = 3.0 * lines_of_page;
-    constexpr std::ptrdiff_t most_of_two_levels = 45;
     const auto first = std::find_if(blocks.begin(), blocks.end(), is_heading);
     if (first == blocks.end() || lines_of(blocks) < least_lines) return;
     const auto count = std::count_if(blocks.begin(), blocks.end(), [](const ReportBlock& block) {

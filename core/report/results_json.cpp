@@ -1,5 +1,6 @@
 // results.json: the contract of the command line for scripts (DESIGN 9). No clock, no host: equal runs, equal
 // bytes.
+#include "core/base/printable.h"
 #include "core/base/version.h"
 #include "core/project/project_file.h"
 #include "core/project/stated_requirements.h"
@@ -22,9 +23,11 @@ std::string number_text(const OrderedJson& value) {
     return std::isfinite(number) ? format_exact(number) : "null";
 }
 
-/// Also of a name of a file that is no text in UTF-8.
+/// Also of a name of a file that is no text in UTF-8; control characters as their numbers.
 std::string text_of(const OrderedJson& value) {
-    return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+    const std::string text = value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+    if (printable(text) == text) return text;
+    return value.dump(-1, ' ', true, OrderedJson::error_handler_t::replace);
 }
 
 std::string compact(const OrderedJson& value);

@@ -85,12 +85,12 @@ private:
     };
     std::vector<Rest> rest_from(std::size_t first, bool by_owner) const {
         std::vector<Rest> all;
+        std::map<std::string, std::size_t> known;
         for (std::size_t i = first; i < places_.size(); ++i) {
             const std::string source = source_of(i, by_owner);
-            auto known =
-                std::find_if(all.begin(), all.end(), [&](const Rest& rest) { return rest.source == source; });
-            if (known == all.end()) known = all.insert(all.end(), Rest{source});
-            known->take({source, 1, 1, row(i).contribution * row(i).contribution, row(i).share});
+            const auto [entry, fresh] = known.try_emplace(source, all.size());
+            if (fresh) all.push_back({source});
+            all[entry->second].take({source, 1, 1, row(i).contribution * row(i).contribution, row(i).share});
         }
         std::stable_sort(all.begin(), all.end(),
                          [](const Rest& a, const Rest& b) { return a.share > b.share; });
@@ -129,23 +129,25 @@ private:
     void add_note_on_zeros() {
         std::vector<bool> has_row(result_.budget.components.size(), false);
         for (std::size_t i = 0; i < places_.size(); ++i) has_row[row(i).component] = true;
-        std::vector<std::string> names;
-        for (std::size_t i = 0; i < has_row.size(); ++i) {
-            if (has_row[i]) continue;
-            const BudgetComponent& c = result_.budget.components[i];
-            const std::string name = in_.say(c.name);
-            const bool is_of_one = c.quantities.size() == 1;
-            names.push_back(is_of_one ? symbol_to_unicode(c.quantities.front()) + ", " + name : name);
-        }
-        if (names.empty()) return;
-        if (names.size() > most_named) {
-            table_.note(tell<"Left out: %1 components that contribute nothing (less than 10⁻⁹ of u_c).">(
-                names.size()));
+        const auto zeros = static_cast<std::size_t>(std::count(has_row.begin(), has_row.end(), false));
+        if (zeros == 0) return;
+        if (zeros > most_named) {
+            table_.note(
+                tell<"Left out: %1 components that contribute nothing (less than 10⁻⁹ of u_c).">(zeros));
             return;
         }
         std::string list;
-        for (const std::string& name : names) list += (list.empty() ? "" : "; ") + name;
+        for (std::size_t i = 0; i < has_row.size(); ++i)
+            if (!has_row[i]) list += (list.empty() ? "" : "; ") + name_of(result_.budget.components[i]);
         table_.note(tell<"Left out, because they contribute nothing (less than 10⁻⁹ of u_c): %1.">(list));
+    }
+
+    /// "l_S, calibration"
+    std::string name_of(const BudgetComponent& component) const {
+        const std::string name = in_.say(component.name);
+        return component.quantities.size() == 1
+                   ? symbol_to_unicode(component.quantities.front()) + ", " + name
+                   : name;
     }
 
     void add_total() {
@@ -299,6 +301,11 @@ Message choice_of_groups(const UncertaintyResult& result) {
         "average; the CSV table of budgets has all %3 groups.">(shown, alike, all);
 }
 
+/// Without sensitivity coefficients Monte Carlo answers alone.
+bool has_budget(const OutputResult& output) {
+    return !std::isnan(output.first_order.standard_uncertainty);
+}
+
 }  // namespace
 
 void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in,
@@ -321,11 +328,18 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
             blocks.push_back(
                 GroupTable(evaluated, grouping, measurands_of(result, group), most_rows, in).make());
         for (const std::size_t output : measurands_of(result, group))
-            blocks.push_back(BudgetBlock(evaluated, output, most_rows, in).make());
+            if (has_budget(result.outputs[output]))
+                blocks.push_back(BudgetBlock(evaluated, output, most_rows, in).make());
+            else
+                blocks.push_back(ParagraphBlock{
+                    in.say(tell<"There is no budget of %1: the law of propagation of uncertainty says "
+                                "nothing of it at the estimates of its input quantities.">(
+                        output_label(result.outputs[output].quantity)))});
         for (const std::size_t output : measurands_of(result, group))
-            blocks.push_back(figure(contribution_plot(result, output, in), evaluated,
-                                    in.say(tell<"Contributions to the variance of %1.">(
-                                        output_label(result.outputs[output].quantity)))));
+            if (has_budget(result.outputs[output]))
+                blocks.push_back(figure(contribution_plot(result, output, in), evaluated,
+                                        in.say(tell<"Contributions to the variance of %1.">(
+                                            output_label(result.outputs[output].quantity)))));
     }
 }
 

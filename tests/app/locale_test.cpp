@@ -21,8 +21,6 @@ const std::string network = shipped_project("lsm-network.covaria").string();
 /// Its equations have letters that come from other fonts.
 const std::string chain = shipped_project("chain.covaria").string();
 const std::string robot = shipped_project("er10l-c10.covaria").string();
-const std::string force = shipped_project("force-moment-sensor.covaria").string();
-const std::string design = shipped_project("ballbar-design.covaria").string();
 
 Arguments with_certificate(Arguments arguments) {
     for (const char* value :
@@ -40,14 +38,12 @@ Arguments with_certificate(Arguments arguments) {
 std::vector<Arguments> commands(const fs::path& folder) {
     const auto in = [&](const char* name) { return (folder / name).string(); };
     std::vector<Arguments> all{
-        with_certificate({"run", gauge, "--analysis", "statements", "--trials", "20000", "--report",
+        with_certificate({"run", gauge, "--analysis", "statements", "--trials", "2000", "--report",
                           "--certificate", "--pictures", "--out", in("gauge")}),
-        {"run", force, "--first-order", "--pictures", "--out", in("force")},
-        {"run", network, "--analysis", "paper", "--trials", "2000", "--report", "--out", in("network")},
         {"report", chain, "--first-order", "-o", in("chain.pdf")},
-        {"render", network, "--analysis", "paper", "--trials", "2000", "-o", in("scene.png")},
-        {"render", network, "--analysis", "paper", "--trials", "2000", "-o", in("scene.gltf")},
-        {"render", network, "--analysis", "paper", "--trials", "2000", "-o", in("scene.vtp")},
+        {"render", network, "--analysis", "paper", "--first-order", "-o", in("scene.png")},
+        {"render", network, "--analysis", "paper", "--first-order", "-o", in("scene.gltf")},
+        {"render", network, "--analysis", "paper", "--first-order", "-o", in("scene.vtp")},
         {"check", gauge, "--analysis", "statements", "--trials", "20000", "--junit", in("junit.xml")},
         {"compare", gauge, "--first-order", "--set",
          "/analyses/table/setup/quantities/rows/l_S/value=50000625", "--analysis", "table", "--out",

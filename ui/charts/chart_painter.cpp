@@ -8,6 +8,7 @@
 #include <QSaveFile>
 #include <QSvgGenerator>
 
+#include "core/base/printable.h"
 #include "core/report/plots.h"
 #include "ui/charts/plot_chart.h"
 #include "ui/charts/visible_part.h"
@@ -72,7 +73,7 @@ std::string svg_bytes(const std::string& title, QSize size,
     QPainter painter(&generator);
     paint(painter, QRectF(QPointF(), QSizeF(size)));
     painter.end();
-    return bytes.toStdString();
+    return printable(bytes.toStdString());  // XML has no place for control characters
 }
 
 Result<void> write_svg(const std::string& file, const ShownPlot& shown) {

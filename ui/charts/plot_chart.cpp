@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QScatterSeries>
 #include <QValueAxis>
+#include <cmath>
 
 #include "ui/charts/chart_drawing.h"
 
@@ -40,8 +41,10 @@ QXYSeries* make_series(const PlotSeries& data, const PlotSpecification& plot) {
     if (data.kind == SeriesKind::points) series = new QScatterSeries;
     if (!series) return nullptr;
     QList<QPointF> points;
-    for (std::size_t i = 0; i < data.x.size() && i < data.y.size(); ++i)
-        points << QPointF(on_axis(plot.x, data.x[i]), on_axis(plot.y, data.y[i]));
+    for (std::size_t i = 0; i < data.x.size() && i < data.y.size(); ++i) {
+        const QPointF at(on_axis(plot.x, data.x[i]), on_axis(plot.y, data.y[i]));
+        if (std::isfinite(at.x()) && std::isfinite(at.y())) points << at;
+    }
     series->replace(points);
     series->setProperty("role", static_cast<int>(data.role));
     return series;

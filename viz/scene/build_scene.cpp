@@ -40,11 +40,8 @@ std::string detail::SceneBuild::unique_id(const std::string& kind, const std::st
 
 Scene build_scene(const SceneSource& whole, const SceneOptions& options) {
     SceneSource source = whole;
-    detail::NearPart part;
-    if (whole.layout) {
-        part = detail::near_part(*whole.layout);
-        source.layout = &part.layout;
-    }
+    const auto part = whole.layout ? detail::near_part(*whole.layout) : std::nullopt;
+    if (part) source.layout = &part->layout;
     Scene scene;
     scene.title = source.title;
     scene.probability = options.probability;
@@ -54,8 +51,7 @@ Scene build_scene(const SceneSource& whole, const SceneOptions& options) {
     scene.group_title = options.language.say(said_name(scene.group));
     if (!source.layout) return scene;
     for (const Message& note : source.layout->notes) scene.notes.push_back(options.language.say(note));
-    if (!part.left_out.empty())
-        scene.notes.push_back(options.language.say(detail::words_of_left_out(part.left_out)));
+    if (part) scene.notes.push_back(options.language.say(detail::words_of_left_out(part->left_out)));
     const PointUncertainties uncertainties(source.result, source.linked);
     const PointUncertainties before(source.compared ? source.compared->before.get() : nullptr);
     detail::SceneBuild build{source, options, uncertainties, before, scene};

@@ -53,7 +53,13 @@ bool is_near(const Eigen::Vector3d& place) {
     return (place.array().abs() <= farthest).all();
 }
 
-NearPart near_part(const Layout& layout) {
+std::optional<NearPart> near_part(const Layout& layout) {
+    const auto all_near = [](const auto& items) {
+        return std::ranges::all_of(items, [](const auto& item) { return stands_near(item); });
+    };
+    if (all_near(layout.points) && all_near(layout.frames) && all_near(layout.bodies) &&
+        all_near(layout.links) && all_near(layout.vectors) && all_near(layout.meshes))
+        return std::nullopt;
     NearPart part{layout, {}};
     keep_near(part.layout.points, part.left_out);
     keep_near(part.layout.frames, part.left_out);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,11 @@ bool is_near(const Eigen::Vector3d& place);
 /// A layout without what is too far away to be drawn.
 struct NearPart {
     Layout layout;
-    std::vector<std::string> left_out;  ///< by name; empty: nothing, and `layout` is the whole
+    std::vector<std::string> left_out;  ///< by name; not empty
 };
-NearPart near_part(const Layout& layout);
-/// Beside a picture; `left_out` is not empty.
+/// Nothing: all of it is near.
+std::optional<NearPart> near_part(const Layout& layout);
+/// Beside a picture.
 Message words_of_left_out(const std::vector<std::string>& left_out);
 
 }  // namespace covaria::detail

@@ -38,6 +38,9 @@ bool localises(const Eigen::MatrixXd& to_point) {
 Eigen::VectorXd weighting_uncertainties(const Eigen::MatrixXd& to_points, const Eigen::VectorXd& u,
                                         const Eigen::MatrixXd& shared) {
     constexpr double least_share = 1e-5;
+    // Squares of weights must not differ by more than the digits of a double: with what is shared small, the
+    // floor is a share of that; with it large, at most a hundredth of the smallest figure that is stated.
+    constexpr double most_of_smallest = 1e3;
     const Eigen::VectorXd total = (u.cwiseAbs2() + shared.rowwise().squaredNorm()).cwiseSqrt();
     const Eigen::VectorXd per_metre = to_points.rowwise().norm();
     // What is known without any uncertainty is compared with the others as a displacement.
@@ -49,7 +52,7 @@ Eigen::VectorXd weighting_uncertainties(const Eigen::MatrixXd& to_points, const 
     for (Eigen::Index i = 0; i < u.size(); ++i) {
         if (u[i] > 0.0) continue;
         const double own = total[i] > 0.0 ? total[i] : per_metre[i] * (largest > 0.0 ? largest : 1.0);
-        weighting[i] = least_share * std::min(own, per_metre[i] * smallest);
+        weighting[i] = least_share * std::min(own, most_of_smallest * per_metre[i] * smallest);
     }
     return weighting;
 }

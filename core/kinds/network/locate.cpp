@@ -104,7 +104,7 @@ private:
     bool move_stations(double& moved) {
         if (setup_.found.empty()) return true;
         for (const JointSetUp& joint : setup_.set_ups) {
-            if (!joint.together()) continue;
+            if (!joint.together() || joint.by_itself()) continue;
             const Sensitivities s = sensitivities_of(setup_, joint);
             const Eigen::VectorXd by_u = s.u.cwiseInverse();
             const Eigen::VectorXd shared = estimate_of_shared(by_u.asDiagonal() * s.shared) *

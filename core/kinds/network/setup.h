@@ -281,9 +281,9 @@ void number_inputs(NetworkSetup& setup);
 /// Of numbered ones.
 InputSet network_inputs(const NetworkSetup& setup);
 
-/// Puts targets and stations where given readings find them, and the weights with them: what is estimated and
-/// its uncertainty do not depend on the nominal coordinates, which are where the search begins. Expects
-/// set-ups that are divided and numbered inputs; `find_weights` is to follow for its warnings.
+/// Puts targets and stations where given readings find them, and fills the weights there, as `find_weights`:
+/// what is estimated and its uncertainty do not depend on the nominal coordinates, which are where the search
+/// begins. Expects set-ups that are divided and numbered inputs.
 void locate(NetworkSetup& setup, Problems& problems);
 
 /// Tables about the network: precision by observations alone and in total; with given readings residuals,

@@ -49,6 +49,23 @@ Precision precision_of(const NetworkSetup& setup, const JointSetUp& joint) {
     return {(whitened.transpose() * whitened).inverse(), A * s.u.asDiagonal(), A * s.shared};
 }
 
+/// What is linearised at once: targets that are estimated together, else, where there are more than
+/// `most_rows` readings, one by one; of thousands all in one matrix would be gigabytes.
+std::vector<JointSetUp> divided(const NetworkSetup& setup, std::size_t most_rows) {
+    std::vector<JointSetUp> parts;
+    for (const JointSetUp& joint : setup.set_ups) {
+        std::size_t rows = 0;
+        for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t) rows += setup.targets[t].rows;
+        if (joint.together() || joint.targets == 1 || rows <= most_rows) {
+            parts.push_back(joint);
+            continue;
+        }
+        for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t)
+            parts.push_back({joint.index, t, 1, {}});
+    }
+    return parts;
+}
+
 struct Variances {
     double readings_alone = 0.0, total = 0.0;
 };
@@ -56,9 +73,10 @@ struct Variances {
 class PrecisionTable {
 public:
     explicit PrecisionTable(const NetworkSetup& setup) : setup_(setup) {
-        for (const JointSetUp& joint : setup.set_ups) {
+        for (const JointSetUp& joint : divided(setup, 0)) {
             for (std::size_t t = 0; t < joint.targets; ++t) joint_of_.push_back(precisions_.size());
             precisions_.push_back(precision_of(setup, joint));
+            first_of_.push_back(joint.first);
         }
     }
 
@@ -97,7 +115,7 @@ private:
     };
     Along along(std::size_t t, const Eigen::Vector3d& g) const {
         const std::size_t k = joint_of_[t];
-        const auto row = static_cast<Eigen::Index>(3 * (t - setup_.set_ups[k].first));
+        const auto row = static_cast<Eigen::Index>(3 * (t - first_of_[k]));
         const Precision& p = precisions_[k];
         return {p.own.middleRows(row, 3).transpose() * g, p.shared.middleRows(row, 3).transpose() * g,
                 g.dot(p.readings_alone.block<3, 3>(row, row) * g)};
@@ -134,6 +152,7 @@ private:
     const NetworkSetup& setup_;
     std::vector<Precision> precisions_;
     std::vector<std::size_t> joint_of_;  ///< precision of each target
+    std::vector<std::size_t> first_of_;  ///< target of each precision
 };
 
 /// Residuals of given readings, judged with everything that makes them uncertain, the stations too, whatever
@@ -151,7 +170,7 @@ public:
                           {.header = known_text<"redundancy">(), .digits = 2},
                           {.header = "w", .is_symbol = true, .digits = 3},
                           {.header = known_text<"remark">()}};
-        for (const JointSetUp& joint : setup.set_ups) add(joint);
+        for (const JointSetUp& joint : divided(setup, most_joint_rows)) add(joint);
         finish();
     }
 

@@ -181,9 +181,9 @@ std::vector<SharedMove> moves_of(const NetworkSetup& setup, const Eigen::MatrixX
 }
 
 /// Whether what is stated of the stations leaves so much open that the second-order part of what they do to a
-/// reading is not small beside its own uncertainty, as displacements.
+/// reading is as large as its own uncertainty, as displacements. Where it is a quarter of that, u changes by
+/// a ten-millionth (lsm-network).
 bool stations_are_open(const NetworkSetup& setup, const JointSetUp& joint, const Sensitivities& all) {
-    constexpr double small_share = 0.1;
     const double own = all.u.cwiseQuotient(all.to_point.rowwise().norm()).minCoeff();
     double bent = 0.0;
     for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t)
@@ -193,7 +193,7 @@ bool stations_are_open(const NetworkSetup& setup, const JointSetUp& joint, const
             const double along = T.topRows<3>().norm(), turn = T.bottomRows<3>().norm();
             bent = std::max(bent, d * turn * turn + along * along / d);
         }
-    return bent > small_share * own;
+    return bent > own;
 }
 
 std::vector<std::array<double, 6>> station_derivatives(const NetworkSetup& setup, const JointSetUp& joint) {

@@ -231,25 +231,42 @@ TEST(TemperatureDoors, EachTakesATemperatureOrADifferenceForWhatItIs) {
     EXPECT_GT(doors, 40u);
 }
 
+const char* const of_the_zero = "where the scale has its zero";
+
+Found stated(const StatementKind& kind, const std::string& value, const char* unit, const char* stated_unit) {
+    const std::string a = kind.a.empty() ? "null" : "1";
+    const std::string b = kind.b.empty() || kind.b_optional ? "null" : kind.b_has_unit ? "0.1" : "0.5";
+    return found_in(
+        project_of(analysis("a", "y = t", row("t", value, unit, std::string(kind.key), a, b, stated_unit))));
+}
+
 // Every kind of statement whose figures have a unit.
 TEST(TemperatureDoors, NoFigureIsAPartOfATemperature) {
+    std::size_t accepted = 0;
     for (const StatementKind& kind : statement_kinds()) {
         if (kind.a.empty() || !kind.a_has_unit || kind.key == "limits") continue;
         for (const char* part : {"%", "ppm", "ppb"}) {
-            const std::string b = kind.b.empty() || kind.b_optional ? "null"
-                                  : kind.b_has_unit                 ? "0.1"
-                                                                    : "0.5";
-            const auto stated = [&](const char* unit) {
-                const std::string value = "20";
-                return found_in(project_of(
-                    analysis("a", "y = t", row("t", value, unit, std::string(kind.key), "1", b, part))));
-            };
-            const Found temperature = stated("degC"), difference = stated("K");
-            EXPECT_NE(temperature.objection.find("where the scale has its zero"), std::string::npos)
+            const Found temperature = stated(kind, "20", "degC", part),
+                        difference = stated(kind, "20", "K", part);
+            EXPECT_NE(temperature.objection.find(of_the_zero), std::string::npos)
                 << kind.key << " in " << part << ": " << temperature.objection;
-            EXPECT_EQ(difference.objection, "") << kind.key << " in " << part;
+            EXPECT_EQ(difference.objection.find(of_the_zero), std::string::npos)
+                << kind.key << " in " << part;
+            accepted += difference.objection.empty();
         }
     }
+    EXPECT_GT(accepted, 25u);
+}
+
+// Distributions that begin at zero have their mean and their standard deviation from there.
+TEST(TemperatureDoors, NoDistributionBeginsAtTheZeroOfTheScale) {
+    std::set<std::string> refused_kinds;
+    for (const StatementKind& kind : statement_kinds())
+        for (const char* value : {"20", "null"})
+            if (stated(kind, value, "degC", "K").objection.find(of_the_zero) != std::string::npos)
+                refused_kinds.insert(std::string(kind.key));
+    EXPECT_EQ(refused_kinds, (std::set<std::string>{"exponential", "weibull", "weibull-deviation", "poisson",
+                                                    "binomial", "counts"}));
 }
 
 /// A value of a field or column with the dimension of temperature.

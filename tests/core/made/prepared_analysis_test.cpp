@@ -204,7 +204,7 @@ TEST(PreparedAnalysis, WarningsAreThoseOfTheAssetsThatAreUsedAndOfTheAnalysis) {
     const auto made = MadeProject::make(project);
     const std::vector<Message> warnings = made->warnings_of("sum-1");
     ASSERT_EQ(warnings.size(), 2u);
-    EXPECT_EQ(warnings[0], "asset block-1: one round does not say how well it repeats");
+    EXPECT_EQ(warnings[0], "asset 'the block': one round does not say how well it repeats");
     EXPECT_TRUE(warnings[1].english().starts_with("no input quantity has an uncertainty")) << warnings[1];
     EXPECT_TRUE(made->warnings_of("nothing").empty());
 }

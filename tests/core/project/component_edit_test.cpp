@@ -12,6 +12,7 @@ namespace {
 
 /// Some parameters that are possible for the kind, in its own unit.
 std::vector<double> parameters_of(const DistributionKindInfo& kind) {
+    if (kind.key == "histogram") return {-1.5, 0.5, 2.0, 0.25, 0.75};
     if (kind.parameters.empty()) return {-1.5, 2.0, 0.25, 0.75};
     std::vector<double> parameters;
     for (const DistributionParameterInfo& info : kind.parameters)
@@ -20,6 +21,8 @@ std::vector<double> parameters_of(const DistributionKindInfo& kind) {
                              : info.key == "beta"        ? 0.5
                              : info.key == "high"        ? 2.5
                              : info.key == "inexactness" ? 0.1
+                             : info.key == "trials"      ? 7.0
+                             : info.key == "probability" ? 0.3
                                                          : 1.5);
     return parameters;
 }

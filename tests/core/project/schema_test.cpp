@@ -235,5 +235,17 @@ TEST(JsonSchema, NamesTheChoicesThatAreRead) {
         }
 }
 
+/// More trials than all machines make would never end, and nothing would say so.
+TEST(Options, EveryNumberOfTrialsHasAnEnd) {
+    for (const OptionField& field : option_fields()) {
+        const auto* member = std::get_if<std::uint64_t EvaluationOptions::*>(&field.member);
+        if (!member || *member == &EvaluationOptions::minimum_batches) continue;
+        EXPECT_LE(field.range.high, 1e12) << field.key;
+        Problems problems;
+        options_from_json(Json{{field.key, 1e15}}, "", problems);
+        EXPECT_TRUE(problems.has_errors()) << field.key;
+    }
+}
+
 }  // namespace
 }  // namespace covaria::schema_test

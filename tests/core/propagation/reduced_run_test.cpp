@@ -174,6 +174,66 @@ TEST(ControlVariate, IntervalEndsFollowACurve) {
     EXPECT_NEAR(output_of(result).symmetric.high, curve(normal_quantile(0.975)), 1e-6);
 }
 
+/// A smooth function of its linear part alone leaves no scatter about a curve, but the curve's own cube: the
+/// residuals are no noise, and an error made of them is too small.
+TEST(ControlVariate, ErrorsOfFunctionsOfTheLinearPartHoldTheTrueEnds) {
+    struct Case {
+        double (*value)(double);
+        double (*slope)(double);
+    };
+    const Case cases[] = {
+        {[](double x) { return std::exp(x); }, [](double x) { return std::exp(x); }},
+        {[](double x) { return std::atan(x + 0.5); },
+         [](double x) { return 1.0 / (1.0 + (x + 0.5) * (x + 0.5)); }},
+        {[](double x) { return std::log(4.0 + x); }, [](double x) { return 1.0 / (4.0 + x); }},
+        {[](double x) { return x + 0.05 * x * x * x; }, [](double x) { return 1.0 + 0.15 * x * x; }}};
+    constexpr double u = 0.7;
+    for (const Case& f : cases) {
+        const FunctionModel model(
+            normal_inputs({{0.0, u}}), outputs_named({"y"}),
+            [f](std::span<const double> x, std::span<double> y) {
+                y[0] = f.value(x[0]);
+                return true;
+            },
+            [f](std::span<const double> x, Eigen::MatrixXd& jacobian) {
+                jacobian(0, 0) = f.slope(x[0]);
+                return true;
+            });
+        constexpr int seeds = 200;
+        std::array<int, 2> outside{};
+        for (int seed = 1; seed <= seeds; ++seed) {
+            const UncertaintyResult result = evaluated(
+                model,
+                options_with(VarianceReduction::control_variate, 50'000, static_cast<std::uint64_t>(seed)));
+            const MonteCarloOutput& y = output_of(result);
+            const OutputFigures& e = y.reduced->standard_errors;
+            const double z = u * normal_quantile(0.975);
+            outside[0] += std::abs(y.symmetric.low - f.value(-z)) > 2.0 * e.low;
+            outside[1] += std::abs(y.symmetric.high - f.value(z)) > 2.0 * e.high;
+            EXPECT_GT(*least_gain(result), 1e3);  // and is not made honest by being useless
+        }
+        // 4.6 % of 200 are 9, and more than 20 of them are there once in 1,500.
+        for (const int n : outside) EXPECT_LE(n, 20);
+    }
+}
+
+/// Distributions that are not known exactly: the ends are held by their errors all the same.
+TEST(ControlVariate, ErrorsHoldTheEndsOfSumsThatAreHardToInvert) {
+    InputSet lognormal, rectangle;
+    add_quantity(lognormal, "x", Distribution::of(Lognormal{0.0, 2.0}));
+    add_quantity(lognormal, "w", Distribution::normal(0.5));
+    add_quantity(rectangle, "x", Distribution::of(Rectangular{-1.0, 1.0}));
+    add_quantity(rectangle, "w", Distribution::normal(0.001));
+    EvaluationOptions options = options_with(VarianceReduction::control_variate, 500'000, 4);
+    const MonteCarloOutput of_lognormal = output_of(evaluated(sum_model(lognormal), options));
+    EXPECT_NEAR(of_lognormal.symmetric.low, -0.5874, 4.0 * of_lognormal.reduced->standard_errors.low + 5e-5);
+    options.coverage_probability = 0.999;
+    const MonteCarloOutput of_rectangle = output_of(evaluated(sum_model(rectangle), options));
+    EXPECT_NEAR(of_rectangle.symmetric.high, 0.9991005,
+                4.0 * of_rectangle.reduced->standard_errors.high + 1e-7);
+    EXPECT_GT(of_rectangle.reduced->standard_errors.high, 1e-8);
+}
+
 TEST(ControlVariate, GainsWhatTheLinearPartExplains) {
     const UncertaintyResult result =
         evaluated(bent_model(), options_with(VarianceReduction::control_variate, 200'000));
@@ -233,7 +293,11 @@ TEST(ControlVariate, IsExactForLinearModels) {
     const double end = 2.0 - std::sqrt(8.0 * 0.025);  // triangle of width 4
     EXPECT_NEAR(y.symmetric.low, 3.0 - end, 1e-7);
     EXPECT_NEAR(y.symmetric.high, 3.0 + end, 1e-7);
-    EXPECT_LT(y.reduced->standard_errors.high, 1e-12);
+    // What is exact is the mean; the quantile of the linear part is computed, and its error is stated.
+    EXPECT_LT(y.reduced->standard_errors.mean, 1e-12);
+    EXPECT_LT(y.reduced->standard_errors.high, 1e-5);
+    EXPECT_LE(std::abs(y.symmetric.high - 3.0 - end), y.reduced->standard_errors.high);
+    EXPECT_LE(std::abs(y.symmetric.low - 3.0 + end), y.reduced->standard_errors.low);
     EXPECT_GT(*least_gain(result), 1e6);
     EXPECT_NEAR(result.covariance(0, 0), 2.0 / 3.0, 1e-12);
 }
@@ -270,7 +334,7 @@ TEST(ControlVariate, KnowsTheDistributionOfDependentComponents) {
         const UncertaintyResult known =
             evaluated(model, options_with(VarianceReduction::control_variate, 20'000, 2));
         ASSERT_TRUE(output_of(known).reduced->plain_because.empty());
-        EXPECT_LT(output_of(known).reduced->standard_errors.high, 1e-12);
+        EXPECT_LT(output_of(known).reduced->standard_errors.high, 1e-6);
         const MonteCarloOutput &a = output_of(plain), &b = output_of(known);
         const double error = a.standard_uncertainty / std::sqrt(double(trials));
         EXPECT_NEAR(a.mean, b.mean, 4.0 * error);

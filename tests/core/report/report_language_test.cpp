@@ -209,6 +209,7 @@ struct Texts {
     }
     void operator()(const SceneBlock& block) { texts.push_back(block.caption); }
     void operator()(const EquationBlock&) {}  // of the model, with its source
+    void operator()(const ContentsBlock&) {}  // the headings
     template <class Other>
     void operator()(const Other&) {
         ADD_FAILURE() << "a report has no such block";

@@ -88,6 +88,29 @@ TEST(ResultsJson, KurtosisAndExcessDifferByThree) {
                 1e-9);
 }
 
+TEST(ResultsJson, ToleranceIsHeldAgainstTheUncertainty) {
+    const UncertaintyResult result = test::sample_result();
+    const OutputResult& x = result.outputs[0];
+    Project project = test::sample_project();
+    Requirement& requirement = project.analyses[0].requirements[0];
+    const double middle = 1e3 * x.estimate;
+    requirement.lower_limit = Quantity{middle - 5.0, Unit::of("mm")};
+    requirement.upper_limit = Quantity{middle + 5.0, Unit::of("mm")};
+    const Json json = Json::parse(results_json(project, {test::sample_analysis(result)}));
+    const Json& stated = json["analyses"][0]["requirements"][0];
+    EXPECT_NEAR(stated["capabilityIndex"].get<double>(), 10.0 / (4e3 * x.standard_uncertainty), 1e-9);
+    EXPECT_NEAR(stated["testUncertaintyRatio"].get<double>(), 5.0 / (1e3 * x.expanded_uncertainty), 1e-9);
+    EXPECT_FALSE(json["analyses"][0]["requirements"][1].contains("capabilityIndex"));
+}
+
+TEST(ResultsJson, AConstantHasNoShape) {
+    UncertaintyResult result = test::sample_result();
+    result.outputs[0].monte_carlo->standard_uncertainty = 0.0;
+    const Json output = Json::parse(text_of(result))["analyses"][0]["outputs"][0];
+    for (const char* key : {"skewness", "kurtosis", "excessKurtosis"})
+        EXPECT_TRUE(output[key].is_null()) << key;
+}
+
 TEST(ResultsJson, SecondOrderTermsStandWhereTheyWereAskedFor) {
     UncertaintyResult result = test::sample_result();
     EXPECT_FALSE(

@@ -37,7 +37,7 @@ std::string words(double low, double high, int most) {
 TEST(Ticks, OfAnyRangeAreFewAndInside) {
     test::RandomFigures figures(42);
     std::size_t with_ticks = 0;
-    for (int i = 0; i < 100'000; ++i) {
+    for (int i = 0; i < 20'000; ++i) {
         const auto [low, high] = figures.range();
         const int most = 1 + static_cast<int>(figures.below(12));
         const Ticks ticks = linear_ticks(low, high, most);
@@ -45,7 +45,7 @@ TEST(Ticks, OfAnyRangeAreFewAndInside) {
         expect_an_axis(ticks, low, high, most, words(low, high, most));
         if (HasFailure()) return;
     }
-    EXPECT_GT(with_ticks, 60'000u) << "nearly every range has a round number in it";
+    EXPECT_GT(with_ticks, 12'000u) << "nearly every range has a round number in it";
 }
 
 TEST(Ticks, OfAnyLogarithmicRangeAreFewAndInside) {

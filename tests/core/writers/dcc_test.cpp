@@ -109,6 +109,9 @@ TEST(WriteCertificate, SaysWhereItWasPerformedAndNothingAboutASignThatIsNotThere
             for (const std::uint64_t trials : {0, 2'000}) {
                 Project project = loaded(data_directory() / "projects/gum/h1-end-gauge.covaria");
                 project.certificate = full_certificate();
+                // The other one has a component of two degrees of freedom: u by Monte Carlo does not exist.
+                std::erase_if(project.analyses,
+                              [](const AnalysisEntry& analysis) { return analysis.requirements.empty(); });
                 project.certificate.site = site;
                 project.certificate.place = place;
                 if (fixed) project.results.coverage_factor = 2.0;

@@ -46,7 +46,7 @@ UncertaintyResult result_of(double mean, double u) {
 
 TEST(Charts, OfAnyResultHaveAnEnd) {
     covaria::test::RandomFigures figures(7);
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < 40; ++i) {
         const auto [mean, beyond] = figures.range();
         const double u = figures.below(2) == 0 ? std::abs(figures.any()) : 0.5 * beyond - 0.5 * mean;
         const std::string what =

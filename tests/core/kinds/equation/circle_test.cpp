@@ -20,7 +20,7 @@ std::string analysis(const std::string& id, const std::string& equation, const s
            R"("], "quantities": {"columns": ["symbol", "value", "unit", "statement", "a"], "rows": [)" +
            rows +
            R"(]}, "outputs": {"columns": ["symbol", "unit"], "rows": [["y", "deg"]]}},
-           "options": {"trials": 100000, "seed": 7})" +
+           "options": {"trials": 100000, "seed": "7"})" +
            further + "}";
 }
 

@@ -153,10 +153,10 @@ TEST(TrackerPose, AnAssetThatRefersBackToItselfIsRefused) {
     TrackerPose t;
     std::get<SetupTable>(t.asset("network").values.at("sensors")).rows[0][0] = std::string("network");
     EXPECT_FALSE(t.prepare("network"));
-    EXPECT_NE(
-        t.errors().find("/assets/2/setup/sensors/rows/0/sensor: 'sensor' refers to the asset 'network', "
-                        "which refers back to this one"),
-        std::string::npos)
+    EXPECT_NE(t.errors().find("/assets/2/setup/sensors/rows/0/sensor: 'sensor' refers to the asset 'Tracker "
+                              "and total station', "
+                              "which refers back to this one"),
+              std::string::npos)
         << t.errors();
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/kinds/registries.h"
 #include "core/made/load_project.h"
 #include "core/project/project_text.h"
 #include "tests/core/shipped_projects.h"
@@ -26,14 +27,39 @@ void rename_ids(Json& node, const std::map<std::string, std::string>& ids) {
         if (node.is_structured()) rename_ids(part, ids);
 }
 
+/// Kinds and choices, which an id may be equal to.
+std::set<std::string> words_of_files() {
+    std::set<std::string> words;
+    const auto add = [&](const SetupSchema& schema) {
+        for (const FieldSpec& field : schema.fields()) {
+            for (const Choice& choice : field.choices) words.insert(choice.key);
+            for (const ColumnSpec& column : field.columns) {
+                words.insert(column.key);
+                for (const Choice& choice : column.choices) words.insert(choice.key);
+            }
+        }
+    };
+    for (const ModelDescriptor& model : model_registry()) {
+        words.insert(model.id);
+        add(model.schema);
+    }
+    for (const AssetDescriptor& kind : asset_registry()) {
+        words.insert(kind.kind);
+        add(kind.schema);
+    }
+    return words;
+}
+
 /// The project with ids "qz0-id", "qz1-id" ... and names "Thing 0", "Thing 1" ...
 Json with_plain_ids(const std::filesystem::path& file) {
     std::ifstream in(file);
     Json project = Json::parse(in);
+    const std::set<std::string> words = words_of_files();
     std::map<std::string, std::string> ids;
     for (const char* list : {"assets", "analyses"})
         for (Json& entry : project.value(list, Json::array()))
-            ids.try_emplace(entry.at("id").get<std::string>(), "qz" + std::to_string(ids.size()) + "-id");
+            if (const std::string id = entry.at("id").get<std::string>(); !words.contains(id))
+                ids.try_emplace(id, "qz" + std::to_string(ids.size()) + "-id");
     rename_ids(project, ids);
     std::size_t number = 0;
     for (const char* list : {"assets", "analyses"})
@@ -53,6 +79,7 @@ void collect_leaves(const Json& node, const Json::json_pointer& at, std::vector<
 void expect_no_ids(const Problems& problems, const std::string& what) {
     for (const Problem& problem : problems.items()) {
         const std::string words = problem.message.english();
+        if (words.find("is written as") != std::string::npos) continue;  // how to write it in the file
         for (const char* id :
              {"qz", "/analyses", "/assets", "/setup", "/rows/", "/options", "/studies", "/designs"})
             EXPECT_EQ(words.find(id), std::string::npos) << what << ": " << words;
@@ -122,7 +149,7 @@ TEST(Messages, ACircleOfLinksIsNamedByItsAnalyses) {
     const Problems problems = parse_project(project.dump(), ".", "circle").problems;
     ASSERT_TRUE(problems.has_errors());
     expect_no_ids(problems, "circle");
-    EXPECT_NE(problems.items().front().message.english().find("'Gauge A'"), std::string::npos)
+    EXPECT_NE(problems.items().front().message.english().find("Gauge A"), std::string::npos)
         << problems.items().front().message.english();
 }
 
