@@ -238,7 +238,7 @@ TEST(Kinks, AreSaidAndLeaveTheFirstOrderEmpty) {
         {[](double z) { return z * z; }, [](double z) { return 2.0 * z; }, false},
         {[](double z) { return z * z * z; }, [](double z) { return 3.0 * z * z; }, false},
         {[](double z) { return z * std::abs(z); }, [](double z) { return 2.0 * std::abs(z); }, false},
-        {[](double z) { return std::exp(3.0 * z); }, [](double z) { return 3.0 * std::exp(3.0 * z); }, false},
+        {[](double z) { return std::exp(0.3 * z); }, [](double z) { return 0.3 * std::exp(0.3 * z); }, false},
         {[](double z) { return std::atan(50.0 * z); }, [](double z) { return 50.0 / (1.0 + 2500.0 * z * z); },
          false},
         {[](double z) { return z; }, [](double) { return 1.0; }, false}};
