@@ -212,7 +212,7 @@ TEST(LinearDistribution, ErrorsHoldTheTrueQuantile) {
         return std::exp(between(std::log(low), std::log(high)));
     };
     int known = 0;
-    constexpr int cases = 300;
+    constexpr int cases = 60;
     for (int n = 0; n < cases; ++n) {
         const std::array<Distribution, 8> shapes{
             Distribution::of(Rectangular{-1.0, 1.0}),
