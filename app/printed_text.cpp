@@ -1,7 +1,7 @@
 #include "app/printed_text.h"
 
-#include <ext/stdio_sync_filebuf.h>
 #include <unistd.h>
+#include <ext/stdio_sync_filebuf.h>
 
 #include <cerrno>
 #include <cstdio>

@@ -53,8 +53,8 @@ void hold(const StatedOutcome& stated, const OutputResult& result, std::vector<M
     if (stated.value) {
         const double here = stated.unit.from_si(result.estimate), by = std::abs(here - *stated.value);
         lines.push_back(apart(symbol, stated_in(*stated.value, stated.unit),
-                              readable_number(here) + after_number(stated.unit),
-                              in_unit(by, interval, 2), !(by <= far_of_u * u)));
+                              readable_number(here) + after_number(stated.unit), in_unit(by, interval, 2),
+                              !(by <= far_of_u * u)));
     }
     if (stated.u && stated.from_contributions)
         lines.push_back(apart(tell<"u(%1) by its contributions">(symbol), in_unit(*stated.u, interval, 4),

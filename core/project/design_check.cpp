@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
-#include "core/base/temperature.h"
 #include "core/base/own_folder.h"
+#include "core/base/temperature.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/csv_table.h"
 #include "core/project/design_fields.h"

@@ -194,8 +194,9 @@ TEST(Help, MistypedCommandsAndOptionsAreGuessed) {
               std::string::npos);
     EXPECT_NE(run_program({"nowhere.covaria"}).err.find("nowhere.covaria"), std::string::npos);
     EXPECT_EQ(run_program({"describe", "spherical-instrumnet"}).status, 1);
-    EXPECT_NE(run_program({"describe", "spherical-instrumnet"}).err.find("did you mean 'spherical-instrument'"),
-              std::string::npos);
+    EXPECT_NE(
+        run_program({"describe", "spherical-instrumnet"}).err.find("did you mean 'spherical-instrument'"),
+        std::string::npos);
 }
 
 /// Every option of every command, with two letters exchanged.

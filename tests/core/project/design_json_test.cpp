@@ -138,7 +138,8 @@ TEST(DesignJson, ChangesNoNumber) {
 TEST(DesignJson, TheSameIdTwiceIsRefused) {
     const std::string one = R"({"id": "d", "variables": [{"target": "/setup/gain", "from": 1, "to": 2}]})";
     const LoadedProject loaded = parse(with_designs("[" + one + ", " + one + "]"));
-    EXPECT_EQ(problem_with(loaded.problems, "another design has the same id").path, "/analyses/0/designs/1/id");
+    EXPECT_EQ(problem_with(loaded.problems, "another design has the same id").path,
+              "/analyses/0/designs/1/id");
 }
 
 TEST_P(BadDesigns, AreSaidWithTheirPlace) {

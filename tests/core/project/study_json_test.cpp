@@ -125,7 +125,8 @@ TEST(StudyJson, RefusesARepeatedIdAndUnknownOutput) {
     const LoadedProject loaded =
         parse(with_studies("[{\"id\": \"s\", " + axis + "}, {\"id\": \"s\", " + axis +
                            R"(, "outputs": [{"group": "lengths", "symbol": "w"}]}])"));
-    EXPECT_EQ(problem_with(loaded.problems, "another study has the same id").path, "/analyses/0/studies/1/id");
+    EXPECT_EQ(problem_with(loaded.problems, "another study has the same id").path,
+              "/analyses/0/studies/1/id");
     EXPECT_EQ(problem_with(loaded.problems, "no output quantity 'w' in 'lengths'").path,
               "/analyses/0/studies/1/outputs/0");
 }
