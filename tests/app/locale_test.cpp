@@ -27,7 +27,8 @@ Arguments with_certificate(Arguments arguments) {
          {"number=K-7", "laboratory/name=Laboratory A", "laboratory/address=Road 1", "laboratory/country=DE",
           "customer/name=Customer B", "customer/address=Lane 2", "item/description=Gauge block",
           "item/serialNumber=17", "dates/calibrated=2026-04-17", "dates/issued=2026-04-20", "method=M 3",
-          "environment=20 degC", "traceability=To PTB", "authorised/name=E. Muster"}) {
+          "environment=20 degC", "traceability=To PTB", "authorised/name=E. Muster",
+          "specification=ISO 3650:1998"}) {
         arguments.emplace_back("--set");
         arguments.push_back(std::string("/certificate/") + value);
     }
