@@ -123,7 +123,7 @@ function(covaria_test name)
         endif()
         add_dependencies(${floor} test_${name})
     endif()
-    set(limit 180)
+    set(limit 300)
     if(COVARIA_SANITIZE)  # makes everything ten times slower
         set(limit 900)
     endif()
