@@ -23,14 +23,14 @@ namespace {
 /// Of the pictures of a run.
 const std::vector<std::string> views = {"iso", "top", "front", "right"};
 
-std::string joined(const std::vector<std::string>& words) {
+std::string joined(const auto& words) {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
     return text;
 }
 
 Result<void> check_group(const EvaluatedAnalysis& evaluated, const std::string& group) {
-    const std::vector<std::string> groups = groups_of(evaluated.analysis->model->outputs());
+    const std::vector<Name> groups = groups_of(evaluated.analysis->model->outputs());
     if (group.empty() || std::find(groups.begin(), groups.end(), group) != groups.end()) return {};
     return fail(ErrorCode::bad_input,
                 "there is no group \"" + group + "\"; the analysis has: " + joined(groups));
@@ -166,7 +166,7 @@ std::vector<PlannedPicture> planned_pictures(const std::vector<EvaluatedAnalysis
             }
             continue;
         }
-        const std::vector<std::string> groups = groups_of(analysis.model->outputs());
+        const std::vector<Name> groups = groups_of(analysis.model->outputs());
         for (const std::string& group : groups)
             for (const std::string& view : group == groups.front() ? views : std::vector<std::string>{"iso"})
                 add({i, group, view, {}, {}}, {analysis.id, file_name_part(group), view});

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/base/name.h"
 #include "core/model/triangle_mesh.h"
 
 namespace covaria {
@@ -26,19 +27,19 @@ struct LayoutSource {
 };
 
 struct LayoutFrame {
-    std::string name;  ///< "base b"
+    Name name;  ///< "base b"
     Eigen::Isometry3d X_WF = Eigen::Isometry3d::Identity();
-    std::string group = {};
+    Name group = {};
     LayoutSource source = {};
 };
 
 enum class PointKind { nest, target, support, ball, flange, tool, station, other };
 
 struct LayoutPoint {
-    std::string name;  ///< "b1"
+    Name name;  ///< "b1"
     PointKind kind = PointKind::other;
     Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
-    std::string group = {};
+    Name group = {};
     LayoutSource source = {};
     /// The point is itself a set of input quantities (index of x, y, z, possibly in frame F) ...
     std::optional<std::array<std::size_t, 3>> inputs = {};
@@ -53,11 +54,11 @@ struct LayoutPoint {
 enum class LinkKind { leg, robot_link, bar, joint_axis, sight_line, dimension, field_of_view, edge };
 
 struct LayoutLink {
-    std::string name;
+    Name name;
     LinkKind kind = LinkKind::edge;
     Eigen::Vector3d from_W = Eigen::Vector3d::Zero();
     Eigen::Vector3d to_W = Eigen::Vector3d::Zero();
-    std::string group = {};
+    Name group = {};
 };
 
 enum class BodyKind { plate, artefact, instrument, force_sensor };
@@ -65,13 +66,13 @@ enum class BodyKind { plate, artefact, instrument, force_sensor };
 /// A flat or solid thing outlined by points ("the moving platform", "plate of the artefact"), or an
 /// instrument glyph.
 struct LayoutBody {
-    std::string name;
+    Name name;
     BodyKind kind = BodyKind::plate;
     std::vector<Eigen::Vector3d> outline_W = {};  ///< polygon, in order; empty for glyphs
     double thickness = 0.0;                       ///< 0 = chosen by the picture
     Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
     std::string glyph = {};  ///< for instruments: "total-station", "tracker", "camera", "distance-meter"
-    std::string group = {};
+    Name group = {};
     LayoutSource source = {};
 };
 
@@ -79,10 +80,10 @@ enum class VectorKind { force, moment };
 
 /// A quantity with direction (force, moment) at a point. Vectors of one kind are drawn to one scale.
 struct LayoutVector {
-    std::string name;
+    Name name;
     Eigen::Vector3d at_W = Eigen::Vector3d::Zero();
     Eigen::Vector3d vector_W = Eigen::Vector3d::Zero();  ///< N or N m
-    std::string group = {};
+    Name group = {};
     VectorKind kind = VectorKind::force;
     bool is_measured = false;  ///< its label says how large it is
     /// Output quantities that are its three coordinates; their uncertainty is then drawn at the tip ...
@@ -94,7 +95,7 @@ enum class MeshColour { grey, blue, green, orange, red };
 
 /// A surface for context: the cell, the part, the fixture. No number depends on it.
 struct LayoutMesh {
-    std::string name;
+    Name name;
     std::shared_ptr<const TriangleMesh> triangles = {};  ///< never null in a layout
     double scale = 1.0;                                  ///< m in one unit of the triangles
     Eigen::Isometry3d X_WM = Eigen::Isometry3d::Identity();

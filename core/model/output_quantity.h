@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/base/name.h"
 #include "core/base/temperature.h"
 #include "core/base/unit.h"
 
@@ -18,7 +19,7 @@ struct OutputQuantity {
     std::string symbol = {};  ///< unique within its group: "x", "alpha"
     Message name = {};        ///< "x of the platform"
     Unit unit = {};           ///< for display and results.json; values are SI
-    std::string group = {};   ///< "pose 7"; one joint coverage region per group of measurands
+    Name group = {};          ///< "pose 7"; one joint coverage region per group of measurands
     OutputRole role = OutputRole::measurand;
     bool periodic = false;  ///< an angle on the circle (period 2 pi): unwrapped to the estimate
     TemperatureKind temperature = TemperatureKind::by_unit;

@@ -71,7 +71,8 @@ std::vector<bool> brought_in_by(const InputSet& inputs, const std::string& contr
 }
 
 struct Contributor {
-    std::string id, name;
+    std::string id;
+    Name name;
     std::size_t components = 0;  ///< that have an uncertainty
 };
 
@@ -92,11 +93,11 @@ std::vector<Contributor> contributors_in(const InputSet& inputs, const LawOfProp
 }
 
 /// Two assets may have one name: their ids tell them apart.
-std::string title_of(const Contributor& contributor, const std::vector<Contributor>& all) {
+Name title_of(const Contributor& contributor, const std::vector<Contributor>& all) {
     const bool alone = std::count_if(all.begin(), all.end(), [&](const Contributor& other) {
                            return other.name == contributor.name;
                        }) == 1;
-    return alone ? contributor.name : contributor.name + " (" + contributor.id + ")";
+    return alone ? contributor.name : Name(contributor.name + " (" + contributor.id + ")");
 }
 
 InputSet with_held(InputSet inputs, const std::vector<bool>& counts) {

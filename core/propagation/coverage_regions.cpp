@@ -16,8 +16,8 @@
 namespace covaria::detail {
 namespace {
 
-CoverageRegion region_of(const std::string& group, std::vector<std::size_t> outputs,
-                         const LawOfPropagation& law, double probability) {
+CoverageRegion region_of(const Name& group, std::vector<std::size_t> outputs, const LawOfPropagation& law,
+                         double probability) {
     CoverageRegion region;
     region.group = group;
     const auto m = static_cast<double>(outputs.size());
@@ -41,7 +41,7 @@ Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const std::vector<std
 std::vector<CoverageRegion> declare_regions(const std::vector<OutputQuantity>& outputs,
                                             const LawOfPropagation& law, double probability) {
     std::vector<CoverageRegion> regions;
-    for (const std::string& group : groups_of(outputs)) {
+    for (const Name& group : groups_of(outputs)) {
         std::vector<std::size_t> members = outputs_of_group(outputs, group);
         std::erase_if(members, [&](std::size_t j) { return outputs[j].role != OutputRole::measurand; });
         if (members.size() < 2) continue;

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/propagation/adaptive.h"
 #include "core/propagation/contributions.h"
 #include "core/propagation/coverage_regions.h"

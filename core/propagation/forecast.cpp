@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/math/normal_quantile.h"
 #include "core/propagation/adaptive.h"
 #include "core/propagation/numerical_tolerance.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/propagation/adaptive.h"
 #include "core/propagation/linear_parts.h"
 #include "core/propagation/parallel_blocks.h"

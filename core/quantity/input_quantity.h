@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/base/name.h"
 #include "core/base/unit.h"
 #include "core/quantity/distribution.h"
 
@@ -23,7 +24,7 @@ enum class EvaluationType { type_a, type_b };  // JCGM 100 2.3.2, 2.3.3
 /// A component or quantity belongs to a group of contributions: {"joint", "joint 4"}, {"kind", "lengths"}.
 struct GroupTag {
     std::string grouping;
-    std::string group = {};
+    Name group = {};
     bool operator==(const GroupTag&) const = default;
 };
 
@@ -42,8 +43,8 @@ struct UncertaintyComponent {
     Message origin = {};  ///< where the figure comes from: "artefact plate-2d, Eq. 2", "certificate ..."
     bool held = false;    ///< held at its mean: contributes nothing ("ideal robot"); keeps its address
     /// Who brings it in, for results with all of a contributor held: the id of an asset, "" = the set-up.
-    std::string contributor = {};
-    std::string contributor_name = {};  ///< for people; empty: as `contributor`
+    Name contributor = {};
+    Name contributor_name = {};  ///< for people; empty: as `contributor`
     /// Id of the asset that states it, where that is not the contributor: a sensor of a network.
     std::string stated_by = {};
     std::vector<GroupTag> tags = {};  ///< beside those of its quantities
@@ -85,7 +86,7 @@ struct InputQuantity {
     double offset = 0.0;
     std::vector<Share> shares = {};
     Combination combination = Combination::quadrature;
-    std::string group = {};  ///< "base", "pose 7": for filtering and grouped contributions
+    Name group = {};  ///< "base", "pose 7": for filtering and grouped contributions
     std::string source =
         {};  ///< JSON pointer of the set-up field the estimate comes from, relative to the set-up
     std::vector<GroupTag> tags = {};  ///< groups of contributions; kept when components are edited

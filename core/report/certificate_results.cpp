@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/report/certificate_parts.h"
 #include "core/report/result_statement.h"
 #include "core/result/representation.h"
@@ -21,7 +21,7 @@ constexpr std::size_t least_matrix_groups = 3;  // fewer become a table of lines
 constexpr std::size_t matrix_symbols = 3;       // side by side on a page
 constexpr std::size_t most_interval_notes = 6;
 
-using Groups = std::vector<std::string>;
+using Groups = std::vector<Name>;
 
 std::string k_text(const OutputResult& output, const UncertaintyResult& result, const DocumentLanguage& in) {
     const double nu = stated_degrees_of_freedom(output, result);
@@ -138,7 +138,7 @@ void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& g
         if (!one_k) table.symbol(k_head(result));
     }
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        std::vector<TableCell> row = {groups[g]};
+        std::vector<TableCell> row = {in.say(said_name(groups[g]))};
         for (std::size_t c = 0; c < columns.size(); ++c) {
             const OutputResult& output = result.outputs[shown[g * columns.size() + c]];
             row.emplace_back(value_statement(output, false, in));
@@ -173,7 +173,7 @@ void add_matrices(Blocks& blocks, const UncertaintyResult& result, const Groups&
 std::vector<Groups> classes_of_groups(const UncertaintyResult& result) {
     std::map<std::string, std::size_t> known;
     std::vector<Groups> classes;
-    for (const std::string& group : measurand_groups(result)) {
+    for (const Name& group : measurand_groups(result)) {
         std::string symbols;
         for (const std::size_t i : measurands_of(result, group)) {
             const OutputQuantity& quantity = result.outputs[i].quantity;

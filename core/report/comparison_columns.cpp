@@ -7,7 +7,7 @@
 #include <memory>
 #include <numeric>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/report/component_labels.h"
 
 namespace covaria {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/report/plot_words.h"
 #include "core/text/symbol.h"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/base/version.h"
 #include "core/report/json_values.h"
 #include "core/report/report.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/report/component_labels.h"
 #include "core/report/plot_words.h"
 #include "core/report/plots.h"
@@ -69,7 +69,7 @@ bool is_of_second_order(const OutputResult& output) {
 
 /// "Contributions to u(x), pose 1"; with how much of u they are contributions to, where that is not all.
 Text title_of_contributions(const PlottedOutput& y, const DocumentLanguage& language) {
-    const std::string& group = y.output().quantity.group;
+    const Name& group = y.output().quantity.group;
     const Text title = language.say_text(plot_words::contributions, {y.symbol()}) +
                        (group.empty() ? "" : ", " + language.say(said_name(group)));
     const auto part = part_of_first_order(y.output());
@@ -133,7 +133,7 @@ PlotSpecification correlation_plot(const UncertaintyResult& result, const std::v
     const bool one_group = std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
         return group_of(i) == group_of(outputs.front());
     });
-    const std::string group = outputs.empty() || !one_group ? "" : group_of(outputs.front());
+    const Name group = outputs.empty() || !one_group ? Name() : group_of(outputs.front());
     const std::string id = "correlation" + (group.empty() ? "" : "-" + report_parts::id_part(group));
     if (outputs.size() < 2) return nothing_to_show(id, language.say(plot_words::single_output));
     const Eigen::MatrixXd correlation = correlation_of(result.covariance);

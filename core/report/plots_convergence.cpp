@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/report/plot_words.h"
 #include "core/report/plots.h"
 #include "core/report/plots_parts.h"

@@ -1,5 +1,5 @@
 // Joint coverage regions.
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/report/result_columns.h"
 
 namespace covaria {

@@ -145,8 +145,8 @@ public:
 private:
     void shorten_all(const Extent& extent) {
         const Elsewhere elsewhere = contents_.annex ? Elsewhere::annex : Elsewhere::files;
-        const std::vector<std::string> groups = groups_in_full(*evaluated_.result);
-        const std::string group = groups.size() == 1 ? groups.front() : "";
+        const std::vector<Name> groups = groups_in_full(*evaluated_.result);
+        const Name group = groups.size() == 1 ? groups.front() : Name();
         for (AnalysisChapter& chapter : chapters_) {
             const bool other_budgets =
                 chapter.chapter == ReportChapter::budgets && extent.budget_rows != most_budget_rows;

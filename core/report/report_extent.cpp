@@ -6,7 +6,7 @@
 #include <numeric>
 #include <optional>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/report/prose.h"
 
 namespace covaria::report_parts {
@@ -145,8 +145,7 @@ std::size_t end_of(const std::vector<std::vector<TableCell>>& rows, std::size_t 
 
 class Shortening {
 public:
-    Shortening(const Extent& extent, const std::string& group, Elsewhere elsewhere,
-               const DocumentLanguage& in)
+    Shortening(const Extent& extent, const Name& group, Elsewhere elsewhere, const DocumentLanguage& in)
         : extent_(extent), group_(group), elsewhere_(elsewhere), in_(in) {}
 
     void add(const ReportBlock& block) {
@@ -211,7 +210,7 @@ private:
     }
 
     const Extent& extent_;
-    const std::string& group_;
+    const Name& group_;
     const Elsewhere elsewhere_;
     const DocumentLanguage& in_;
     std::size_t tables_ = 0, figures_ = 0;
@@ -234,8 +233,8 @@ const std::vector<Extent>& extents() {
     return steps;
 }
 
-ShortenedChapter shorten(const Blocks& chapter, const Extent& extent, const std::string& group,
-                         Elsewhere elsewhere, const DocumentLanguage& in) {
+ShortenedChapter shorten(const Blocks& chapter, const Extent& extent, const Name& group, Elsewhere elsewhere,
+                         const DocumentLanguage& in) {
     Shortening shortening(extent, group, elsewhere, in);
     for (const ReportBlock& block : chapter) shortening.add(block);
     return shortening.take();

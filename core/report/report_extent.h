@@ -37,8 +37,8 @@ enum class Elsewhere {
 };
 /// Of long tables the rows of the group with the largest expanded uncertainties, or the first ones, are
 /// shown, with a note of where all are.
-ShortenedChapter shorten(const Blocks& chapter, const Extent& extent, const std::string& group,
-                         Elsewhere elsewhere, const DocumentLanguage& in);
+ShortenedChapter shorten(const Blocks& chapter, const Extent& extent, const Name& group, Elsewhere elsewhere,
+                         const DocumentLanguage& in);
 /// As long as it may be to fit into `lines`, or the shortest.
 Blocks shortened_to(double lines, const Blocks& blocks, Elsewhere elsewhere, const DocumentLanguage& in);
 

@@ -120,13 +120,13 @@ Quantity interval_in(const Unit& unit, double si);  ///< differences and uncerta
 Message contributor_title(const ContributorResult& result);  ///< its name; "the set-up" if it has none
 bool is_measurand(const OutputResult& output);
 /// Groups that have measurands, in order.
-std::vector<std::string> measurand_groups(const UncertaintyResult& result);
+std::vector<Name> measurand_groups(const UncertaintyResult& result);
 std::vector<std::size_t> measurands_of(const UncertaintyResult& result, const std::string& group);
-bool groups_alike(const UncertaintyResult& result, const std::vector<std::string>& groups);
+bool groups_alike(const UncertaintyResult& result, const std::vector<Name>& groups);
 /// Those whose measurands have the symbols and units of the first group's: what can be compared with it.
-std::vector<std::string> groups_like_the_first(const UncertaintyResult& result);
+std::vector<Name> groups_like_the_first(const UncertaintyResult& result);
 /// Groups that are shown: all if there are at most two, else of those like the first the one with the largest
 /// U, measured for each symbol by its mean over the groups.
-std::vector<std::string> groups_in_full(const UncertaintyResult& result);
+std::vector<Name> groups_in_full(const UncertaintyResult& result);
 
 }  // namespace covaria::report_parts

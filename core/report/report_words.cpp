@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/base/file_names.h"
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/base/placeholders.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
@@ -99,7 +99,7 @@ void TableBuilder::results(const UncertaintyResult& result, const std::vector<st
     columns(all, keys);
     std::string group;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        const std::string& of = result.outputs[outputs[i]].quantity.group;
+        const Name& of = result.outputs[outputs[i]].quantity.group;
         if (of != group) subhead(said_name(of));
         group = of;
         block_.spreads.resize(block_.table.rows.size());
@@ -197,8 +197,8 @@ bool is_measurand(const OutputResult& output) {
     return output.quantity.role == OutputRole::measurand;
 }
 
-std::vector<std::string> measurand_groups(const UncertaintyResult& result) {
-    std::vector<std::string> groups;
+std::vector<Name> measurand_groups(const UncertaintyResult& result) {
+    std::vector<Name> groups;
     for (const OutputResult& output : result.outputs)
         if (is_measurand(output) &&
             std::find(groups.begin(), groups.end(), output.quantity.group) == groups.end())
@@ -214,7 +214,7 @@ std::vector<std::size_t> measurands_of(const UncertaintyResult& result, const st
     return indices;
 }
 
-bool groups_alike(const UncertaintyResult& result, const std::vector<std::string>& groups) {
+bool groups_alike(const UncertaintyResult& result, const std::vector<Name>& groups) {
     const auto quantities = [&result](const std::string& group) {
         std::vector<std::pair<std::string, std::string>> list;
         for (const std::size_t i : measurands_of(result, group))
@@ -226,18 +226,18 @@ bool groups_alike(const UncertaintyResult& result, const std::vector<std::string
     });
 }
 
-std::vector<std::string> groups_like_the_first(const UncertaintyResult& result) {
-    std::vector<std::string> groups = measurand_groups(result);
+std::vector<Name> groups_like_the_first(const UncertaintyResult& result) {
+    std::vector<Name> groups = measurand_groups(result);
     if (groups.empty()) return groups;
-    const std::string first = groups.front();
-    std::erase_if(groups, [&](const std::string& group) { return !groups_alike(result, {first, group}); });
+    const Name first = groups.front();
+    std::erase_if(groups, [&](const Name& group) { return !groups_alike(result, {first, group}); });
     return groups;
 }
 
-std::vector<std::string> groups_in_full(const UncertaintyResult& result) {
-    const std::vector<std::string> all = measurand_groups(result);
+std::vector<Name> groups_in_full(const UncertaintyResult& result) {
+    const std::vector<Name> all = measurand_groups(result);
     if (all.size() <= 2) return all;
-    const std::vector<std::string> groups = groups_like_the_first(result);
+    const std::vector<Name> groups = groups_like_the_first(result);
     std::map<std::string, double> sum_of_symbol;
     for (const std::string& group : groups)
         for (const std::size_t i : measurands_of(result, group))

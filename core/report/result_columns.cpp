@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/propagation/requirements.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_statement.h"

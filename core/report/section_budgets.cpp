@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
@@ -263,10 +263,10 @@ private:
             if (sum > 0.0) share /= sum;
     }
 
-    void add(const std::string& name) {
+    void add(const Name& name) {
         std::vector<TableCell> cells{name == group_without_tag  ? in_.say(tell<"other">())
-                                     : grouping_ == "parameter" ? name
-                                                                : in_.say_declared(name)};
+                                     : grouping_ == "parameter" ? std::string(name)
+                                                                : in_.say(said_name(name))};
         for (const std::size_t j : outputs_) cells.emplace_back(100.0 * shares_[{name, j}]);
         if (alike_) cells.emplace_back(100.0 * together_[name]);
         table_.row(std::move(cells));
@@ -278,7 +278,7 @@ private:
     std::string grouping_;
     std::vector<std::size_t> outputs_;
     TableBuilder table_;
-    std::vector<std::string> names_;
+    std::vector<Name> names_;
     std::map<std::string, double> together_;
     std::map<std::pair<std::string, std::size_t>, double> shares_;
     bool alike_ = true;
@@ -312,8 +312,8 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
                  std::size_t most_rows) {
     const UncertaintyResult& result = *evaluated.result;
     blocks.push_back(HeadingBlock{2, in.say(tell<"Uncertainty budgets">())});
-    const std::vector<std::string> groups = measurand_groups(result);
-    const std::vector<std::string> shown = groups_in_full(result);
+    const std::vector<Name> groups = measurand_groups(result);
+    const std::vector<Name> shown = groups_in_full(result);
     std::string words = in.say(
         tell<"Components by falling share of the variance; cᵢ in the unit of the measurand per unit of "
              "the component.">());

@@ -1,5 +1,5 @@
 // U without one contributor (an ideal robot), and of that contributor alone.
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"

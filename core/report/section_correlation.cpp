@@ -1,7 +1,7 @@
 // Correlation coefficients of the measurands: a matrix per group, and the largest between groups.
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
@@ -16,14 +16,14 @@ double coefficient(const Eigen::MatrixXd& matrix, std::size_t i, std::size_t j) 
     return matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
 }
 
-Message title_of(const std::string& group) {
+Message title_of(const Name& group) {
     return group.empty() ? tell<"Correlation coefficients">()
                          : tell<"Correlation coefficients, %1">(said_name(group));
 }
 
 TableBlock matrix_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
                         const std::string& id, const DocumentLanguage& in) {
-    const std::string group = result.outputs[outputs.front()].quantity.group;
+    const Name group = result.outputs[outputs.front()].quantity.group;
     const Table all = correlation_table(result, outputs);
     std::vector<std::string> keys;
     for (const Column& column : all.columns) keys.push_back(column.key);

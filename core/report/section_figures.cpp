@@ -1,7 +1,7 @@
 // Distributions as charts, and the picture of the set-up with its uncertainty.
 #include <algorithm>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/model/has_layout.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
@@ -64,8 +64,8 @@ void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const
 void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     if (evaluated.analysis->model && !has_layout(*evaluated.analysis->model, result.inputs)) return;
-    const std::vector<std::string> shown = groups_in_full(result);
-    const std::string group = shown.empty() ? "" : shown.front();
+    const std::vector<Name> shown = groups_in_full(result);
+    const Name group = shown.empty() ? Name() : shown.front();
     blocks.push_back(HeadingBlock{2, in.say(tell<"Set-up in space">())});
     SceneBlock scene;
     scene.id = id_part(evaluated.analysis->id) + "-scene" + (group.empty() ? "" : "-" + id_part(group));

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
 #include "core/report/certificate_parts.h"

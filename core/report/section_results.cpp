@@ -113,7 +113,7 @@ TableBlock results_block(const UncertaintyResult& result, const std::vector<std:
 
 std::optional<TableBlock> summary_matrix(const UncertaintyResult& result, const Message& title,
                                          const DocumentLanguage& in) {
-    const std::vector<std::string> groups = measurand_groups(result);
+    const std::vector<Name> groups = measurand_groups(result);
     if (groups.size() < 3 || !groups_alike(result, groups)) return std::nullopt;
     return groups.size() <= most_group_columns ? groups_as_columns(result, groups, title, in)
                                                : groups_as_rows(result, groups, title, in);

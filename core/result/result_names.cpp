@@ -7,7 +7,7 @@ namespace covaria {
 
 namespace {
 
-std::string name_of_contributor(const UncertaintyComponent& c) {
+Name name_of_contributor(const UncertaintyComponent& c) {
     return c.contributor_name.empty() ? c.contributor : c.contributor_name;
 }
 
@@ -19,10 +19,10 @@ void take_names(UncertaintyResult& result, const std::vector<OutputQuantity>& ou
     const bool same = result.outputs.size() == outputs.size() && before.size() == inputs.components.size() &&
                       result.budget.components.size() == before.size();
     if (!same) return;
-    std::map<std::string, std::string> contributors;
+    std::map<std::string, Name> contributors;
     for (std::size_t i = 0; i < before.size(); ++i) {
         const UncertaintyComponent& now = inputs.components[i];
-        const std::string was = name_of_contributor(before[i]), is = name_of_contributor(now);
+        const Name was = name_of_contributor(before[i]), is = name_of_contributor(now);
         const std::string id = " (" + now.contributor + ")";  // added where two have one name
         contributors[was] = is;
         contributors[was + id] = is + id;

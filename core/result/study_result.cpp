@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -30,16 +30,16 @@ std::size_t StudyResult::failed() const {
 
 std::vector<StudyQuantity> study_quantities(const StudyResult& study, const DocumentLanguage& language) {
     const auto in = [](const std::string& group) { return group.empty() ? std::string() : ", " + group; };
-    const auto said = [&](const std::string& group) { return in(language.say(said_name(group))); };
+    const auto said = [&](const Name& group) { return in(language.say(said_name(group))); };
     std::vector<StudyQuantity> quantities;
     // The same point of several poses is told apart by these.
-    const auto is_repeated = [&](const std::string& name) {
-        return std::ranges::count(study.triples, name, &StudyTriple::name) > 1;
+    const auto is_repeated = [&](const Name& name) {
+        return std::ranges::count_if(study.triples, [&](const StudyTriple& t) { return t.name == name; }) > 1;
     };
     for (std::size_t t = 0; t < study.triples.size(); ++t) {
         const OutputQuantity& first = study.outputs[study.triples[t].outputs[0]];
-        const std::string& name = study.triples[t].name;
-        const std::string group = is_repeated(name) ? first.group : std::string();
+        const Name& name = study.triples[t].name;
+        const Name group = is_repeated(name) ? first.group : Name();
         quantities.push_back({"u(3D)" + in(name) + in(group), "u(3D)" + said(name) + said(group), "u(3D)",
                               first.unit, true, t});
     }

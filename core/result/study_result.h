@@ -29,7 +29,7 @@ struct StudyValue {
 
 /// Three outputs that are the coordinates of a point.
 struct StudyTriple {
-    std::string name;                      ///< of the point
+    Name name;                             ///< of the point
     std::array<std::size_t, 3> outputs{};  ///< indices into StudyResult::outputs
 };
 

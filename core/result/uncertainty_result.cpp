@@ -15,8 +15,8 @@ std::vector<std::size_t> outputs_of_group(const std::vector<OutputQuantity>& out
     return indices;
 }
 
-std::vector<std::string> groups_of(const std::vector<OutputQuantity>& outputs) {
-    std::vector<std::string> groups;
+std::vector<Name> groups_of(const std::vector<OutputQuantity>& outputs) {
+    std::vector<Name> groups;
     for (const OutputQuantity& output : outputs)
         if (std::find(groups.begin(), groups.end(), output.group) == groups.end())
             groups.push_back(output.group);
@@ -67,7 +67,7 @@ std::vector<GroupContribution> contributions_by_group(const UncertaintyBudget& b
                                                       const std::string& grouping) {
     std::vector<GroupContribution> groups;
     for (const BudgetRow& row : budget.rows[output]) {
-        std::string group = group_without_tag;
+        Name group = group_without_tag;
         for (const GroupTag& tag : budget.components[row.component].tags)
             if (tag.grouping == grouping) group = tag.group;
         auto found = std::find_if(groups.begin(), groups.end(),

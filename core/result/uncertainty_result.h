@@ -110,7 +110,7 @@ struct BudgetComponent {
     double degrees_of_freedom = infinity;
     bool held = false;
     std::vector<std::string> quantities;  ///< symbols of all quantities that have a share in it
-    std::string group;                    ///< of the first of them
+    Name group;                           ///< of the first of them
     std::vector<GroupTag> tags = {};      ///< its own and those of that quantity
     double estimate = 0.0;                ///< of that quantity
     Unit quantity_unit = {};              ///< likewise, for display
@@ -131,14 +131,14 @@ struct ContributorResult {
         std::vector<double> monte_carlo;  ///< empty unless asked for
         std::uint64_t failed_trials = 0;
     };
-    std::string contributor;     ///< its name; with its id where two have one name; "" = the set-up
+    Name contributor;            ///< its name; with its id where two have one name; "" = the set-up
     std::size_t components = 0;  ///< that it brings in
     Uncertainties without, alone;
 };
 
 /// What the components of one group contribute to one output.
 struct GroupContribution {
-    std::string group;          ///< "joint 4"
+    Name group;                 ///< "joint 4"
     double contribution = 0.0;  ///< root of the sum of squares of |c| u, of independent components
     double share = 0.0;         ///< of the variance, with covariances
 };
@@ -193,7 +193,7 @@ struct RequirementResult : OutputRequirement {
 
 /// Joint coverage region of outputs of one group (JCGM 102 6.5, 7.7).
 struct CoverageRegion {
-    std::string group;
+    Name group;
     std::vector<std::size_t> outputs;
     double ellipsoid_first_order = 0.0;  ///< k_p from chi-squared or F; says nothing where it is singular
     double rectangle_first_order = 0.0;  ///< k_q, Bonferroni
@@ -265,7 +265,7 @@ std::vector<GroupContribution> contributions_by_group(const UncertaintyBudget& b
 /// Indices of the outputs of a group, in order; all groups in order of appearance.
 std::vector<std::size_t> outputs_of_group(const std::vector<OutputQuantity>& outputs,
                                           const std::string& group);
-std::vector<std::string> groups_of(const std::vector<OutputQuantity>& outputs);
+std::vector<Name> groups_of(const std::vector<OutputQuantity>& outputs);
 /// Correlation matrix of a covariance matrix; 0 off the diagonal and 1 on it where a variance is 0.
 Eigen::MatrixXd correlation_of(const Eigen::MatrixXd& covariance);
 

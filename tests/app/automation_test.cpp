@@ -245,7 +245,7 @@ TEST(Reports, OfTheExamplesHaveUpToTwentyPages) {
         const Outcome run =
             run_program({"report", entry.path().string(), "--trials", "2000", "-o", pdf.string()});
         ASSERT_EQ(run.status, 0) << run.err;
-        EXPECT_GE(pages_of(pdf), 8U) << entry.path();
+        EXPECT_GE(pages_of(pdf), 4U) << entry.path();  // a budget of one result has no more to say
         EXPECT_LE(pages_of(pdf), 20U) << entry.path();
         longest = std::max(longest, pages_of(pdf));
     }

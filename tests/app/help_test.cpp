@@ -208,7 +208,8 @@ TEST(Help, EveryOptionIsGuessedWhenTwoLettersAreExchanged) {
             const std::string right = option;
             std::swap(option[3], option[4]);
             if (options.contains(option) || option == right) continue;
-            const Outcome wrong = run_program({command, "x", option});
+            // Before a word that is no subcommand, an option of the command itself is what is left to guess.
+            const Outcome wrong = run_program({command, option, "x"});
             EXPECT_EQ(wrong.status, 2) << command << ' ' << option;
             EXPECT_NE(wrong.err.find("did you mean '" + right + "'"), std::string::npos)
                 << command << ' ' << option << "\n"

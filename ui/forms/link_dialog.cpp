@@ -9,7 +9,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/base/own_names.h"
 #include "core/text/symbol.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
@@ -18,10 +17,9 @@ namespace covaria::ui {
 
 namespace {
 
-QString output_text(const OutputReference& output) {
-    const QString symbol = to_qt(symbol_to_unicode(output.symbol));
-    return output.group.empty() ? symbol
-                                : QStringLiteral("%1: %2").arg(to_qt(said_name(output.group)), symbol);
+QString output_text(const std::string& symbol, const Name& group) {
+    const QString text = to_qt(symbol_to_unicode(symbol));
+    return group.empty() ? text : QStringLiteral("%1: %2").arg(to_qt(said_name(group)), text);
 }
 
 }  // namespace
@@ -44,7 +42,11 @@ LinkDialog::LinkDialog(const std::string& symbol, std::vector<LinkChoice> choice
         linearised_->setChecked(now->linearised);
     }
     list_outputs();
-    if (now) outputs_->setCurrentIndex(std::max(0, outputs_->findText(output_text(now->output))));
+    const int row = analyses_->currentIndex();
+    if (!now || row < 0) return;
+    const auto& outputs = choices_[static_cast<std::size_t>(row)].outputs;
+    const auto found = std::find(outputs.begin(), outputs.end(), now->output);
+    outputs_->setCurrentIndex(found == outputs.end() ? 0 : static_cast<int>(found - outputs.begin()));
 }
 
 void LinkDialog::build() {
@@ -75,8 +77,11 @@ void LinkDialog::list_outputs() {
     outputs_->clear();
     const int row = analyses_->currentIndex();
     if (row < 0 || row >= static_cast<int>(choices_.size())) return;
-    for (const OutputReference& output : choices_[static_cast<std::size_t>(row)].outputs)
-        outputs_->addItem(output_text(output));
+    const LinkChoice& choice = choices_[static_cast<std::size_t>(row)];
+    for (std::size_t i = 0; i < choice.outputs.size(); ++i)
+        outputs_->addItem(output_text(choice.outputs[i].symbol, i < choice.groups.size()
+                                                                    ? choice.groups[i]
+                                                                    : Name(choice.outputs[i].group)));
 }
 
 std::optional<InputLink> LinkDialog::link() const {

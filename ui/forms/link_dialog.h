@@ -17,6 +17,7 @@ namespace covaria::ui {
 struct LinkChoice {
     std::string analysis, name;
     std::vector<OutputReference> outputs;
+    std::vector<Name> groups = {};  ///< of the outputs, for people; empty: as they are referred to
 };
 
 class LinkDialog : public QDialog {

@@ -31,7 +31,7 @@ QString without_mnemonic(QString text) {
     return text.remove(QLatin1Char('&')).remove(QStringLiteral(" …"));
 }
 
-QString quantity_words(const std::string& symbol, const std::string& group, const Message& name) {
+QString quantity_words(const std::string& symbol, const Name& group, const Message& name) {
     const QString words = to_qt(to_unicode(output_words(symbol, group)));
     return name.empty() || name == symbol ? words : words + QStringLiteral(": ") + to_qt(name);
 }

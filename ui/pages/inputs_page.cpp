@@ -158,9 +158,11 @@ std::vector<LinkChoice> InputsPage::link_choices(const std::string& symbol) cons
         const auto& prepared = runner_.status(to_qt(entry.id)).prepared;
         if (circle || !prepared) continue;
         LinkChoice choice{entry.id, entry.name.empty() ? entry.id : entry.name, {}};
-        for (const OutputQuantity& output : prepared->model->outputs())
-            if (output.unit.dimension() == dimension)
-                choice.outputs.push_back({entry.id, output.group, output.symbol});
+        for (const OutputQuantity& output : prepared->model->outputs()) {
+            if (output.unit.dimension() != dimension) continue;
+            choice.outputs.push_back({entry.id, output.group, output.symbol});
+            choice.groups.push_back(output.group);
+        }
         if (!choice.outputs.empty()) choices.push_back(std::move(choice));
     }
     return choices;

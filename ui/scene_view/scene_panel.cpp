@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/model/has_layout.h"
 #include "core/project/stated_requirements.h"
 #include "ui/models/number_words.h"
@@ -266,16 +266,19 @@ SceneOptions ScenePanel::options() const {
 }
 
 void ScenePanel::refresh_groups() {
-    QStringList groups;
+    QStringList groups, words;
     if (const auto& prepared = runner_.status(analysis_).prepared)
-        for (const std::string& group : groups_of(prepared->model->outputs())) groups << to_qt(group);
+        for (const Name& group : groups_of(prepared->model->outputs())) {
+            groups << to_qt(group);
+            words << to_qt(said_name(group));
+        }
     QStringList shown;
     for (int i = 0; i < group_->count(); ++i) shown << group_->itemData(i).toString();
     if (groups == shown) return;
     const QSignalBlocker blocker(group_);
     const QString before = group();
     group_->clear();
-    for (const QString& group : groups) group_->addItem(to_qt(said_name(to_std(group))), group);
+    for (qsizetype i = 0; i < groups.size(); ++i) group_->addItem(words[i], groups[i]);
     group_->setCurrentIndex(std::max(0, int(groups.indexOf(before))));
     emit group_changed(group());
 }

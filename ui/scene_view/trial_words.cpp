@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/propagation/engine.h"
 #include "core/text/symbol.h"
 #include "ui/models/number_words.h"

@@ -3,11 +3,12 @@
 
 #include <string>
 
+#include "core/base/name.h"
 #include "core/text/text.h"
 
 namespace covaria::ui {
 
 /// Its symbol, and its group in the language of the window where it has one.
-Text output_words(const std::string& symbol, const std::string& group);
+Text output_words(const std::string& symbol, const Name& group);
 
 }  // namespace covaria::ui

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/text/head_with_unit.h"
 #include "core/text/numbers.h"
 #include "core/text/round_numbers.h"

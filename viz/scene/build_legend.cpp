@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "viz/scene/build_parts.h"

@@ -3,25 +3,27 @@
 
 #include <algorithm>
 
-#include "core/base/own_names.h"
 #include "viz/scene/build_parts.h"
 #include "viz/scene/near_part.h"
 
 namespace covaria {
 namespace {
 
-/// The first group of the result, else of the layout.
-std::string first_group(const SceneSource& source) {
+/// The group of that name, of the result, else of the layout; without a name the first one.
+Name shown_group(const SceneSource& source, const std::string& wanted) {
+    const auto is_it = [&](const Name& group) {
+        return !group.empty() && (wanted.empty() || group == wanted);
+    };
     if (source.result)
         for (const OutputResult& output : source.result->outputs)
-            if (!output.quantity.group.empty()) return output.quantity.group;
+            if (is_it(output.quantity.group)) return output.quantity.group;
     if (source.layout) {
         for (const LayoutFrame& frame : source.layout->frames)
-            if (!frame.group.empty()) return frame.group;
+            if (is_it(frame.group)) return frame.group;
         for (const LayoutPoint& point : source.layout->points)
-            if (!point.group.empty()) return point.group;
+            if (is_it(point.group)) return point.group;
     }
-    return {};
+    return wanted;
 }
 
 bool in_inches(const DisplayUnits& units) {
@@ -47,7 +49,7 @@ Scene build_scene(const SceneSource& whole, const SceneOptions& options) {
     scene.probability = options.probability;
     scene.numbers = options.language.numbers();
     scene.in_inches = in_inches(options.units);
-    scene.group = options.group.empty() ? first_group(source) : options.group;
+    scene.group = shown_group(source, options.group);
     scene.group_title = options.language.say(said_name(scene.group));
     if (!source.layout) return scene;
     for (const Message& note : source.layout->notes) scene.notes.push_back(options.language.say(note));

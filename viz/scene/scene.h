@@ -59,9 +59,9 @@ const char* layer_key(Layer layer);
 
 /// What a pick tells about an item.
 struct SceneItem {
-    std::string id = {};    ///< unique in the scene: "point:b1", "link:leg 3"
-    std::string name = {};  ///< as in the layout
-    std::string group = {};
+    std::string id = {};  ///< unique in the scene: "point:b1", "link:leg 3"
+    Name name = {};       ///< as in the layout
+    Name group = {};
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in W, m
     /// Standard and expanded uncertainties of the three coordinates, m, along the axes in which the point's
     /// quantities are expressed; empty where nothing is known.
@@ -241,7 +241,7 @@ struct LegendLine {
 
 struct Scene {
     std::string title = {};
-    std::string group = {};               ///< the output group shown
+    Name group = {};                      ///< the output group shown
     std::string group_title = {};         ///< likewise, for people
     std::vector<std::string> notes = {};  ///< below the titles: of the layout, and what is not drawn
     std::string caption = {};  ///< "uncertainty × 2000, ellipsoids p = 95 %": whenever uncertainty is drawn

@@ -1,7 +1,7 @@
 // Telescopic ballbars on kinematic supports that measure their lengths to one ball at once (Brosed et al.).
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/ballbar/assets.h"
 #include "core/kinds/ballbar/ballbar.h"
 #include "core/kinds/points/stated_figure.h"

@@ -1,7 +1,7 @@
 // Input quantities of "TCP from ballbars": lengths between supports, readings, the robot's deviations.
 #include <map>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/ballbar/setup.h"
 #include "core/quantity/input_quantity.h"
 

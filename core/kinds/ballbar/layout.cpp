@@ -1,7 +1,7 @@
 // Supports, bars, arcs, flange and tool of "TCP from ballbars" in the robot's frame; tables about the plan.
 #include <numbers>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/ballbar/setup.h"
 #include "core/quantity/distribution.h"
 

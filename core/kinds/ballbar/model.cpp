@@ -1,7 +1,7 @@
 // Measurement model "TCP from ballbars": the model class and its descriptor.
 #include "core/kinds/ballbar/model.h"
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/ballbar/equations.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    void add_position(const std::string& group, const Message& what, OutputRole role) {
+    void add_position(const Name& group, const Message& what, OutputRole role) {
         for (const std::string axis : {"x", "y", "z"})
             outputs_.push_back({.symbol = axis,
                                 .name = tell<"%1, coordinate %2">(what, axis),

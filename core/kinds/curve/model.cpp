@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/curve/covariance.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/force/assets.h"
 #include "core/kinds/force/force_sensor.h"
 #include "core/setup/message_text.h"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/force/force_sensor.h"
 #include "core/math/special_quantiles.h"
 #include "core/quantity/input_quantity.h"
@@ -130,7 +130,7 @@ private:
                 .origin = tell<"%1: %2">(setup_.sensor.name, origin),
                 .contributor = setup_.sensor.id,
                 .contributor_name = setup_.sensor.name,
-                .tags = {{"source", name.english()}}};
+                .tags = {{"source", Name::of(name)}}};
     }
 
     UncertaintyComponent repeatability(const ForceChannel& channel) const {
@@ -175,7 +175,7 @@ private:
                                   .distribution = Distribution::of(Rectangular{-1.0, 1.0}),
                                   .origin = tell<"set-up: unknown between minus and plus the rated load">(),
                                   .contributor = own_name<"loads on other axes">(),
-                                  .tags = {{"source", "interference"}}};
+                                  .tags = {{"source", own_name<"interference">()}}};
         inputs_.add(InputQuantity{.symbol = std::string("q_") + key,
                                   .name = tell<"load on %1 by its rated load">(key),
                                   .unit = Unit::of("%"),

@@ -1,7 +1,7 @@
 // Input quantities of "force-moment loads": elements of the calibration matrix, readings of the cases.
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/force/loads_setup.h"
 #include "core/quantity/input_quantity.h"
 
@@ -43,7 +43,7 @@ private:
         UncertaintyComponent machine =
             component("machine." + axis, tell<"calibration machine, %1">(axis), Unit::of("%"),
                       Distribution::normal(channel.u_calibrator), tell<"calibration machine, Eq 5">());
-        machine.tags = {{"source", "calibration machine"}};
+        machine.tags = {{"source", own_name<"calibration machine">()}};
         inputs_.add(std::move(machine));
     }
 
@@ -60,7 +60,7 @@ private:
         fit.type = EvaluationType::type_a;
         if (element.degrees_of_freedom > 0.0) fit.degrees_of_freedom = element.degrees_of_freedom;
         fit.normal_draws = !setup_.student_t;
-        fit.tags = {{"source", "regression"}};
+        fit.tags = {{"source", own_name<"regression">()}};
         return fit;
     }
 
@@ -115,7 +115,7 @@ private:
         UncertaintyComponent c = component(std::to_string(k + 1) + "." + key(h) + "." + id,
                                            tell<"%1 of %2, %3">(name, key(h), setup_.cases[k].name),
                                            Unit::of("mV/V"), std::move(distribution), origin);
-        c.tags = {{"source", name.english()}};
+        c.tags = {{"source", Name::of(name)}};
         return c;
     }
 

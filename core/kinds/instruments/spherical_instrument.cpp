@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/instruments/assets.h"
 #include "core/kinds/instruments/fields.h"
 #include "core/kinds/instruments/linear_reading.h"

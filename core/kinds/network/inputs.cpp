@@ -2,7 +2,7 @@
 #include <cctype>
 #include <map>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/network/setup.h"
 #include "core/kinds/points/stated_figure.h"
 #include "core/quantity/input_quantity.h"
@@ -103,7 +103,7 @@ private:
                                        .distribution = distribution_of_shape(bar.distribution, bar.u),
                                        .origin = tell<"calibration of the %1">(bar.name),
                                        .contributor = "bar of length " + bar.name.english(),
-                                       .contributor_name = bar.name.english()};
+                                       .contributor_name = Name::of(bar.name)};
         InputQuantity quantity;
         quantity.symbol = "L_" + ends + again;
         quantity.name = tell<"%1, calibrated length">(bar.name);

@@ -1,5 +1,5 @@
 // Where sensors, targets and sight lines of "points from sensors" are.
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/network/setup.h"
 
 namespace covaria::network {
@@ -53,7 +53,7 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
                                     .to_W = target.nominal,
                                     .group = sight_lines > most_sight_lines ? target.name : ""});
     }
-    const auto add_dimension = [&](const std::string& name, std::size_t from, std::size_t to) {
+    const auto add_dimension = [&](const Name& name, std::size_t from, std::size_t to) {
         layout.links.push_back({.name = name,
                                 .kind = LinkKind::dimension,
                                 .from_W = setup.targets[from].nominal,

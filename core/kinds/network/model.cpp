@@ -3,7 +3,7 @@
 
 #include <future>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/network/equations.h"
 #include "core/kinds/network/sensitivities.h"
 #include "core/kinds/points/output_points.h"

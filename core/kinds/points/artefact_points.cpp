@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/points/artefact_fields.h"
 #include "core/kinds/points/assets.h"
 #include "core/kinds/points/own_frame_source.h"

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/points/point_uncertainty.h"
 #include "core/kinds/points/stated_figure.h"
 #include "core/kinds/pose/equations.h"
@@ -86,7 +86,7 @@ private:
             quantity.unit = Unit::of("mm");
             quantity.offset = point.p_0[static_cast<int>(c)];
             quantity.shares = shares_[i][c];
-            quantity.group = point.pose == 0 ? own_name<"base">() : setup_.poses[point.pose - 1].name;
+            quantity.group = point.pose == 0 ? own_name<"base">() : Name(setup_.poses[point.pose - 1].name);
             quantity.source = source_path(point);
             quantity.taken_from =
                 output_of(*point.uncertainty, name_among_all(setup_, point.nominal(), point.pose), c);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 
 namespace covaria::pose {
 
@@ -41,7 +41,7 @@ private:
             add_sight_lines(side == Side::base ? setup_.base_uncertainty : setup_.moving_uncertainty, q[i],
                             "sight of " + rule.points[i].name, group);
         }
-        LayoutBody plate{.name = side == Side::base ? "base" : "moving platform"};
+        LayoutBody plate{.name = side == Side::base ? own_name<"base">() : own_name<"moving platform">()};
         plate.outline_W = outline(q, X);
         plate.group = group;
         layout_.bodies.push_back(std::move(plate));

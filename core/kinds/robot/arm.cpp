@@ -1,6 +1,6 @@
 #include "core/kinds/robot/arm.h"
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/robot/layout.h"
 #include "core/quantity/input_quantity.h"
 

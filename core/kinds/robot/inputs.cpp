@@ -1,7 +1,7 @@
 // Input quantities of "robot pose": parameters joint by joint, the tool, then readings that are uncertain.
 #include <cmath>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/robot/serial_robot.h"
 #include "core/kinds/robot/setup.h"
 #include "core/quantity/input_quantity.h"
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    static std::string joint_name(std::size_t i) { return own_name<"joint %1">(i + 1); }
+    static Name joint_name(std::size_t i) { return own_name<"joint %1">(i + 1); }
 
     void add_parameter(std::size_t i, JointParameter p) {
         const std::string symbol = std::string(symbol_of(p)) + "_" + std::to_string(i + 1);
@@ -39,8 +39,9 @@ private:
                                .unit = Unit::of(is_length(p) ? "mm" : "deg"),
                                .offset = robot_.joints()[i].values[p],
                                .group = joint_name(i)};
-        quantity.tags = {
-            {"parameter", symbol}, {"joint", joint_name(i)}, {"kind", is_length(p) ? "lengths" : "angles"}};
+        quantity.tags = {{"parameter", symbol},
+                         {"joint", joint_name(i)},
+                         {"kind", is_length(p) ? own_name<"lengths">() : own_name<"angles">()}};
         for (std::size_t d = 0; d < robot_.deviations().size(); ++d) {
             const ParameterDeviation& deviation = robot_.deviations()[d];
             if (deviation.joint != i || deviation.parameter != p) continue;
@@ -57,7 +58,7 @@ private:
             return quantity.shares.front().component;
         }
         UncertaintyComponent component = own;
-        if (!setup_.combine) component.tags.push_back({"source", own.origin.english()});
+        if (!setup_.combine) component.tags.push_back({"source", Name::of(own.origin)});
         component.identity = setup_.arm.id + "." + own.id;
         component.origin = tell<"%1: %2">(setup_.arm.name, own.origin);
         quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
@@ -92,8 +93,9 @@ private:
                                    .name = tell<"%1, deviation">(components[i].name),
                                    .unit = Unit::of(i < 3 ? "mm" : "deg"),
                                    .group = own_name<"tool">()};
-            quantity.tags = {
-                {"parameter", symbols[i]}, {"joint", "tool"}, {"kind", i < 3 ? "lengths" : "angles"}};
+            quantity.tags = {{"parameter", symbols[i]},
+                             {"joint", own_name<"tool">()},
+                             {"kind", i < 3 ? own_name<"lengths">() : own_name<"angles">()}};
             components[i].identity = setup_.arm.id + "." + components[i].id;
             components[i].origin = tell<"%1: %2">(setup_.arm.name, components[i].origin);
             inputs_.add(std::move(quantity), {components[i]});
@@ -113,10 +115,11 @@ private:
                                    .offset = pose.q[i],
                                    .group = pose.name,
                                    .source = pose.source};
-            quantity.tags = {{"parameter", symbol}, {"joint", joint_name(i)}, {"kind", "readings"}};
+            quantity.tags = {
+                {"parameter", symbol}, {"joint", joint_name(i)}, {"kind", own_name<"readings">()}};
             for (UncertaintyComponent& c : components) {
                 c.id = symbol + "." + c.id;
-                c.tags.push_back({"source", c.origin.english()});
+                c.tags.push_back({"source", Name::of(c.origin)});
                 c.origin = tell<"%1: %2">(setup_.arm.name, c.origin);
             }
             pose.input[i] = inputs_.add(std::move(quantity), std::move(components));

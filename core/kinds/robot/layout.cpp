@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 
 namespace covaria {
 
@@ -43,7 +43,7 @@ private:
         add_segment("link " + std::to_string(i + 1), corner, to);
     }
 
-    void add_segment(const std::string& name, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    void add_segment(const Name& name, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         if ((to - from).norm() < 1e-3 * reach_) return;
         layout_.links.push_back(
             {.name = name, .kind = LinkKind::robot_link, .from_W = from, .to_W = to, .group = group_});
@@ -60,7 +60,7 @@ private:
     }
 
     /// A frame at the place of an earlier one is not drawn again: triads would cover each other.
-    void add_frame(const std::string& name, const Eigen::Isometry3d& X) {
+    void add_frame(const Name& name, const Eigen::Isometry3d& X) {
         const bool covered = std::any_of(drawn_.begin(), drawn_.end(), [&](const Eigen::Isometry3d& other) {
             return (other.translation() - X.translation()).norm() < 1e-3 * reach_;
         });

@@ -1,7 +1,7 @@
 // Measurement model "robot from measured poses": the model class and its descriptor.
 #include "core/kinds/robot_identification/from_poses_model.h"
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/robot_identification/from_poses.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
@@ -46,7 +46,7 @@ private:
         static const char* const coordinates[] = {"x", "y", "z", "alpha", "beta", "gamma"};
         if (u.kind == UnknownKind::parameter) {
             const IdentifiedParameter& p = u.parameter;
-            const std::string joint = own_name<"joint %1">(p.joint + 1);
+            const Name joint = own_name<"joint %1">(p.joint + 1);
             outputs_.push_back(
                 {.symbol = p.symbol(),
                  .name = tell<"%1 of %2">(words_of(p.parameter), tell<"joint %1">(p.joint + 1)),

@@ -131,7 +131,8 @@ private:
                                    .offset = turn ? 0.0 : pose.p[static_cast<Eigen::Index>(i)],
                                    .group = "pose " + pose.name,
                                    .source = pose.source};
-            quantity.tags = {{"kind", turn ? "measured orientations" : "measured positions"}};
+            quantity.tags = {
+                {"kind", turn ? own_name<"measured orientations">() : own_name<"measured positions">()}};
             if (turn)
                 c_.inputs.add(std::move(quantity), {{.id = symbol + ".orientation",
                                                      .name = tell<"measured orientation">(),
@@ -156,7 +157,7 @@ private:
                                    .offset = pose.q[j],
                                    .group = "pose " + pose.name,
                                    .source = pose.source};
-            quantity.tags = {{"kind", "readings of the joints"}};
+            quantity.tags = {{"kind", own_name<"readings of the joints">()}};
             for (UncertaintyComponent& component : components) component.id = symbol + "." + component.id;
             pose.reading[j] = c_.inputs.add(std::move(quantity), std::move(components));
         }

@@ -1,7 +1,7 @@
 // Measurement model "robot by joint trajectories": the model class and its descriptor.
 #include "core/kinds/robot_identification/from_trajectories_model.h"
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/robot_identification/from_trajectories.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
@@ -14,7 +14,7 @@ class RobotCirclePoints : public EquationModel<RobotCirclePoints> {
 public:
     explicit RobotCirclePoints(circle_points::Identification id) : id_(std::move(id)) {
         for (const IdentifiedParameter& p : id_.parameters) {
-            const std::string joint = own_name<"joint %1">(p.joint + 1);
+            const Name joint = own_name<"joint %1">(p.joint + 1);
             outputs_.push_back(
                 {.symbol = p.symbol(),
                  .name = tell<"%1 of %2">(words_of(p.parameter), tell<"joint %1">(p.joint + 1)),

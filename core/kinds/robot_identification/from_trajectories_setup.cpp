@@ -17,8 +17,8 @@ Message joint_words(std::size_t j) {
     return tell<"joint %1">(j + 1);
 }
 
-std::string joint_name(std::size_t j) {
-    return joint_words(j).english();
+Name joint_name(std::size_t j) {
+    return Name::of(joint_words(j));
 }
 
 std::string millimetres(double m) {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/robot/layout.h"
 #include "core/kinds/robot_identification/from_trajectories.h"
 #include "core/quantity/input_quantity.h"
@@ -70,9 +70,9 @@ std::vector<DataTable> tables(const Identification& id) {
 
 namespace {
 
-void add_circle(const Trajectory& t, const std::string& name, double axis, Layout& layout) {
+void add_circle(const Trajectory& t, const Name& name, double axis, Layout& layout) {
     const CircleStart& s = t.shape.start;
-    LayoutBody disc{.name = "circle of " + name};
+    LayoutBody disc{.name = own_name<"circle of %1">(said_name(name))};
     constexpr int corners = 72;
     for (int k = 0; k < corners; ++k) {
         const double a = 2.0 * std::numbers::pi * k / corners;
@@ -87,11 +87,11 @@ void add_circle(const Trajectory& t, const std::string& name, double axis, Layou
 }
 
 /// The last point of an arc shows its uncertainty; those of all points together would hide the circles.
-void add_points(const Trajectory& t, const std::string& name, Layout& layout) {
+void add_points(const Trajectory& t, const Name& name, Layout& layout) {
     const std::size_t n = t.points.size();
     for (std::size_t k = 0; k < n; ++k) {
         const std::size_t i = t.first_input + 3 * k;
-        LayoutPoint point{.name = k + 1 == n ? name : "", .kind = PointKind::target, .p_W = t.points[k]};
+        LayoutPoint point{.name = k + 1 == n ? name : Name(), .kind = PointKind::target, .p_W = t.points[k]};
         if (!t.rows.empty()) point.source.path = fields().place(&Identification::points, t.rows[k]);
         if (k + 1 == n) point.inputs = {{i, i + 1, i + 2}};
         layout.points.push_back(std::move(point));
@@ -130,7 +130,7 @@ Layout layout(const Identification& id) {
     double size = 0.0;
     for (const Trajectory& t : id.trajectories) size = std::max(size, t.shape.start.radius);
     for (std::size_t j = 0; j < id.trajectories.size(); ++j) {
-        const std::string name = own_name<"joint %1">(j + 1);
+        const Name name = own_name<"joint %1">(j + 1);
         add_circle(id.trajectories[j], name, 0.2 * size, layout);
         add_points(id.trajectories[j], name, layout);
     }

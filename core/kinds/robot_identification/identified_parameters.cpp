@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 
 namespace covaria {
 

@@ -1,9 +1,11 @@
 // A report in another language: nothing that it says goes past it, neither words nor numbers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
 #include <set>
 
+#include "core/base/name.h"
 #include "core/quantity/distribution.h"
 #include "core/report/comparison_columns.h"
 #include "core/report/comparison_report.h"
@@ -305,6 +307,32 @@ TEST(ReportLanguage, CataloguesHaveWhatIsAskedFor) {
     const std::set<std::string> known = declared();
     for (const std::string& text : mute.asked)
         EXPECT_TRUE(known.contains(text)) << "the catalogues have no " << text;
+}
+
+/// With this group of results, contributor, and group of contributions.
+std::vector<std::string> texts_with(const Name& name, const DocumentLanguage& in) {
+    EvaluatedAnalysis evaluated = analysis_of({});
+    auto result = std::make_shared<UncertaintyResult>(*evaluated.result);
+    for (OutputResult& output : result->outputs) output.quantity.group = name;
+    for (CoverageRegion& region : result->regions) region.group = name;
+    for (ContributorResult& contributor : result->contributors) contributor.contributor = name;
+    for (BudgetComponent& component : result->budget.components) component.tags = {{"kind", name}};
+    evaluated.result = result;
+    return texts_of(build_report(*MadeProject::make(project_of()), {evaluated}, {}, {}, in));
+}
+
+// "distances" is a word of the program: a group that somebody called so keeps its name in every language.
+TEST(ReportLanguage, ANameThatSomebodyGaveIsNotTranslatedForBeingAWordOfTheProgram) {
+    Mute mute;
+    const auto with_it = [&](const Name& name) {
+        const std::vector<std::string> texts = texts_with(name, mute.language);
+        return std::count_if(texts.begin(), texts.end(), [](const std::string& text) {
+            return text.find("test only: distances") != std::string::npos;
+        });
+    };
+    EXPECT_EQ(with_it(own_name<"test only: distances">()), 0);
+    const auto typed = with_it(Name("test only: distances"));
+    EXPECT_GT(typed, 3) << "heads of tables, subheads, rows of contributions, titles of plots";
 }
 
 TEST(ReportLanguage, EnglishIsWhatALanguageOfTheSameWordsSays) {

@@ -22,7 +22,7 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
-#include "core/base/own_names.h"
+#include "core/base/name.h"
 #include "core/kinds/registries.h"
 #include "core/made/library.h"
 #include "core/project/study_target.h"
@@ -130,7 +130,7 @@ protected:
             learn(to_qt(symbol_to_unicode(output.symbol) + " (" + group + ")"));
     }
     /// Empty for a group that the program names.
-    static std::string name_given_by_people(const std::string& group) {
+    static std::string name_given_by_people(const Name& group) {
         return said_name(group).in([](const std::string&) { return std::string(); });
     }
     bool is_data(const QString& words) const {
