@@ -13,17 +13,17 @@ namespace {
 
 constexpr std::size_t most_group_columns = 13;
 
-TableBlock groups_as_columns(const UncertaintyResult& result, const std::vector<std::string>& groups,
+TableBlock groups_as_columns(const UncertaintyResult& result, const std::vector<Name>& groups,
                              const Message& title, const DocumentLanguage& in) {
     TableBuilder table("summary", title, in);
     table.text(tell<"U of">(), true);
     table.text(tell<"Unit">());
-    for (const std::string& group : groups) table.number(group, 2);
+    for (const Name& group : groups) table.number(group, 2);
     const std::vector<std::size_t> first = measurands_of(result, groups.front());
     for (std::size_t i = 0; i < first.size(); ++i) {
         const OutputQuantity& quantity = result.outputs[first[i]].quantity;
         std::vector<TableCell> row = {quantity.symbol, unit_text(quantity.unit)};
-        for (const std::string& group : groups) {
+        for (const Name& group : groups) {
             const OutputResult& output = result.outputs[measurands_of(result, group)[i]];
             row.emplace_back(interval_in(quantity.unit, output.expanded_uncertainty));
         }
@@ -32,7 +32,7 @@ TableBlock groups_as_columns(const UncertaintyResult& result, const std::vector<
     return table.take();
 }
 
-TableBlock groups_as_rows(const UncertaintyResult& result, const std::vector<std::string>& groups,
+TableBlock groups_as_rows(const UncertaintyResult& result, const std::vector<Name>& groups,
                           const Message& title, const DocumentLanguage& in) {
     TableBuilder table("summary", title, in);
     table.text(tell<"Group">());
@@ -44,7 +44,7 @@ TableBlock groups_as_rows(const UncertaintyResult& result, const std::vector<std
     const std::vector<std::size_t> first = measurands_of(result, groups.front());
     for (std::size_t i = 0; i < first.size(); ++i)
         block.table.columns[i + 1].unit = result.outputs[first[i]].quantity.unit;
-    for (const std::string& group : groups) {
+    for (const Name& group : groups) {
         std::vector<TableCell> row = {group};
         for (const std::size_t i : measurands_of(result, group))
             row.emplace_back(

@@ -102,7 +102,7 @@ bool SceneMap::operator==(const SceneMap& other) const {
 }
 
 std::string name_of(const SceneItem& item) {
-    return item.name.empty() ? item.id.substr(item.id.find(':') + 1) : item.name;
+    return item.name.empty() ? item.id.substr(item.id.find(':') + 1) : std::string(item.name);
 }
 
 bool stand_by_one_field(const SceneItem& a, const SceneItem& b) {
