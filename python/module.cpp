@@ -296,7 +296,15 @@ private:
         arrays["u"] = u;
         arrays["k"] = k;
         arrays["U"] = expanded;
-        arrays["covariance"] = result.covariance;
+        if (result.covariance.is_whole()) {
+            arrays["covariance"] = result.covariance.whole();
+        } else {
+            py::list blocks;
+            for (std::size_t b = 0; b < result.covariance.blocks().list().size(); ++b)
+                blocks.append(
+                    py::make_tuple(result.covariance.blocks().list()[b].first, result.covariance.block(b)));
+            arrays["covariance_blocks"] = blocks;
+        }
         return arrays;
     }
 

@@ -354,7 +354,7 @@ void add_used_analyses(const Project& project, const AnalysisEntry& analysis, Pr
 namespace {
 
 /// Those of the layout, each once.
-std::vector<LinkedPoint> linked_points(const ComposedModel& chain, const Eigen::MatrixXd& covariance) {
+std::vector<LinkedPoint> linked_points(const ComposedModel& chain, const OutputCovariance& covariance) {
     if (covariance.rows() != static_cast<Eigen::Index>(chain.parts().back().links.size())) return {};
     std::vector<double> x;
     for (std::size_t i = 0; i < chain.inputs().quantities.size(); ++i)

@@ -17,12 +17,22 @@ namespace {
 /// Of the variance: what is left is too little for a shift between both that is not smooth.
 constexpr double almost_all = 0.999;
 
-/// NaN: variances of the trials are not finite.
-double greatest_eigenvalue(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs) {
-    const std::vector<Eigen::Index> index(outputs.begin(), outputs.end());
-    const Eigen::MatrixXd correlation = correlation_of(covariance(index, index));
-    if (!correlation.allFinite()) return std::numeric_limits<double>::quiet_NaN();
-    return eigen_decomposition(correlation, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+/// NaN: variances of the trials are not finite. Of thousands of outputs the greatest of their blocks.
+double greatest_eigenvalue(const OutputCovariance& covariance, const std::vector<std::size_t>& outputs) {
+    double greatest = 0.0;
+    for (std::size_t k = 0; k < outputs.size();) {
+        const auto block_of = [&](std::size_t i) {
+            return covariance.blocks().block_of(static_cast<Eigen::Index>(outputs[i]));
+        };
+        std::vector<std::size_t> members;
+        for (const std::size_t block = block_of(k); k < outputs.size() && block_of(k) == block; ++k)
+            members.push_back(outputs[k]);
+        const Eigen::MatrixXd correlation = correlation_of(covariance.among(members));
+        if (!correlation.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+        greatest = std::max(
+            greatest, eigen_decomposition(correlation, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
+    }
+    return greatest;
 }
 
 }  // namespace

@@ -31,11 +31,6 @@ CoverageRegion region_of(const Name& group, std::vector<std::size_t> outputs, co
     return region;
 }
 
-Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs) {
-    const std::vector<Eigen::Index> index(outputs.begin(), outputs.end());
-    return covariance(index, index);
-}
-
 }  // namespace
 
 std::vector<CoverageRegion> declare_regions(const std::vector<OutputQuantity>& outputs,
@@ -58,8 +53,8 @@ std::vector<CoverageRegion> declare_regions(const std::vector<OutputQuantity>& o
     return regions;
 }
 
-bool is_singular(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs) {
-    const Eigen::MatrixXd part = part_of(covariance, outputs);
+bool is_singular(const OutputCovariance& covariance, const std::vector<std::size_t>& outputs) {
+    const Eigen::MatrixXd part = covariance.among(outputs);
     if (!part.allFinite() || !(part.diagonal().minCoeff() > 0)) return true;
     // Of the correlation matrix, because units of the outputs differ.
     const auto solver = eigen_decomposition(correlation_of(part), Eigen::EigenvaluesOnly);
@@ -67,11 +62,11 @@ bool is_singular(const Eigen::MatrixXd& covariance, const std::vector<std::size_
 }
 
 RegionDistances::RegionDistances(const std::vector<std::size_t>& outputs, const Eigen::VectorXd& mean,
-                                 const Eigen::MatrixXd& covariance)
+                                 const OutputCovariance& covariance)
     : outputs_(outputs) {
     const std::vector<Eigen::Index> index(outputs.begin(), outputs.end());
     mean_ = mean(index);
-    const Eigen::MatrixXd part = covariance(index, index);
+    const Eigen::MatrixXd part = covariance.among(outputs);
     inverse_u_ = part.diagonal().unaryExpr([](double v) { return v > 0 ? 1.0 / std::sqrt(v) : 0.0; });
     if (is_singular(covariance, outputs)) return;
     // U = D R D with the standard uncertainties in D: R is factored, whatever the units are.
@@ -161,7 +156,7 @@ WorkEnd measure_trials(const std::vector<CoverageRegion>& regions,
 }  // namespace
 
 Result<void> fill_monte_carlo_factors(std::vector<CoverageRegion>& regions, const RunContext& context,
-                                      const Eigen::VectorXd& mean, const Eigen::MatrixXd& covariance,
+                                      const Eigen::VectorXd& mean, const OutputCovariance& covariance,
                                       std::uint64_t trials) {
     if (regions.empty()) return {};
     std::vector<RegionDistances> measures;

@@ -23,7 +23,7 @@ std::vector<CoverageRegion> declare_regions(const std::vector<OutputQuantity>& o
 
 /// Whether the covariance of these outputs has no inverse: smallest eigenvalue of the correlation matrix
 /// below 1e-10 of the greatest, an output without uncertainty, or one whose variance is not finite.
-bool is_singular(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs);
+bool is_singular(const OutputCovariance& covariance, const std::vector<std::size_t>& outputs);
 
 /// Distances of trials from the mean, in which the regions are the sets "distance <= k" (7.7.2, 7.7.3).
 /// Outputs that depend linearly on each other have a rectangle only: their covariance has no factor to
@@ -31,7 +31,7 @@ bool is_singular(const Eigen::MatrixXd& covariance, const std::vector<std::size_
 class RegionDistances {
 public:
     RegionDistances(const std::vector<std::size_t>& outputs, const Eigen::VectorXd& mean,
-                    const Eigen::MatrixXd& covariance);
+                    const OutputCovariance& covariance);
     bool has_ellipsoid() const { return inverse_factor_.size() > 0; }
     /// Squared ellipsoidal distance of each of `count` trials (row j at first_row + j * block_trials), where
     /// there is an ellipsoid.
@@ -51,7 +51,7 @@ double factor_of(std::vector<double>& distances, double probability);
 /// Fills in the Monte Carlo factors from the first min(trials, region_trials) trials of the run,
 /// regenerated, about the mean and with the covariance of the whole run. Error: cancelled.
 Result<void> fill_monte_carlo_factors(std::vector<CoverageRegion>& regions, const RunContext& context,
-                                      const Eigen::VectorXd& mean, const Eigen::MatrixXd& covariance,
+                                      const Eigen::VectorXd& mean, const OutputCovariance& covariance,
                                       std::uint64_t trials);
 
 }  // namespace covaria::detail

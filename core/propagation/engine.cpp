@@ -183,8 +183,7 @@ void Evaluation::withdraw_first_order(std::size_t j) {
     first.coverage_factor =
         options_.coverage_factor.value_or(coverage_factor_of(options_.coverage_probability, infinity));
     result_.budget.rows[j].clear();
-    result_.covariance.row(static_cast<Eigen::Index>(j)).setConstant(none);
-    result_.covariance.col(static_cast<Eigen::Index>(j)).setConstant(none);
+    result_.covariance.set(static_cast<Eigen::Index>(j), none);
 }
 
 Result<void> Evaluation::add_contributions() {

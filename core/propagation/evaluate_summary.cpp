@@ -33,8 +33,8 @@ public:
         for (const std::size_t j : outputs)
             line_.outputs.push_back(
                 output_result(model.outputs()[j], law, static_cast<Eigen::Index>(j), options));
-        const std::vector<Eigen::Index> chosen(outputs.begin(), outputs.end());
-        covariance_ = law.covariance(chosen, chosen);
+        covariance_ =
+            law.covariance.is_whole() ? law.covariance.among(outputs) : covariance_among(law, outputs);
     }
 
     /// False: stopped.
@@ -62,7 +62,7 @@ public:
         }
         failed_trials_ = options_.trials - moments.count();
         line_.trials = options_.trials;
-        TrialFigures figures{moments.means(), moments.covariance(), {}};
+        TrialFigures figures{moments.means(), moments.covariance().whole(), {}};
         for (const auto& interval : intervals) figures.intervals.push_back(*interval);
         // The linear part of the trials that have a value has another distribution than that of all trials.
         if (controls_ && failed_trials_ == 0)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "core/math/special_quantiles.h"
@@ -153,7 +154,7 @@ constexpr std::size_t most_dense = 4'000'000;  // outputs x components of a matr
 constexpr std::size_t few_outputs = 64;        // that a component concerns, for sums without a matrix
 
 /// (c u) R (c u)^T. Of large models the components that concern few outputs are added one by one.
-Eigen::MatrixXd covariance_of(const LawOfPropagation& law) {
+Eigen::MatrixXd whole_covariance(const LawOfPropagation& law) {
     struct Entry {
         Eigen::Index output;
         double contribution, correlated;
@@ -193,6 +194,48 @@ Eigen::MatrixXd covariance_of(const LawOfPropagation& law) {
                 covariance(i, j) = covariance(j, i) = 0.5 * (covariance(i, j) + covariance(j, i));
     }
     covariance.diagonal() = covariance.diagonal().cwiseMax(0.0);
+    return covariance;
+}
+
+/// One pair of outputs; their terms are in the order of the components.
+double covariance_of_pair(const std::vector<PropagationTerm>& a, const std::vector<PropagationTerm>& b) {
+    double sum = 0.0;
+    for (auto s = a.begin(), t = b.begin(); s != a.end() && t != b.end();) {
+        if (s->component == t->component) {
+            sum += 0.5 * (s->correlated * t->contribution + t->correlated * s->contribution);
+            ++s, ++t;
+        } else {
+            ++(s->component < t->component ? s : t);
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+Eigen::MatrixXd covariance_among(const LawOfPropagation& law, const std::vector<std::size_t>& outputs) {
+    const auto size = static_cast<Eigen::Index>(outputs.size());
+    Eigen::MatrixXd covariance(size, size);
+    for (Eigen::Index i = 0; i < size; ++i)
+        for (Eigen::Index j = 0; j <= i; ++j) {
+            const std::size_t a = outputs[static_cast<std::size_t>(i)],
+                              b = outputs[static_cast<std::size_t>(j)];
+            const double sum = covariance_of_pair(law.terms[a], law.terms[b]);
+            covariance(i, j) = covariance(j, i) = a == b ? std::max(sum, 0.0) : sum;
+        }
+    return covariance;
+}
+
+namespace {
+
+OutputCovariance covariance_of(const LawOfPropagation& law, const OutputBlocks& blocks) {
+    if (blocks.is_one()) return whole_covariance(law);
+    OutputCovariance covariance(blocks);
+    for (std::size_t k = 0; k < blocks.list().size(); ++k) {
+        std::vector<std::size_t> outputs(static_cast<std::size_t>(blocks.list()[k].size));
+        std::iota(outputs.begin(), outputs.end(), static_cast<std::size_t>(blocks.list()[k].first));
+        covariance.block(k) = covariance_among(law, outputs);
+    }
     return covariance;
 }
 
@@ -265,19 +308,19 @@ Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const
     }
     TermMaker maker(inputs, correlations, law.u);
     for (const std::vector<Sensitivity>& row : rows) law.terms.push_back(maker.make(row));
-    law.covariance = covariance_of(law);
-    for (std::size_t j = 0; j < law.differentiable.size(); ++j) {
-        if (law.differentiable[j]) continue;
-        law.covariance.row(static_cast<Eigen::Index>(j)).setConstant(unknown_to_first_order);
-        law.covariance.col(static_cast<Eigen::Index>(j)).setConstant(unknown_to_first_order);
-    }
+    law.covariance = covariance_of(law, OutputBlocks::of(model.outputs()));
+    for (std::size_t j = 0; j < law.differentiable.size(); ++j)
+        if (!law.differentiable[j]) law.covariance.set(static_cast<Eigen::Index>(j), unknown_to_first_order);
 
     add_degrees_of_freedom(inputs, correlations, law);
     return law;
 }
 
-Eigen::MatrixXd covariance_of_draws(const InputSet& inputs, const Correlations& correlations,
-                                    const LawOfPropagation& law) {
+namespace {
+
+/// The law with the standard deviations of what is drawn: its terms alone.
+LawOfPropagation law_of_draws(const InputSet& inputs, const Correlations& correlations,
+                              const LawOfPropagation& law) {
     LawOfPropagation drawn;
     drawn.u = law.u;
     for (Eigen::Index c = 0; c < drawn.u.size(); ++c)
@@ -286,20 +329,21 @@ Eigen::MatrixXd covariance_of_draws(const InputSet& inputs, const Correlations& 
                 drawn_distribution(inputs.components[static_cast<std::size_t>(c)]).standard_deviation();
     TermMaker maker(inputs, correlations, drawn.u);
     for (const std::vector<Sensitivity>& row : law.sensitivities) drawn.terms.push_back(maker.make(row));
-    return covariance_of(drawn);
+    return drawn;
 }
 
-Eigen::MatrixXd sensitivity_matrix(const LawOfPropagation& law) {
-    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(law.estimate.size(), law.u.size());
-    for (std::size_t j = 0; j < law.terms.size(); ++j)
-        for (const PropagationTerm& term : law.terms[j])
-            c(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(term.component)) = term.sensitivity;
-    return c;
+}  // namespace
+
+OutputCovariance covariance_of_draws(const InputSet& inputs, const Correlations& correlations,
+                                     const LawOfPropagation& law) {
+    return covariance_of(law_of_draws(inputs, correlations, law), law.covariance.blocks());
 }
 
-double coverage_factor_of(double probability, double degrees_of_freedom) {
-    return -t_quantile(0.5 * (1.0 - probability),
-                       degrees_of_freedom);  // lower tail: exact near probability 1
+Eigen::MatrixXd covariance_of_draws(const InputSet& inputs, const Correlations& correlations,
+                                    const LawOfPropagation& law, const std::vector<std::size_t>& outputs) {
+    const LawOfPropagation drawn = law_of_draws(inputs, correlations, law);
+    const OutputBlocks& blocks = law.covariance.blocks();
+    return blocks.is_one() ? covariance_of(drawn, blocks).among(outputs) : covariance_among(drawn, outputs);
 }
 
 }  // namespace covaria::detail

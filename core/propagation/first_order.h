@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/model/measurement_model.h"
 #include "core/propagation/options.h"
+#include "core/result/output_covariance.h"
 
 namespace covaria::detail {
 
@@ -28,7 +29,7 @@ struct LawOfPropagation {
     /// [output]: by rising component; those without any effect are left out.
     std::vector<std::vector<PropagationTerm>> terms;
     SensitivityRows sensitivities;  ///< to the input quantities
-    Eigen::MatrixXd covariance;     ///< U_y = (c u) R (c u)^T
+    OutputCovariance covariance;    ///< U_y = (c u) R (c u)^T
     Eigen::VectorXd degrees_of_freedom;
     bool degrees_of_freedom_approximate = false;  ///< see WelchSatterthwaite
     /// By output. Of one without sensitivity coefficients nothing is known to first order: it has no terms,
@@ -41,8 +42,13 @@ struct LawOfPropagation {
 
 /// Covariance of the linear parts of the outputs over Monte Carlo's draws: `law.covariance` with the standard
 /// deviations of the drawn distributions (Student t: scale * sqrt(nu/(nu - 2)), infinite for nu <= 2).
+OutputCovariance covariance_of_draws(const InputSet& inputs, const Correlations& correlations,
+                                     const LawOfPropagation& law);
+/// Among some outputs, every pair.
 Eigen::MatrixXd covariance_of_draws(const InputSet& inputs, const Correlations& correlations,
-                                    const LawOfPropagation& law);
+                                    const LawOfPropagation& law, const std::vector<std::size_t>& outputs);
+/// Likewise by the law itself.
+Eigen::MatrixXd covariance_among(const LawOfPropagation& law, const std::vector<std::size_t>& outputs);
 
 /// A (quantities x components): x = constant + A epsilon.
 Eigen::MatrixXd factor_matrix(const InputSet& inputs);

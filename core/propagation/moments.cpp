@@ -51,19 +51,33 @@ void add_products(const double* deviations, std::size_t count, Eigen::MatrixXd& 
     }
 }
 
+/// The rows of `products` begin at `first_row`.
+void add_products(const TrialRows& deviations, Eigen::Index first_row, std::size_t count,
+                  OutputCovariance& products) {
+    for (std::size_t k = 0; k < products.blocks().list().size(); ++k)
+        add_products(deviations.row(static_cast<std::size_t>(first_row + products.blocks().list()[k].first)),
+                     count, products.block(k));
+}
+
 }  // namespace
 
-Moments::Moments(Eigen::VectorXd shift, Eigen::Index outputs)
+Moments::Moments(Eigen::VectorXd shift, const OutputBlocks& outputs, const OutputBlocks& linear_parts)
     : shift_(std::move(shift)),
       powers_(Eigen::ArrayX4d::Zero(shift_.size(), 4)),
-      products_(Eigen::MatrixXd::Zero(outputs, outputs)),
-      linear_products_(Eigen::MatrixXd::Zero(shift_.size() - outputs, shift_.size() - outputs)) {}
+      products_(outputs),
+      linear_products_(linear_parts) {}
+
+template <typename Self, typename Use>
+void Moments::each_sum(Self& self, Use use) {
+    use(self.powers_.data(), static_cast<std::size_t>(self.powers_.size()));
+    for (auto* products : {&self.products_, &self.linear_products_})
+        for (std::size_t k = 0; k < products->blocks().list().size(); ++k)
+            use(products->block(k).data(), static_cast<std::size_t>(products->block(k).size()));
+}
 
 void Moments::clear() {
     count_ = 0;
-    powers_.setZero();
-    products_.setZero();
-    linear_products_.setZero();
+    each_sum(*this, [](double* sums, std::size_t count) { std::fill_n(sums, count, 0.0); });
 }
 
 void Moments::add(const double* first_row, std::size_t count, TrialRows& scratch) {
@@ -75,34 +89,27 @@ void Moments::add(const double* first_row, std::size_t count, TrialRows& scratch
     }
     count_ += count;
     const std::size_t padded = padded_to_lanes(count);
-    add_products(scratch.data(), padded, products_);
-    if (linear_products_.size() > 0)
-        add_products(scratch.row(static_cast<std::size_t>(products_.rows())), padded, linear_products_);
+    add_products(scratch, 0, padded, products_);
+    add_products(scratch, products_.rows(), padded, linear_products_);
 }
 
 void Moments::merge(const Moments& other) {
     count_ += other.count_;
     powers_ += other.powers_;
-    products_ += other.products_;
-    linear_products_ += other.linear_products_;
+    for (std::size_t k = 0; k < products_.blocks().list().size(); ++k)
+        products_.block(k) += other.products_.block(k);
+    for (std::size_t k = 0; k < linear_products_.blocks().list().size(); ++k)
+        linear_products_.block(k) += other.linear_products_.block(k);
 }
 
 void Moments::write(ByteWriter& writer) const {
     writer.put(count_);
-    for (const auto& sums :
-         {std::span(powers_.data(), static_cast<std::size_t>(powers_.size())),
-          std::span(products_.data(), static_cast<std::size_t>(products_.size())),
-          std::span(linear_products_.data(), static_cast<std::size_t>(linear_products_.size()))})
-        writer.put_all(sums);
+    each_sum(*this, [&](const double* sums, std::size_t count) { writer.put_all(std::span(sums, count)); });
 }
 
 void Moments::read(ByteReader& reader) {
     count_ = reader.get<std::uint64_t>();
-    for (const auto& sums :
-         {std::span(powers_.data(), static_cast<std::size_t>(powers_.size())),
-          std::span(products_.data(), static_cast<std::size_t>(products_.size())),
-          std::span(linear_products_.data(), static_cast<std::size_t>(linear_products_.size()))})
-        reader.get_all(sums);
+    each_sum(*this, [&](double* sums, std::size_t count) { reader.get_all(std::span(sums, count)); });
 }
 
 double Moments::mean(Eigen::Index j) const {
@@ -124,23 +131,28 @@ Eigen::VectorXd Moments::standard_uncertainties() const {
                                         [this](Eigen::Index j) { return std::sqrt(variance(j)); });
 }
 
-Eigen::MatrixXd Moments::covariance() const {
+OutputCovariance Moments::covariance() const {
     return covariance_among(products_, 0);
 }
 
-Eigen::MatrixXd Moments::covariance_of_linear_parts() const {
+OutputCovariance Moments::covariance_of_linear_parts() const {
     return covariance_among(linear_products_, products_.rows());
 }
 
-Eigen::MatrixXd Moments::covariance_among(const Eigen::MatrixXd& products, Eigen::Index first) const {
+OutputCovariance Moments::covariance_among(const OutputCovariance& products, Eigen::Index first_row) const {
     const auto n = static_cast<double>(count_);
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(products.rows(), products.rows());
+    OutputCovariance result(products.blocks());
     if (count_ < 2) return result;
-    for (Eigen::Index a = 0; a < products.rows(); ++a) {
-        result(a, a) = variance(first + a);
-        for (Eigen::Index b = 0; b < a; ++b)
-            result(a, b) = result(b, a) =
-                (products(a, b) - powers_(first + a, 0) * powers_(first + b, 0) / n) / (n - 1);
+    for (std::size_t k = 0; k < products.blocks().list().size(); ++k) {
+        const Eigen::Index first = first_row + products.blocks().list()[k].first;
+        const Eigen::MatrixXd& sums = products.block(k);
+        Eigen::MatrixXd& block = result.block(k);
+        for (Eigen::Index a = 0; a < sums.rows(); ++a) {
+            block(a, a) = variance(first + a);
+            for (Eigen::Index b = 0; b < a; ++b)
+                block(a, b) = block(b, a) =
+                    (sums(a, b) - powers_(first + a, 0) * powers_(first + b, 0) / n) / (n - 1);
+        }
     }
     return result;
 }

@@ -222,8 +222,7 @@ WatchedStatistics watched_by(const BatchWatch& watch, double probability) {
 
 Result<MonteCarloRun> run_monte_carlo(const RunContext& context, Pilot pilot, RunSize size,
                                       BatchWatch watch) {
-    const auto own = static_cast<Eigen::Index>(pilot.own);
-    MonteCarloRun run{Moments(pilot.shift(), own), {}, {}, {}, std::move(pilot), 0, 0, true, {}};
+    MonteCarloRun run{pilot.moments(), {}, {}, {}, std::move(pilot), 0, 0, true, {}};
     run.cells.assign(context.source.outputs(), std::vector<std::uint64_t>(CellGrid::counters, 0));
     for (std::size_t j = 0; j < context.source.outputs(); ++j)
         run.parts.emplace_back(parts_of(run.pilot.outputs[j].grid), 0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "core/propagation/parallel_blocks.h"
 
@@ -151,7 +152,34 @@ void Pilot::drop_linear_parts(const std::vector<bool>& dropped) {
     }
     outputs = std::move(kept);
     explained = std::move(kept_explained);
+    std::vector<OutputBlocks::Block> kept_blocks;
+    for (const OutputBlocks::Block& block : linear_blocks.list()) {
+        Eigen::Index size = 0;
+        for (Eigen::Index k = block.first; k < block.first + block.size; ++k)
+            size += !dropped[static_cast<std::size_t>(k)];
+        const Eigen::Index first =
+            kept_blocks.empty() ? 0 : kept_blocks.back().first + kept_blocks.back().size;
+        if (size > 0) kept_blocks.push_back({first, size});
+    }
+    linear_blocks = OutputBlocks(std::move(kept_blocks));
 }
+
+namespace {
+
+/// Linear parts are in the order of their outputs.
+OutputBlocks blocks_of(const LinearRows& rows, const OutputBlocks& of_outputs) {
+    std::vector<OutputBlocks::Block> blocks;
+    std::optional<std::size_t> block;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const std::size_t own = of_outputs.block_of(static_cast<Eigen::Index>(rows[k].output));
+        if (block != own) blocks.push_back({static_cast<Eigen::Index>(k), 0});
+        ++blocks.back().size;
+        block = own;
+    }
+    return OutputBlocks(std::move(blocks));
+}
+
+}  // namespace
 
 Result<Pilot> run_pilot(const RunContext& context, std::uint64_t limit) {
     Columns columns(context.source.rows());
@@ -171,6 +199,8 @@ Result<Pilot> run_pilot(const RunContext& context, std::uint64_t limit) {
     if (n >= enough_values)
         pilot.tail_fraction = tail_fraction_of(n, context.probability, context.settings.tail_margin);
     pilot.own = context.source.outputs();
+    pilot.blocks = OutputBlocks::of(context.source.model->outputs());
+    if (context.source.linear) pilot.linear_blocks = blocks_of(*context.source.linear, pilot.blocks);
     for (std::size_t k = 0; context.source.linear && k < context.source.linear->size(); ++k)
         pilot.explained.push_back(
             squared_correlation(columns[(*context.source.linear)[k].output], columns[pilot.own + k]));

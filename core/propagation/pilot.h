@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/propagation/cell_counts.h"
+#include "core/propagation/moments.h"
 #include "core/propagation/run_context.h"
 
 #include "core/propagation/tail.h"
@@ -43,7 +44,11 @@ struct Pilot {
     std::size_t own = 0;         ///< outputs of the model; those after them are linear parts
     /// Of each linear part: squared correlation with its output.
     std::vector<double> explained = {};
+    OutputBlocks blocks = {};         ///< of the outputs of the model
+    OutputBlocks linear_blocks = {};  ///< of the linear parts, as their outputs are
     Eigen::VectorXd shift() const;
+    /// Statistics of no trials yet.
+    Moments moments() const { return Moments(shift(), blocks, linear_blocks); }
     /// Takes the linear parts out for which `dropped` says so.
     void drop_linear_parts(const std::vector<bool>& dropped);
 };

@@ -206,30 +206,38 @@ void ReducedRun::apply(const MonteCarloRun& run, std::vector<MonteCarloOutput>& 
     }
 }
 
-Eigen::MatrixXd ReducedRun::covariance(const MonteCarloRun& run,
-                                       const std::vector<MonteCarloOutput>& outputs) const {
-    Eigen::MatrixXd covariance = run.moments.covariance();
+OutputCovariance ReducedRun::covariance(const MonteCarloRun& run,
+                                        const std::vector<MonteCarloOutput>& outputs) const {
+    OutputCovariance covariance = run.moments.covariance();
     if (!rows_ || is_plain(run)) return covariance;
-    const Eigen::MatrixXd of_linear = run.moments.covariance_of_linear_parts();
-    const auto size = static_cast<Eigen::Index>(rows_->size());
+    const OutputCovariance of_linear = run.moments.covariance_of_linear_parts();
     std::vector<double> slope(rows_->size());
     for (std::size_t k = 0; k < slope.size(); ++k)
         slope[k] = estimates_->estimate((*rows_)[k].output, 0).slope;
-    for (Eigen::Index a = 0; a < size; ++a)
-        for (Eigen::Index b = 0; b < size; ++b) {
-            const auto ka = static_cast<std::size_t>(a), kb = static_cast<std::size_t>(b);
-            const auto i = static_cast<Eigen::Index>((*rows_)[ka].output);
-            const auto j = static_cast<Eigen::Index>((*rows_)[kb].output);
-            const double known = linear_covariance_(i, j) - of_linear(a, b);
-            if (std::isfinite(known)) covariance(i, j) += slope[ka] * slope[kb] * known;
-        }
+    const OutputBlocks& blocks = covariance.blocks();
+    for (const OutputBlocks::Block& linear : of_linear.blocks().list()) {
+        const std::size_t own = blocks.block_of(output_of(linear.first));
+        const Eigen::Index first = blocks.list()[own].first;
+        for (Eigen::Index a = linear.first; a < linear.first + linear.size; ++a)
+            for (Eigen::Index b = linear.first; b < linear.first + linear.size; ++b) {
+                const Eigen::Index i = output_of(a), j = output_of(b);
+                const double known = linear_covariance_(i, j) - of_linear(a, b);
+                if (std::isfinite(known))
+                    covariance.block(own)(i - first, j - first) +=
+                        slope[static_cast<std::size_t>(a)] * slope[static_cast<std::size_t>(b)] * known;
+            }
+    }
     // The same standard uncertainties as on the result lines.
     Eigen::VectorXd factor = Eigen::VectorXd::Ones(covariance.rows());
     for (Eigen::Index j = 0; j < factor.size(); ++j)
         if (covariance(j, j) > 0.0)
             factor(j) =
                 outputs[static_cast<std::size_t>(j)].standard_uncertainty / std::sqrt(covariance(j, j));
-    return factor.asDiagonal() * covariance * factor.asDiagonal();
+    for (std::size_t k = 0; k < blocks.list().size(); ++k) {
+        const Eigen::VectorXd own = factor.segment(blocks.list()[k].first, blocks.list()[k].size);
+        covariance.block(k) = Eigen::MatrixXd(own.asDiagonal() * covariance.block(k) * own.asDiagonal());
+    }
+    return covariance;
 }
 
 std::vector<Message> ReducedRun::without_control() const {

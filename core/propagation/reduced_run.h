@@ -33,12 +33,15 @@ public:
     /// Puts the better estimates in, with their standard errors.
     void apply(const MonteCarloRun& run, std::vector<MonteCarloOutput>& outputs) const;
     /// Of the outputs with these standard uncertainties.
-    Eigen::MatrixXd covariance(const MonteCarloRun& run, const std::vector<MonteCarloOutput>& outputs) const;
+    OutputCovariance covariance(const MonteCarloRun& run, const std::vector<MonteCarloOutput>& outputs) const;
     /// "X, Y (reason)" for each reason why outputs have no control.
     std::vector<Message> without_control() const;
 
 private:
     void offer_controls();
+    Eigen::Index output_of(Eigen::Index linear_part) const {
+        return static_cast<Eigen::Index>((*rows_)[static_cast<std::size_t>(linear_part)].output);
+    }
     /// Of the linear part in row k; NaN where it is not known.
     BatchEstimates::Control control_of(std::size_t k) const;
     bool is_plain(const MonteCarloRun& run) const;
@@ -54,7 +57,7 @@ private:
     std::optional<DrawPlan> sobol_plan_;
     std::optional<LinearRows> rows_;
     std::vector<std::vector<LinearTerm>> terms_;  ///< of the rows
-    Eigen::MatrixXd linear_covariance_;           ///< exact, of the linear parts of all outputs
+    OutputCovariance linear_covariance_;          ///< exact, of the linear parts of all outputs
     std::vector<Message> plain_because_;          ///< by output; empty: controlled
     std::optional<BatchEstimates> estimates_;
 };

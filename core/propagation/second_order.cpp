@@ -96,7 +96,8 @@ Result<SecondOrder> second_order_terms(const MeasurementModel& model, const Inpu
         return fail(ErrorCode::bad_input, tell<"there are too many quantities for them">());
     const Eigen::MatrixXd factors = factor_matrix(inputs), sensitivity = sensitivity_matrix(law);
     const Eigen::RowVectorXd squares = law.u.array().square().matrix().transpose();
-    Eigen::VectorXd unsure = Eigen::VectorXd::Zero(law.estimate.size()), sure = law.covariance.diagonal();
+    Eigen::VectorXd unsure = Eigen::VectorXd::Zero(law.estimate.size()), sure = unsure;
+    for (Eigen::Index j = 0; j < sure.size(); ++j) sure(j) = law.covariance(j, j);
     for (Eigen::Index j = 0; j < law.u.size(); ++j) {
         if (stop.stop_requested()) return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
         if (!(law.u(j) > 0)) continue;

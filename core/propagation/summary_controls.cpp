@@ -10,7 +10,7 @@ SummaryControls::SummaryControls(const InputSet& inputs, const Correlations& cor
                                  const LawOfPropagation& law, const std::vector<std::size_t>& outputs) {
     LinearTermMaker maker(inputs, correlations);
     std::vector<LinearRow> rows;
-    std::vector<Eigen::Index> chosen;
+    std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < outputs.size(); ++k) {
         auto terms = maker.make(law.terms[outputs[k]]);
         if (!terms) continue;
@@ -22,11 +22,11 @@ SummaryControls::SummaryControls(const InputSet& inputs, const Correlations& cor
             row.terms.push_back({s.input, s.coefficient, law.inputs(static_cast<Eigen::Index>(s.input))});
         rows.push_back(std::move(row));
         place_of_.push_back(k);
-        chosen.push_back(static_cast<Eigen::Index>(outputs[k]));
+        chosen.push_back(outputs[k]);
         distributions_.push_back(std::move(distribution));
     }
     rows_ = LinearRows(std::move(rows));
-    if (!chosen.empty()) covariance_ = covariance_of_draws(inputs, correlations, law)(chosen, chosen);
+    if (!chosen.empty()) covariance_ = covariance_of_draws(inputs, correlations, law, chosen);
 }
 
 void SummaryControls::improve(TrialFigures& figures, double probability, std::uint64_t trials_made) const {

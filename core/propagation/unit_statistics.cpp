@@ -31,9 +31,7 @@ void OutsideValues::add(const OutputPilot& pilot, const double* y, std::size_t n
 }
 
 UnitStatistics::UnitStatistics(const Pilot& pilot)
-    : moments(pilot.shift(), static_cast<Eigen::Index>(pilot.own)),
-      outside(pilot.outputs.size()),
-      cells(pilot.own * CellGrid::counters) {
+    : moments(pilot.moments()), outside(pilot.outputs.size()), cells(pilot.own * CellGrid::counters) {
     std::size_t all_parts = 0;
     for (std::size_t j = 0; j < pilot.own; ++j) all_parts += parts_of(pilot.outputs[j].grid);
     parts.resize(all_parts);

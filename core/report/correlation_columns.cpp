@@ -8,14 +8,7 @@ namespace covaria {
 namespace {
 
 Eigen::MatrixXd correlation_among(const UncertaintyResult& result, const std::vector<std::size_t>& outputs) {
-    const auto size = static_cast<Eigen::Index>(outputs.size());
-    Eigen::MatrixXd covariance(size, size);
-    for (Eigen::Index r = 0; r < size; ++r)
-        for (Eigen::Index c = 0; c < size; ++c)
-            covariance(r, c) =
-                result.covariance(static_cast<Eigen::Index>(outputs[static_cast<std::size_t>(r)]),
-                                  static_cast<Eigen::Index>(outputs[static_cast<std::size_t>(c)]));
-    return correlation_of(covariance);
+    return correlation_of(result.covariance.among(outputs));
 }
 
 struct CorrelatedComponent {

@@ -136,7 +136,7 @@ PlotSpecification correlation_plot(const UncertaintyResult& result, const std::v
     const Name group = outputs.empty() || !one_group ? Name() : group_of(outputs.front());
     const std::string id = "correlation" + (group.empty() ? "" : "-" + report_parts::id_part(group));
     if (outputs.size() < 2) return nothing_to_show(id, language.say(plot_words::single_output));
-    const Eigen::MatrixXd correlation = correlation_of(result.covariance);
+    const Eigen::MatrixXd correlation = correlation_of(result.covariance.among(outputs));
     PlotSpecification plot;
     plot.id = id;
     plot.title =
@@ -149,9 +149,7 @@ PlotSpecification correlation_plot(const UncertaintyResult& result, const std::v
     plot.x.categories = plot.y.categories;
     PlotSeries map{
         language.say(plot_words::coefficient), SeriesKind::heat_map, SeriesRole::data, {}, {}, {}, 0.0};
-    for (const std::size_t i : outputs)
-        for (const std::size_t j : outputs)
-            map.z.push_back(correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    map.z.assign(correlation.data(), correlation.data() + correlation.size());
     plot.series.push_back(std::move(map));
     plot.z_low = -1.0;
     plot.z_high = 1.0;

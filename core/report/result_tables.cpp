@@ -102,9 +102,6 @@ DataTable matrix_table(const UncertaintyResult& result, const Eigen::MatrixXd& m
     return table;
 }
 
-constexpr std::size_t most_of_a_matrix =
-    1500;  // outputs, whose whole matrix is some hundred megabytes as a file
-
 /// Of thousands of outputs: the pairs of a group, of a point its three coordinates.
 DataTable pairs_table(const UncertaintyResult& result) {
     DataTable table = table_with("covariance", "covariance",
@@ -117,7 +114,7 @@ DataTable pairs_table(const UncertaintyResult& result) {
         groups[result.outputs[j].quantity.group].push_back(j);
     const auto u = [&](std::size_t j) { return result.outputs[j].standard_uncertainty; };
     for (const auto& [group, members] : groups)
-        for (std::size_t k = 1; k < std::min(members.size(), most_of_a_matrix); ++k)
+        for (std::size_t k = 1; k < members.size(); ++k)
             for (std::size_t i = 0; i < k; ++i) {
                 const OutputQuantity &a = result.outputs[members[i]].quantity,
                                      &b = result.outputs[members[k]].quantity;
@@ -248,9 +245,9 @@ namespace {
 void each_further_table(const Project& project, const EvaluatedAnalysis& evaluated,
                         const std::function<void(DataTable)>& take) {
     const UncertaintyResult& result = *evaluated.result;
-    if (result.outputs.size() <= most_of_a_matrix) {
-        take(matrix_table(result, existing_covariance(result), "covariance", true));
-        take(matrix_table(result, correlation_of(result.covariance), "correlation", false));
+    if (result.covariance.is_whole()) {
+        take(matrix_table(result, existing_covariance(result).whole(), "covariance", true));
+        take(matrix_table(result, correlation_of(result.covariance.whole()), "correlation", false));
     } else {
         take(pairs_table(result));
     }

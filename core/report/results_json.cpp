@@ -142,20 +142,38 @@ OrderedJson variance_reduction_json(const ReducedVariance& reduced, const Unit& 
     return json;
 }
 
-/// Entry (i, j) in the product of the units of outputs i and j.
-OrderedJson covariance_json(const UncertaintyResult& result) {
+/// Entry (i, j) in the product of the units of outputs i and j of a block.
+OrderedJson block_json(const UncertaintyResult& result, const Eigen::MatrixXd& covariance,
+                       Eigen::Index first) {
+    const auto unit_of = [&](Eigen::Index i) -> const Unit& {
+        return result.outputs[static_cast<std::size_t>(first + i)].quantity.unit;
+    };
     OrderedJson rows = OrderedJson::array();
-    const Eigen::MatrixXd covariance = existing_covariance(result);
     for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
         OrderedJson row = OrderedJson::array();
-        const Unit& unit_i = result.outputs[static_cast<std::size_t>(i)].quantity.unit;
-        for (Eigen::Index j = 0; j < covariance.cols(); ++j) {
-            const Unit& unit_j = result.outputs[static_cast<std::size_t>(j)].quantity.unit;
-            row.push_back(json_number(unit_j.interval_from_si(unit_i.interval_from_si(covariance(i, j)))));
-        }
+        for (Eigen::Index j = 0; j < covariance.cols(); ++j)
+            row.push_back(
+                json_number(unit_of(j).interval_from_si(unit_of(i).interval_from_si(covariance(i, j)))));
         rows.push_back(std::move(row));
     }
     return rows;
+}
+
+/// "covariance": the matrix of all outputs; of thousands of outputs "covarianceBlocks", one for each group.
+void add_covariance(const UncertaintyResult& result, OrderedJson& json) {
+    const OutputCovariance covariance = existing_covariance(result);
+    if (covariance.is_whole()) {
+        json["covariance"] = block_json(result, covariance.whole(), 0);
+        return;
+    }
+    OrderedJson blocks = OrderedJson::array();
+    for (std::size_t k = 0; k < covariance.blocks().list().size(); ++k) {
+        const Eigen::Index first = covariance.blocks().list()[k].first;
+        blocks.push_back({{"group", result.outputs[static_cast<std::size_t>(first)].quantity.group},
+                          {"firstOutput", first},
+                          {"covariance", block_json(result, covariance.block(k), first)}});
+    }
+    json["covarianceBlocks"] = std::move(blocks);
 }
 
 /// Standard uncertainties in the units of the outputs.
@@ -310,8 +328,8 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
                         {"representsMeasurand", represents_measurand(result)},
                         {"stabilised", result.stabilised},
                         {"seed", std::to_string(result.provenance.seed)},
-                        {"outputs", std::move(outputs)},
-                        {"covariance", covariance_json(result)}};
+                        {"outputs", std::move(outputs)}};
+    add_covariance(result, json);
     if (auto pairs = input_correlations_json(result.inputs); !pairs.empty())
         json["inputCorrelations"] = std::move(pairs);
     std::vector<std::string> warnings;

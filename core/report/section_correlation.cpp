@@ -64,7 +64,6 @@ void add_between_groups(Blocks& blocks, const UncertaintyResult& result, const E
 void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     if (result.outputs.size() < 2) return;
-    const Eigen::MatrixXd correlation = correlation_of(result.covariance);
     blocks.push_back(HeadingBlock{2, in.say(tell<"Correlation">())});
     for (const std::string& group : groups_in_full(result)) {
         const std::vector<std::size_t> outputs = measurands_of(result, group);
@@ -74,7 +73,8 @@ void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const D
         blocks.push_back(
             figure(correlation_plot(result, outputs, in), evaluated, in.say(title_of(group)) + "."));
     }
-    add_between_groups(blocks, result, correlation, in);
+    if (result.covariance.is_whole())
+        add_between_groups(blocks, result, correlation_of(result.covariance.whole()), in);
 }
 
 }  // namespace covaria::report_parts

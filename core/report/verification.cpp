@@ -28,8 +28,8 @@ struct Figure {
     std::function<double(const Subject&)> take;
 };
 
-double correlation(const Eigen::MatrixXd& covariance, const Subject& s) {
-    return correlation_of(covariance)(static_cast<Eigen::Index>(s.index), static_cast<Eigen::Index>(s.other));
+double correlation(const OutputCovariance& covariance, const Subject& s) {
+    return correlation_of(covariance.among({s.index, s.other}))(0, 1);
 }
 
 const CoverageRegion& region_of(const Subject& s) {

@@ -37,13 +37,16 @@ std::optional<Eigen::MatrixXd> JointCovariance::of(const std::vector<PointCoordi
 
 std::optional<Eigen::MatrixXd> JointCovariance::of_outputs(
     const std::vector<PointCoordinates>& points) const {
-    const Eigen::MatrixXd& all = result_.covariance;
-    if (all.rows() != static_cast<Eigen::Index>(result_.outputs.size()) || all.rows() != all.cols())
-        return std::nullopt;
-    std::vector<Eigen::Index> rows;
+    const OutputCovariance& all = result_.covariance;
+    if (all.rows() != static_cast<Eigen::Index>(result_.outputs.size())) return std::nullopt;
+    std::vector<std::size_t> rows;
     for (const PointCoordinates& point : points)
-        for (const std::size_t i : point.index) rows.push_back(static_cast<Eigen::Index>(i));
-    return Eigen::MatrixXd(all(rows, rows));
+        rows.insert(rows.end(), point.index.begin(), point.index.end());
+    // Of thousands of outputs the trials keep no pair of two groups: the law of propagation has all.
+    const std::size_t block = all.blocks().block_of(static_cast<Eigen::Index>(rows.front()));
+    for (const std::size_t row : rows)
+        if (all.blocks().block_of(static_cast<Eigen::Index>(row)) != block) return of_components(points);
+    return all.among(rows);
 }
 
 Eigen::RowVectorXd JointCovariance::sensitivities(PointCoordinates::Kind kind, std::size_t quantity) const {

@@ -28,17 +28,15 @@ std::string_view key_of(VarianceReduction reduction) {
     return keys[static_cast<int>(reduction)];
 }
 
-Eigen::MatrixXd existing_covariance(const UncertaintyResult& result) {
-    Eigen::MatrixXd existing = result.covariance;
-    for (Eigen::Index j = 0; j < existing.cols(); ++j) {
-        if (!std::isinf(result.outputs[static_cast<std::size_t>(j)].standard_uncertainty)) continue;
-        existing.row(j).setConstant(std::numeric_limits<double>::quiet_NaN());
-        existing.col(j).setConstant(std::numeric_limits<double>::quiet_NaN());
-    }
+OutputCovariance existing_covariance(const UncertaintyResult& result) {
+    OutputCovariance existing = result.covariance;
+    for (Eigen::Index j = 0; j < existing.rows(); ++j)
+        if (std::isinf(result.outputs[static_cast<std::size_t>(j)].standard_uncertainty))
+            existing.set(j, std::numeric_limits<double>::quiet_NaN());
     return existing;
 }
 
-const Eigen::MatrixXd& first_order_covariance(const UncertaintyResult& result) {
+const OutputCovariance& first_order_covariance(const UncertaintyResult& result) {
     return result.covariance_before_trials ? *result.covariance_before_trials : result.covariance;
 }
 

@@ -12,6 +12,7 @@
 #include "core/model/output_quantity.h"
 #include "core/quantity/shared_inputs.h"
 #include "core/result/guard_rule.h"
+#include "core/result/output_covariance.h"
 #include "core/result/trial_distribution.h"
 #include "core/result/variance_reduction.h"
 
@@ -218,10 +219,10 @@ struct Provenance {
 
 struct UncertaintyResult {
     std::vector<OutputResult> outputs;
-    SharedInputs inputs;         ///< as evaluated (edits applied)
-    Eigen::MatrixXd covariance;  ///< Monte Carlo where it ran, else first order
+    SharedInputs inputs;          ///< as evaluated (edits applied)
+    OutputCovariance covariance;  ///< Monte Carlo where it ran, else first order
     /// Where Monte Carlo ran, the one of first order.
-    std::optional<Eigen::MatrixXd> covariance_before_trials = {};
+    std::optional<OutputCovariance> covariance_before_trials = {};
     UncertaintyBudget budget;
     std::vector<ContributorResult> contributors;  ///< empty with fewer than two
     std::uint64_t contributor_trials = 0;         ///< of their Monte Carlo part
@@ -246,9 +247,9 @@ struct UncertaintyResult {
 
 /// As it is stated: where u of an output does not exist (infinite, by Monte Carlo), neither do its
 /// covariances, which the matrix has from the trials that happened to be made: NaN.
-Eigen::MatrixXd existing_covariance(const UncertaintyResult& result);
+OutputCovariance existing_covariance(const UncertaintyResult& result);
 /// By the law of propagation of uncertainty.
-const Eigen::MatrixXd& first_order_covariance(const UncertaintyResult& result);
+const OutputCovariance& first_order_covariance(const UncertaintyResult& result);
 
 /// Least gain of variance reduction at the interval ends of the measurands; empty without variance reduction,
 /// or with too few batches to say.

@@ -57,10 +57,10 @@ std::optional<PointUncertainty> PointUncertainties::of_outputs(
     const std::array<std::size_t, 3>& index) const {
     PointUncertainty found;
     found.of_outputs = true;
-    const Eigen::MatrixXd& covariance = result_->covariance;
+    const OutputCovariance& covariance = result_->covariance;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto row = static_cast<Eigen::Index>(index[i]);
-        if (row >= covariance.rows() || covariance.rows() != covariance.cols()) return std::nullopt;
+        if (row >= covariance.rows()) return std::nullopt;
         const auto at = static_cast<Eigen::Index>(i);
         for (std::size_t j = 0; j < 3; ++j)
             found.covariance(at, static_cast<Eigen::Index>(j)) =

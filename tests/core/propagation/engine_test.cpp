@@ -43,7 +43,8 @@ std::vector<double> numbers_of(const UncertaintyResult& result) {
         n.insert(n.end(), m.quantiles.begin(), m.quantiles.end());
         n.insert(n.end(), m.histogram.counts.begin(), m.histogram.counts.end());
     }
-    n.insert(n.end(), result.covariance.data(), result.covariance.data() + result.covariance.size());
+    const Eigen::MatrixXd& covariance = result.covariance.whole();
+    n.insert(n.end(), covariance.data(), covariance.data() + covariance.size());
     for (const CoverageRegion& r : result.regions)
         add({r.ellipsoid_monte_carlo.value_or(-1), r.rectangle_monte_carlo.value_or(-1)});
     for (const ConvergencePoint& p : result.convergence) {

@@ -105,19 +105,18 @@ TEST(ResultTables, CovariancesOfThousandsOfOutputsAreThoseOfTheirGroups) {
     UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
     result.outputs.resize(3);
     std::vector<OutputResult> point = result.outputs;
-    const Eigen::Matrix3d of_point = result.covariance.topLeftCorner<3, 3>();
+    const Eigen::Matrix3d of_point = result.covariance.whole().topLeftCorner<3, 3>();
     result.outputs.clear();
     constexpr std::size_t points = 600;
-    result.covariance = Eigen::MatrixXd::Zero(3 * points, 3 * points);
     for (std::size_t k = 0; k < points; ++k)
         for (std::size_t c = 0; c < 3; ++c) {
             point[c].quantity.group = "P" + std::to_string(k);
             result.outputs.push_back(point[c]);
-            for (std::size_t d = 0; d < 3; ++d)
-                result.covariance(static_cast<Eigen::Index>(3 * k + c),
-                                  static_cast<Eigen::Index>(3 * k + d)) =
-                    of_point(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(d));
         }
+    std::vector<OutputQuantity> quantities;
+    for (const OutputResult& output : result.outputs) quantities.push_back(output.quantity);
+    result.covariance = OutputCovariance(OutputBlocks::of(quantities));
+    for (std::size_t k = 0; k < points; ++k) result.covariance.block(k) = of_point;
     result.regions.clear();
     const std::vector<DataTable> tables =
         result_tables(test::sample_project(), test::sample_analysis(result));

@@ -94,12 +94,13 @@ inline UncertaintyResult plot_sample() {
     add_output(result, "beta", "deg", -5.0 * degree, 0.0505 * degree);
     add_output(result, "gamma_7", "deg", 0.0, 0.0505 * degree);
     const auto n = static_cast<Eigen::Index>(result.outputs.size());
-    result.covariance.resize(n, n);
+    Eigen::MatrixXd covariance(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < n; ++j)
-            result.covariance(i, j) = std::pow(-0.8, std::abs(i - j)) *
-                                      result.outputs[static_cast<std::size_t>(i)].standard_uncertainty *
-                                      result.outputs[static_cast<std::size_t>(j)].standard_uncertainty;
+            covariance(i, j) = std::pow(-0.8, std::abs(i - j)) *
+                               result.outputs[static_cast<std::size_t>(i)].standard_uncertainty *
+                               result.outputs[static_cast<std::size_t>(j)].standard_uncertainty;
+    result.covariance = std::move(covariance);
     result.trials = static_cast<std::uint64_t>(plot_trials);
     add_contributions(result);
     add_convergence(result);

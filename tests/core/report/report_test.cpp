@@ -393,7 +393,7 @@ TEST(Report, ZeroUncertaintyMakesNoNonsense) {
         output.standard_uncertainty = output.expanded_uncertainty = 0.0;
         output.first_order.standard_uncertainty = 0.0;
     }
-    result.covariance.setZero();
+    result.covariance.whole().setZero();
     for (auto& rows : result.budget.rows) rows.clear();
     const std::string text = to_markdown(
         build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)}));

@@ -192,13 +192,14 @@ inline void add_budget(UncertaintyResult& result) {
 
 inline void add_covariance(UncertaintyResult& result) {
     const auto n = static_cast<Eigen::Index>(result.outputs.size());
-    result.covariance = Eigen::MatrixXd::Zero(n, n);
+    Eigen::MatrixXd covariance(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < n; ++j) {
             const double r = i == j ? 1.0 : 0.25 / (1.0 + static_cast<double>(std::abs(i - j)));
-            result.covariance(i, j) = r * result.outputs[static_cast<std::size_t>(i)].standard_uncertainty *
-                                      result.outputs[static_cast<std::size_t>(j)].standard_uncertainty;
+            covariance(i, j) = r * result.outputs[static_cast<std::size_t>(i)].standard_uncertainty *
+                               result.outputs[static_cast<std::size_t>(j)].standard_uncertainty;
         }
+    result.covariance = std::move(covariance);
 }
 
 inline void add_trials(UncertaintyResult& result) {

@@ -36,7 +36,7 @@ UncertaintyResult a_result() {
     Eigen::MatrixXd c(3, 4);
     c << 3, 0, 0, 1.5, 2, 1, 0, 1.5, 2, 0, 1, 1;
     const Eigen::Vector4d variances(u[0] * u[0], u[1] * u[1], u[2] * u[2], u[3] * u[3]);
-    result.covariance = c * variances.asDiagonal() * c.transpose();
+    result.covariance = Eigen::MatrixXd(c * variances.asDiagonal() * c.transpose());
     return result;
 }
 
@@ -45,7 +45,7 @@ const PointCoordinates outputs{Kind::outputs, {0, 1, 2}};
 
 TEST(JointCovariance, OfOutputsIsThatOfTheResult) {
     UncertaintyResult result = a_result();
-    result.covariance(0, 1) = result.covariance(1, 0) = 7e-6;  // as Monte Carlo found it
+    result.covariance.whole()(0, 1) = result.covariance.whole()(1, 0) = 7e-6;  // as Monte Carlo found it
     const auto V = JointCovariance(result).of({outputs, {Kind::outputs, {2, 0, 1}}});
     ASSERT_TRUE(V);
     EXPECT_EQ((*V)(0, 1), 7e-6);
@@ -66,7 +66,7 @@ TEST(JointCovariance, OfInputsAndOutputsGoesThroughTheirComponents) {
     const UncertaintyResult result = a_result();
     const auto V = JointCovariance(result).of({outputs, inputs});
     ASSERT_TRUE(V);
-    EXPECT_TRUE((V->topLeftCorner<3, 3>().isApprox(result.covariance, 1e-12)))
+    EXPECT_TRUE((V->topLeftCorner<3, 3>().isApprox(result.covariance.whole(), 1e-12)))
         << "the law of propagation from the budget";
     EXPECT_NEAR((*V)(1, 3), 2 * 1e-6 + 1.5 * 0.5 * 25e-6, 1e-18);
     EXPECT_TRUE(V->isApprox(V->transpose()));
@@ -98,7 +98,7 @@ TEST(JointCovariance, IsAlongTheAxesOfW) {
 TEST(JointCovariance, IsEmptyWhereItIsNotKnown) {
     UncertaintyResult result = a_result();
     EXPECT_FALSE(JointCovariance(result).of({{Kind::outputs, {0, 1, 3}}})) << "no such output";
-    result.covariance(1, 1) = std::numeric_limits<double>::infinity();  // by Monte Carlo
+    result.covariance.whole()(1, 1) = std::numeric_limits<double>::infinity();  // by Monte Carlo
     EXPECT_FALSE(JointCovariance(result).of({outputs}));
     EXPECT_TRUE(JointCovariance(result).of({{Kind::outputs, {0, 0, 2}}})) << "an infinite u elsewhere";
 }

@@ -39,8 +39,9 @@ std::shared_ptr<UncertaintyResult> sample_result() {
     monte_carlo.shortest = {1.0234470, 1.0234640};
     result->outputs[0].monte_carlo = monte_carlo;
     result->outputs[0].first_order.validation = FirstOrderOutput::Validation{5e-7, 0.0, 0.0, true};
-    result->covariance = Eigen::Vector3d(1.0, 4.0, 9.0).asDiagonal();
-    result->covariance(0, 1) = result->covariance(1, 0) = -1.0;
+    Eigen::MatrixXd covariance = Eigen::Vector3d(1.0, 4.0, 9.0).asDiagonal();
+    covariance(0, 1) = covariance(1, 0) = -1.0;
+    result->covariance = covariance;
     BudgetComponent scale;
     scale.id = "a.scale";
     scale.origin = "certificate";

@@ -97,7 +97,7 @@ TEST(BuildScene, EllipsoidsOfWhatIsComparedStandAboutTheSamePoints) {
     const auto now = test::stewart_setup(0), was = test::stewart_setup(0, 2.0);
     auto before = std::make_shared<UncertaintyResult>(was.result);
     std::reverse(before->outputs.begin(), before->outputs.end());  // others stand elsewhere there
-    before->covariance = was.result.covariance.reverse();
+    before->covariance = Eigen::MatrixXd(was.result.covariance.whole().reverse());
     const ResultComparison compared =
         compare_results(before, std::make_shared<UncertaintyResult>(now.result));
     SceneSource source = now.source();
@@ -374,7 +374,7 @@ TEST(BuildScene, EveryAxisHasTwoNumbers) {
 TEST(BuildScene, IndicesOutOfRangeAndInfiniteUncertaintyAreLeftOut) {
     auto setup = test::stewart_setup(0);
     setup.layout.points[0].inputs = {{0, 1, 999}};
-    setup.result.covariance(0, 0) = std::numeric_limits<double>::infinity();
+    setup.result.covariance.whole()(0, 0) = std::numeric_limits<double>::infinity();
     const Scene scene = build_scene(setup.source(), {});
     EXPECT_EQ(ellipsoid_of(scene, "point:b1"), nullptr);
     EXPECT_EQ(ellipsoid_of(scene, "point:platform origin"), nullptr);

@@ -99,7 +99,7 @@ TEST_F(SceneMeasurement, SaysWhyUIsNotStated) {
     EXPECT_EQ(reason(&constant, "point:b1", "point:b2"), NotStated::constant);
     EXPECT_EQ(measure(scene_, &constant, {"point:b1", "point:b2"})->place, "b2");
     UncertaintyResult unknown = setup_.result;
-    unknown.covariance.resize(0, 0);
+    unknown.covariance = {};
     unknown.budget.rows.clear();
     EXPECT_EQ(reason(&unknown, "point:b1", "point:platform origin"), NotStated::not_finite);
     const auto huge = test::stewart_setup(0, 1000.0);  // uncertainties as large as the platform

@@ -252,8 +252,7 @@ TEST(SceneRenderer, EverySizeFillsThePicture) {
 
 TEST(SceneRenderer, DegenerateEllipsoidsAreDrawn) {
     auto setup = test::stewart_setup(0);
-    setup.result.covariance.row(2).setZero();
-    setup.result.covariance.col(2).setZero();
+    setup.result.covariance.set(2, 0.0);
     test::change_inputs(setup.result, [](InputSet& inputs) {
         for (std::size_t i = 9; i < 12; ++i)  // p1: a line along x
             inputs.components[i].held = i != 9;

@@ -238,7 +238,7 @@ TEST(NetworkProject, AnglesAndFramesFollowTheirTargets) {
         lower[i] -= step;
         J.col(i) = (derived(higher) - derived(lower)) / (2 * step);
     }
-    const Eigen::MatrixXd C = J * result.covariance.topLeftCorner(12, 12) * J.transpose();
+    const Eigen::MatrixXd C = J * result.covariance.whole().topLeftCorner(12, 12) * J.transpose();
     for (Eigen::Index i = 0; i < 7; ++i) {
         const auto& output = result.outputs[static_cast<std::size_t>(15 + i)];
         EXPECT_NEAR(output.estimate, values[i], 1e-12) << output.quantity.name;

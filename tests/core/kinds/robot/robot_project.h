@@ -80,7 +80,7 @@ inline Row u(const UncertaintyResult& r) {
 }
 /// XX, YY, ZZ, XY, XZ, YZ in mm².
 inline Row covariance(const UncertaintyResult& r) {
-    const Eigen::MatrixXd C = 1e6 * r.covariance;
+    const Eigen::MatrixXd C = 1e6 * r.covariance.whole();
     return {C(0, 0), C(1, 1), C(2, 2), C(0, 1), C(0, 2), C(1, 2)};
 }
 inline const BudgetRow* budget_row(const UncertaintyResult& r, std::size_t output,

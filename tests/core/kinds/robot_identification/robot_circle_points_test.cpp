@@ -111,7 +111,7 @@ TEST(CirclePoints, MonteCarloAgreesAndShowsTheCorrelation) {
             1.0, 4.0 * std::sqrt(.5 / 20'000))
             << r.outputs[j].quantity.symbol;
     }
-    const Eigen::MatrixXd R = correlation_of(r.covariance);
+    const Eigen::MatrixXd R = correlation_of(r.covariance.whole());
     const std::tuple<const char*, const char*, double> expected[] = {{"d_3", "alpha_3", -.987},
                                                                      {"theta_3", "a_3", .985},
                                                                      {"a_3", "a_4", -.869},
