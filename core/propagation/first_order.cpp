@@ -346,4 +346,17 @@ Eigen::MatrixXd covariance_of_draws(const InputSet& inputs, const Correlations& 
     return blocks.is_one() ? covariance_of(drawn, blocks).among(outputs) : covariance_among(drawn, outputs);
 }
 
+Eigen::MatrixXd sensitivity_matrix(const LawOfPropagation& law) {
+    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(law.estimate.size(), law.u.size());
+    for (std::size_t j = 0; j < law.terms.size(); ++j)
+        for (const PropagationTerm& term : law.terms[j])
+            c(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(term.component)) = term.sensitivity;
+    return c;
+}
+
+double coverage_factor_of(double probability, double degrees_of_freedom) {
+    return -t_quantile(0.5 * (1.0 - probability),
+                       degrees_of_freedom);  // lower tail: exact near probability 1
+}
+
 }  // namespace covaria::detail

@@ -16,7 +16,7 @@ OutputQuantity output(const std::string& symbol, const std::string& group) {
 TEST(Result, GroupsKeepTheOrderOfAppearance) {
     const std::vector<OutputQuantity> outputs{output("x", "pose 2"), output("d", ""), output("y", "pose 2"),
                                               output("x", "pose 1")};
-    EXPECT_EQ(groups_of(outputs), (std::vector<std::string>{"pose 2", "", "pose 1"}));
+    EXPECT_EQ(groups_of(outputs), (std::vector<Name>{"pose 2", "", "pose 1"}));
     EXPECT_EQ(outputs_of_group(outputs, "pose 2"), (std::vector<std::size_t>{0, 2}));
     EXPECT_TRUE(outputs_of_group(outputs, "pose 3").empty());
 }
