@@ -213,8 +213,8 @@ TEST(GroupsShown, AreComparedWithThoseOfTheSameQuantitiesOnly) {
     add("B", "x", 3.0);
     add("C", "x", 2.0);
     for (const char* only : {"d_1", "d_2", "d_3"}) add("distances", only, 0.1);
-    EXPECT_EQ(groups_like_the_first(result), (std::vector<std::string>{"A", "B", "C"}));
-    EXPECT_EQ(groups_in_full(result), std::vector<std::string>{"B"}) << "not the one with symbols of its own";
+    EXPECT_EQ(groups_like_the_first(result), (std::vector<Name>{"A", "B", "C"}));
+    EXPECT_EQ(groups_in_full(result), std::vector<Name>{"B"}) << "not the one with symbols of its own";
 }
 
 TEST(ReportExtent, RoomGoesToThoseThatNeedIt) {

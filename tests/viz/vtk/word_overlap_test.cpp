@@ -104,7 +104,7 @@ std::vector<Scene> scenes_of(const fs::path& file) {
         const auto result = run_analysis(*prepared);
         EXPECT_TRUE(result) << file << " " << entry.id;
         if (!result) continue;
-        std::vector<std::string> groups = groups_of(prepared->model->outputs());
+        std::vector<Name> groups = groups_of(prepared->model->outputs());
         if (groups.empty()) groups = {""};
         for (const std::string& group : {groups.front(), groups.back()}) {
             SceneOptions options;
