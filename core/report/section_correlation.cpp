@@ -65,7 +65,7 @@ void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const D
     const UncertaintyResult& result = *evaluated.result;
     if (result.outputs.size() < 2) return;
     blocks.push_back(HeadingBlock{2, in.say(tell<"Correlation">())});
-    for (const std::string& group : groups_in_full(result)) {
+    for (const Name& group : groups_in_full(result)) {
         const std::vector<std::size_t> outputs = measurands_of(result, group);
         const std::string id = "correlation-" + evaluated.analysis->id + "-" + id_part(group);
         if (outputs.size() < 2) continue;

@@ -116,7 +116,8 @@ TEST(ManyOutputs, PairsOfTwoGroupsAreThoseOfTheLawOfPropagation) {
     ASSERT_TRUE(a && b);
     EXPECT_TRUE(a->isApprox(*b, 1e-12));
     const Points model(more);
-    const auto summary = evaluate_summary(model, model.inputs(), {0, 31}, options, {});
+    const auto summary =
+        evaluate_summary(model, model.inputs(), {0, 31}, options, [](std::uint64_t) { return true; });
     ASSERT_TRUE(summary);
     EXPECT_NEAR(summary->covariance(0, 1), few.covariance(0, 31), 1e-12);
 }
