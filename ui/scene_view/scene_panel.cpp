@@ -178,7 +178,7 @@ void ScenePanel::make_layers_menu() {
     for (const auto& [layer, text] : layers) {
         QAction* action = menu->addAction(text);
         action->setCheckable(true);
-        action->setChecked(true);
+        action->setChecked(layers_[layer]);
         connect(action, &QAction::toggled, this, [this, layer = layer](bool shown) {
             layers_[layer] = shown;
             view_->set_layers(layers_);

@@ -6,7 +6,6 @@
 #include <QGuiApplication>
 #include <QMenu>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -17,7 +16,6 @@
 #include "ui/scene_view/handle_painter.h"
 #include "ui/scene_view/scene_keys.h"
 #include "ui/scene_view/view_cube_painter.h"
-#include "ui/scene_view/visibility_note.h"
 #include "ui/theme/strings.h"
 #include "viz/scene/pick.h"
 #include "viz/scene/saved_camera.h"
@@ -27,10 +25,8 @@ namespace covaria::ui {
 namespace {
 
 constexpr qint64 least_pause_between_moves = 25;  // ms
-constexpr double radius_of_ring = 6.0;            // about the dots of a trial that was picked
 constexpr double reach_of_dot = 8.0;              // of a cloud
 constexpr double reach_of_pointer = 14.0;         // pixels around an item in which it can be grasped
-constexpr double length_of_arrow = 58.0;          // that moves an item along an axis
 constexpr double reach_of_arrow = 6.0;
 constexpr double zoom_per_key = 1.15;
 constexpr double pixels_per_snap = 12.0;  // about; a round number of the unit
@@ -216,53 +212,6 @@ void SceneView::finish_save(const QImage& image) {
                        saved ? QString() : tr("The picture could not be written to %1").arg(file_to_save_));
 }
 
-void SceneView::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.fillRect(rect(), palette().base());
-    if (scene_ && !image_.isNull() && failure_.isEmpty()) {
-        paint_picture(painter);
-    } else {
-        painter.setPen(palette().color(QPalette::PlaceholderText));
-        const QString text = failure_.isEmpty() ? (scene_ ? tr("Drawing …") : empty_text_) : failure_;
-        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, text);
-    }
-    if (!hasFocus()) return;
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
-    painter.drawRect(rect().adjusted(1, 1, -1, -1));
-}
-
-void SceneView::paint_picture(QPainter& painter) const {
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(rect(), image_);
-    if (const QString item = item_with_handles(); !item.isEmpty())
-        paint_handles(painter,
-                      handle_marks(*scene_, camera_, picture_size(), to_std(item),
-                                   length_of_arrow * devicePixelRatioF()),
-                      moved_ ? moved_->axis : grasped_axis_, palette_, devicePixelRatioF());
-    if (picked_trial_ && layers_[Layer::clouds]) paint_trial(painter, *picked_trial_);
-    paint_cube(painter, cube(), pointed_, palette());
-    if (const QString hidden = visibility_words(*whole_, visibility_); !hidden.isEmpty())
-        paint_note(painter, *this, hidden);
-}
-
-void SceneView::paint_trial(QPainter& painter, std::uint64_t trial) const {
-    painter.setRenderHint(QPainter::Antialiasing);
-    const double ratio = devicePixelRatioF();
-    for (const SceneCloud& cloud : scene_->clouds) {
-        const auto found = std::find(cloud.trials.begin(), cloud.trials.end(), trial);
-        if (found == cloud.trials.end()) continue;
-        const auto dot = static_cast<std::size_t>(found - cloud.trials.begin());
-        const Pixel at = project(camera_, picture_size(), cloud.dot(dot));
-        const QPointF middle(at.x / ratio, at.y / ratio);
-        for (const auto& [role, width] : {std::pair(QPalette::Base, 4.0), std::pair(QPalette::Text, 1.6)}) {
-            painter.setPen(QPen(palette().color(role), width));
-            painter.drawEllipse(middle, radius_of_ring, radius_of_ring);
-        }
-    }
-    painter.setRenderHint(QPainter::Antialiasing, false);
-}
-
 void SceneView::forget_trial() {
     if (std::exchange(picked_trial_, std::nullopt)) update();
 }
@@ -316,8 +265,19 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     last_at_ = event->position();
 }
 
+/// Its name and its frame are written while the pointer is at it.
+void SceneView::point_at(const QString& item) {
+    if (item == std::exchange(pointed_item_, item)) return;
+    service_.post([id = to_std(item)](SceneRenderer& renderer) { renderer.set_pointed(id); });
+}
+
+void SceneView::leaveEvent(QEvent*) {
+    point_at({});
+}
+
 /// The cursor says what a click would do.
 void SceneView::follow_pointer(QPointF position) {
+    point_at(item_under(position));
     if (const auto face = face_under(position); face != std::exchange(pointed_, face)) update();
     if (pointed_) return setCursor(Qt::PointingHandCursor);
     if (picks_places_) return setCursor(place_under(position) ? Qt::PointingHandCursor : Qt::CrossCursor);
@@ -352,7 +312,7 @@ std::optional<std::uint64_t> SceneView::trial_under(QPointF position) const {
 }
 
 QRectF SceneView::place_of_cube() const {
-    return cube_place(size(), scene_ && scene_->map);
+    return cube_place(size());
 }
 
 ScreenRect SceneView::pixels_of_cube() const {

@@ -100,6 +100,7 @@ protected:
     void resizeEvent(QResizeEvent*) override;
     void mousePressEvent(QMouseEvent*) override;
     void mouseMoveEvent(QMouseEvent*) override;
+    void leaveEvent(QEvent*) override;
     void mouseReleaseEvent(QMouseEvent*) override;
     void mouseDoubleClickEvent(QMouseEvent*) override;
     void wheelEvent(QWheelEvent*) override;
@@ -108,6 +109,7 @@ protected:
 
 private:
     static constexpr double reach_of_handles = 72.0;  ///< pixels in which an item keeps its handles
+    static constexpr double length_of_arrow = 58.0;   ///< that moves an item along an axis
     void send_size();
     void end_press();
     void send_scene();
@@ -140,6 +142,7 @@ private:
     PictureSize picture_size() const;
     std::optional<std::string> place_under(QPointF position) const;
     void follow_pointer(QPointF position);
+    void point_at(const QString& item);
     void post_moving(RenderService::Step step) { service_.post(std::move(step), RenderQuality::moving); }
     /// Pan and zoom: from then on the user decides what is in the picture.
     void post_framing(RenderService::Step step);
@@ -154,6 +157,7 @@ private:
     bool starts_over_ = false;
     int covered_ = 0;
     QString selected_;
+    QString pointed_item_;   ///< whose name is written because the pointer is at it
     QString reached_;        ///< the item whose handles show because the pointer came to it
     int grasped_axis_ = -1;  ///< of the arrow under the pointer
     ScenePalette palette_ = {};

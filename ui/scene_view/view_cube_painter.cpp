@@ -8,10 +8,9 @@
 namespace covaria::ui {
 namespace {
 
-constexpr double cube_edge = 46.0;
-constexpr double room = 1.75 * cube_edge;  // of the cube whichever way it is turned
-constexpr double cube_margin = 10.0;
-constexpr double head = 110.0, foot = 48.0;  // of the picture: title with legend, caption with a message
+constexpr double room = 64.0;              // of the cube whichever way it is turned
+constexpr double cube_edge = room / 1.75;
+constexpr double cube_margin = 16.0;
 constexpr QSize least_view(360, 240);
 constexpr double letters = 0.24;  // height, of the cube_edge
 
@@ -42,11 +41,9 @@ void paint_letters(QPainter& painter, const CubeFace& face, const QPolygonF& pol
 
 }  // namespace
 
-QRectF cube_place(QSize view, bool has_map) {
+QRectF cube_place(QSize view) {
     if (view.width() < least_view.width() || view.height() < least_view.height()) return {};
-    if (!has_map) return {view.width() - cube_margin - room, cube_margin, room, room};
-    const double top = view.height() - foot - room;
-    return top < head ? QRectF() : QRectF(cube_margin, top, room, room);
+    return {view.width() - cube_margin - room, cube_margin, room, room};
 }
 
 std::vector<CubeFace> cube_in(const QRectF& place, const Camera& camera) {

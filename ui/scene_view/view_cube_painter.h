@@ -12,10 +12,8 @@ class QPainter;
 
 namespace covaria::ui {
 
-/// Where the cube is in a view of this size, in its pixels: top right; where a map has its colour bar there,
-/// bottom left.
-/// Empty: there is no room.
-QRectF cube_place(QSize view, bool has_map);
+/// Where the cube is in a view of this size, in its pixels: top right. Empty: there is no room.
+QRectF cube_place(QSize view);
 /// The faces turned to the eye.
 std::vector<CubeFace> cube_in(const QRectF& place, const Camera& camera);
 /// `pointed`: the face under the pointer.

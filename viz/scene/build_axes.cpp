@@ -1,6 +1,8 @@
 // Axes, unit of length and labels of a scene.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 
 #include "core/base/name.h"
 #include "core/text/head_with_unit.h"
@@ -38,24 +40,72 @@ std::vector<AxisTick> ticks_between(double low, double high, double wanted, cons
     return ticks;
 }
 
+constexpr std::size_t most_of_points = 10;  // named without being asked for: those with the largest U
+constexpr int priority_not_met = 900;
+
 struct Labels {
     Scene& scene;
     const DocumentLanguage& language;
 
-    void add(const SceneItem& item, double clearance, int priority, Role role = Role::text) {
-        if (item.name.empty()) return;
+    SceneLabel& add(const SceneItem& item, double clearance, int priority, Role role = Role::text) {
         const Text words = running_text(language.say(said_name(item.name)));
-        scene.labels.push_back({words, item.position, clearance, role, priority, item.id});
+        return scene.labels.emplace_back(
+            SceneLabel{words, item.position, clearance, role, priority, item.id});
     }
 };
 
-/// Radius that the label of a point keeps clear: the point, and its ellipsoid where it is small.
-double clearance_of(const ScenePoint& point) {
-    return 1.2 * point.radius;
+/// "U: 36, 51, 34 µm", with as many decimals as the largest needs to have two digits.
+std::string fact_of(const SceneItem& item, const Scene& scene) {
+    if (!item.U || !item.U->allFinite() || !(item.U->maxCoeff() > 0)) return {};
+    constexpr double inch = 0.0254;
+    const double largest = item.U->maxCoeff();
+    const LengthUnit unit = scene.in_inches    ? LengthUnit{"thou", 1e3 / inch}
+                            : largest < 1e-6   ? LengthUnit{"nm", 1e9}
+                            : largest < 0.1e-3 ? LengthUnit{"µm", 1e6}
+                            : largest < 1.0    ? LengthUnit{"mm", 1e3}
+                                               : LengthUnit{"m", 1.0};
+    const int decimals = std::max(0, decimals_for(unit.per_metre * largest));
+    const char* between = scene.numbers.decimal == "," ? "; " : ", ";
+    std::string words = "U: ";
+    for (int i = 0; i < 3; ++i)
+        words += (i ? between : "") + grouped_number(unit.per_metre * (*item.U)[i], decimals, scene.numbers);
+    return words + "\u00a0" + unit.text;
 }
 
-bool has_label(LinkKind kind) {
-    return kind == LinkKind::dimension || kind == LinkKind::joint_axis;
+/// The points whose uncertainty is largest, of outputs where there are any; without results the first ones.
+std::set<std::string> named_points(const Scene& scene) {
+    std::set<std::string> outputs;
+    for (const SceneEllipsoid& ellipsoid : scene.ellipsoids)
+        if (ellipsoid.role == Role::output) outputs.insert(ellipsoid.item.id);
+    std::vector<const ScenePoint*> points;
+    for (const ScenePoint& point : scene.points)
+        if (!point.item.name.empty() && (outputs.empty() || outputs.contains(point.item.id)))
+            points.push_back(&point);
+    const auto largest = [](const ScenePoint* point) {
+        return point->item.U && point->item.U->allFinite() ? point->item.U->maxCoeff() : 0.0;
+    };
+    std::ranges::stable_sort(points, std::greater(), largest);
+    std::set<std::string> named;
+    for (std::size_t i = 0; i < std::min(points.size(), most_of_points); ++i)
+        named.insert(points[i]->item.id);
+    return named;
+}
+
+void add_labels_of_points(const Scene& scene, Labels& labels) {
+    const std::set<std::string> named = named_points(scene);
+    std::set<std::string> not_met, instruments;
+    for (const SceneVerdict& verdict : scene.not_met) not_met.insert(verdict.item);
+    for (const SceneBody& body : scene.bodies)
+        if (body.outline.empty()) instruments.insert(body.item.id);
+    for (const ScenePoint& point : scene.points) {
+        if (point.item.name.empty()) continue;
+        const bool fails = not_met.contains(point.item.id);
+        // An instrument is named on its own; its station's place is asked for.
+        const bool is_station = point.kind == PointKind::station && instruments.contains(point.item.body);
+        SceneLabel& label = labels.add(point.item, 1.2 * point.radius, fails ? priority_not_met : 50);
+        label.fact = Text(fact_of(point.item, scene));
+        label.when_asked = !fails && (is_station || !named.contains(point.item.id));
+    }
 }
 
 }  // namespace
@@ -63,27 +113,22 @@ bool has_label(LinkKind kind) {
 void add_labels(SceneBuild& build) {
     Scene& scene = build.scene;
     Labels labels{scene, build.options.language};
-    for (const ScenePoint& point : scene.points) labels.add(point.item, clearance_of(point), 50);
-    for (const SceneFrame& frame : scene.frames) labels.add(frame.item, 0.015 * scene.size, 40);
-    const auto is_named_already = [&](const std::string& name) {  // an instrument at its station
-        return std::any_of(scene.points.begin(), scene.points.end(),
-                           [&](const ScenePoint& point) { return point.item.name == name; });
-    };
+    add_labels_of_points(scene, labels);
+    for (const SceneFrame& frame : scene.frames)
+        if (!frame.item.name.empty()) labels.add(frame.item, 0.015 * scene.size, 40).when_asked = true;
     for (const SceneBody& body : scene.bodies)
-        if (body.outline.empty() && !is_named_already(body.item.name))
-            labels.add(body.item, 0.36 * body.size, 30);
+        if (body.outline.empty() && !body.item.name.empty()) labels.add(body.item, 0.3 * body.size, 60);
     for (const SceneLink& link : scene.links) {
-        if (!has_label(link.kind)) continue;
-        SceneItem end = link.item;
-        // The middle of a joint's axis is inside the arm, its z arrow before it; axes that meet part here.
-        if (link.kind == LinkKind::joint_axis) end.position = link.from;
-        labels.add(end, link.radius, 20, Role::quiet_text);
+        if (link.item.name.empty()) continue;
+        SceneItem place = link.item;
+        if (link.kind == LinkKind::joint_axis) place.position = (link.from + link.to) / 2;
+        labels.add(place, link.radius, 20, Role::quiet_text).when_asked = true;
     }
     for (const SceneVector& vector : scene.vectors) {
         SceneItem tip = vector.item;
         tip.name = vector.label;
         tip.position += vector.arrow;
-        labels.add(tip, vector.radius, 45);
+        if (!tip.name.empty()) labels.add(tip, vector.radius, 45);
     }
 }
 

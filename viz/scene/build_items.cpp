@@ -4,18 +4,25 @@
 #include <map>
 
 #include "core/text/numbers.h"
+#include "viz/scene/arms.h"
 #include "viz/scene/build_parts.h"
+#include "viz/scene/solids.h"
 
 namespace covaria::detail {
 namespace {
 
 // Fractions of the diagonal of the layout.
 constexpr double frame_length = 0.11;
-constexpr double point_radius = 0.011;
+constexpr double point_radius = 0.011, least_point_radius = 0.0045;
+constexpr double reflector_radius = 0.019;  // m: a ball is no larger than it is, where it is seen so
 constexpr double plate_thickness = 0.012;
-constexpr double seat_height = 0.75 * point_radius;
+constexpr double seat_height = 0.75;  // of the radius of its ball
 constexpr double plate_margin = 0.032;
-constexpr double glyph_size = 0.09;
+// An instrument is as large as it is, as far as it can be made out and does not hide what it measures.
+constexpr double instrument_size = 0.36;  // m
+constexpr double least_instrument = 0.05, largest_instrument = 0.12;
+constexpr double foot_height = 0.035;
+constexpr std::size_t corners_of_path = 24;  // an outline of so many corners was traced, not made
 constexpr double longest_vector = 0.6;
 constexpr double one_place = 1e-15;    // m: what is no farther apart is
 constexpr double smallest_size = 0.1;  // m, when everything is in one place
@@ -72,16 +79,22 @@ Eigen::Vector3d seat_axis(const SceneBuild& build, const Eigen::Vector3d& p_W) {
     return Eigen::Vector3d::UnitZ();
 }
 
+/// Of the balls of a scene.
+double ball_radius_in(const Scene& scene) {
+    return std::clamp(reflector_radius, least_point_radius * scene.size, point_radius * scene.size);
+}
+
+/// Of those.
 double radius_of(PointKind kind) {
     switch (kind) {
         case PointKind::ball:
-            return 1.5 * point_radius;
+            return 1.5;
         case PointKind::station:
-            return 1.3 * point_radius;
+            return 1.3;
         case PointKind::other:
-            return 0.7 * point_radius;
+            return 0.7;
         default:
-            return point_radius;
+            return 1.0;
     }
 }
 
@@ -99,7 +112,7 @@ std::optional<Eigen::Vector3d> stated_coordinates(const SceneBuild& build, const
 }
 
 void add_points(SceneBuild& build) {
-    const double scale = crowd_factor(build.source.layout->points.size()) * build.scene.size;
+    const double scale = crowd_factor(build.source.layout->points.size()) * ball_radius_in(build.scene);
     for (const LayoutPoint& point : build.source.layout->points) {
         if (!build.shows(point.group)) continue;
         ScenePoint& added = build.scene.points.emplace_back();
@@ -120,6 +133,10 @@ void add_points(SceneBuild& build) {
     }
 }
 
+double instrument_size_in(const Scene& scene) {
+    return std::clamp(instrument_size, least_instrument * scene.size, largest_instrument * scene.size);
+}
+
 /// The axes in which an instrument reads; its name is on the glyph already.
 void add_instrument_axes(SceneBuild& build, const LayoutBody& body) {
     SceneFrame& added = build.scene.frames.emplace_back();
@@ -128,7 +145,7 @@ void add_instrument_axes(SceneBuild& build, const LayoutBody& body) {
     added.item.position = body.X_WB.translation();
     added.item.source = body.source;
     added.R_WF = body.X_WB.linear();
-    added.length = glyph_size * build.scene.size;
+    added.length = instrument_size_in(build.scene);
 }
 
 void add_bodies(SceneBuild& build) {
@@ -143,13 +160,15 @@ void add_bodies(SceneBuild& build) {
         added.kind = body.kind;
         added.glyph = body.glyph;
         added.R_WB = body.X_WB.linear();
-        added.size = glyph_size * build.scene.size;
+        added.size = instrument_size_in(build.scene);
         added.thickness = body.thickness > 0 ? body.thickness : plate_thickness * build.scene.size;
         if (body.outline_W.size() >= 3) {
             added.normal = normal_of(body.outline_W);
+            added.corners = body.outline_W.size();
+            added.encloses = added.corners >= corners_of_path;
             added.outline = rounded_outline(body.outline_W, added.normal, plate_margin * build.scene.size);
             // The points sit on the plate: their centres, and frames between them, stay above it.
-            const double down = added.thickness / 2 + seat_height * build.scene.size;
+            const double down = added.thickness / 2 + seat_height * ball_radius_in(build.scene);
             for (Eigen::Vector3d& corner : added.outline) corner -= down * added.normal;
             added.item.position.setZero();
             for (const Eigen::Vector3d& corner : body.outline_W)
@@ -163,22 +182,11 @@ void add_bodies(SceneBuild& build) {
 double link_radius(LinkKind kind) {
     switch (kind) {
         case LinkKind::leg:
-            return 0.007;
-        case LinkKind::robot_link:
-            return 0.014;
+            return 0.011;
+        case LinkKind::robot_link:  // of an arm without joints: a tool
+            return 0.012;
         case LinkKind::bar:
             return 0.006;
-        default:
-            return 0.0;
-    }
-}
-
-double link_dash(LinkKind kind) {
-    switch (kind) {
-        case LinkKind::sight_line:
-            return 0.018;
-        case LinkKind::joint_axis:
-            return 0.03;
         default:
             return 0.0;
     }
@@ -196,8 +204,9 @@ void add_links(SceneBuild& build) {
         added.from = link.from_W;
         added.to = link.to_W;
         added.radius = link_radius(link.kind) * build.scene.size;
-        added.dash = link_dash(link.kind) * build.scene.size;
+        added.is_dashed = link.kind == LinkKind::sight_line || link.kind == LinkKind::joint_axis;
     }
+    shape_arms(build.scene);
 }
 
 /// The tip is a point whose coordinates are the vector's, to its scale.
@@ -286,6 +295,32 @@ void attach_to_bodies(SceneBuild& build) {
     }
 }
 
+/// Instruments look at the middle of their targets.
+void turn_to_targets(Scene& scene) {
+    std::map<std::string, Eigen::Vector3d> sights;
+    for (const SceneLink& link : scene.links)
+        if (link.kind == LinkKind::sight_line && (link.to - link.from).norm() > 0)
+            sights.try_emplace(link.item.body, Eigen::Vector3d::Zero()).first->second +=
+                (link.to - link.from).normalized();
+    for (SceneBody& body : scene.bodies)
+        if (const auto found = sights.find(body.item.id); found != sights.end() && found->second.norm() > 0)
+            body.sight = found->second.normalized();
+}
+
+/// Plates at the bottom stand on feet, everything on a floor.
+void add_floor(Scene& scene) {
+    if (scene.bodies.empty() && scene.points.empty() && scene.links.empty()) return;
+    constexpr double upright = 0.95, at_bottom = 0.02;  // of the scene's size
+    const double bottom = lowest_of(scene);
+    for (SceneBody& body : scene.bodies)
+        if (!body.outline.empty() && !body.encloses && body.normal.z() > upright &&
+            std::ranges::all_of(body.outline, [&](const Eigen::Vector3d& corner) {
+                return corner.z() - body.thickness < bottom + at_bottom * scene.size;
+            }))
+            body.feet = foot_height * scene.size;
+    scene.floor = lowest_of(scene);
+}
+
 }  // namespace
 
 void add_items(SceneBuild& build) {
@@ -299,6 +334,8 @@ void add_items(SceneBuild& build) {
     add_meshes(build, build.source.layout->meshes);
     add_meshes(build, build.options.context);
     attach_to_bodies(build);
+    turn_to_targets(build.scene);
+    add_floor(build.scene);
 }
 
 }  // namespace covaria::detail

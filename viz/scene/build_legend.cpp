@@ -13,7 +13,7 @@ namespace covaria::detail {
 namespace {
 
 constexpr double smallest_seen = 0.003;  // of the scene's size: two or three pixels of a picture of all
-constexpr double glyph_hides = 0.25;     // of its size
+constexpr double instrument_hides = 0.2;  // of its size
 constexpr double seen_trials = 0.01;     // of a cloud
 const Phrase distributions_of{"distributions of %1"};
 
@@ -24,7 +24,7 @@ public:
         for (const ScenePoint& point : scene.points) radii_[point.item.id] = point.radius;
         for (const SceneVector& vector : scene.vectors) radii_[vector.item.id] = vector.radius;
         for (const SceneBody& body : scene.bodies)
-            if (body.outline.empty()) glyphs_.push_back({body.item.position, glyph_hides * body.size});
+            if (body.outline.empty()) glyphs_.push_back({body.item.position, instrument_hides * body.size});
     }
 
     bool shows(const SceneEllipsoid& ellipsoid) const {
@@ -62,17 +62,15 @@ public:
         : scene_(build.scene), in_(build.options.language), covers_(build.scene) {}
 
     /// Ellipsoids and clouds of one role; where neither is seen, a line that says so.
-    void add_uncertainties(Role role, const std::vector<SceneEllipsoid>& ellipsoids, const Message& name,
-                           const Message& of_ellipsoids) {
+    void add_uncertainties(Role role, const std::vector<SceneEllipsoid>& ellipsoids, const Message& name) {
         const auto is_role = [role](const auto& item) { return item.role == role; };
         const auto is_seen = [&](const auto& item) { return is_role(item) && covers_.shows(item); };
         const auto cloud = std::ranges::find_if(scene_.clouds, is_role);
         const bool cloud_is_seen = std::ranges::any_of(scene_.clouds, is_seen);
         const bool ellipsoid_is_seen = std::ranges::any_of(ellipsoids, is_seen);
-        if (ellipsoid_is_seen) add(LegendMark::ellipsoid, role, of_ellipsoids);
+        if (ellipsoid_is_seen) add(LegendMark::ellipsoid, role, name);
         if (cloud_is_seen)
-            add(LegendMark::cloud, role,
-                tell<"%1: %2 trials per point">(name, count_text(cloud->size(), in_.numbers())));
+            add(LegendMark::cloud, role, tell<"%1 trials">(count_text(cloud->size(), in_.numbers())));
         const bool is_drawn = cloud != scene_.clouds.end() || std::ranges::any_of(ellipsoids, is_role);
         if (is_drawn && !ellipsoid_is_seen && !cloud_is_seen)
             add(LegendMark::none, role, tell<"%1: uncertainty too small to be seen">(name));
@@ -87,19 +85,19 @@ public:
     }
 
     void add_verdicts() {
-        if (!scene_.not_met.empty()) add(LegendMark::diamond, Role::not_met, tell<"requirement not met">());
+        if (!scene_.not_met.empty()) add(LegendMark::diamond, Role::not_met, tell<"not met">());
     }
 
     void add_sight_lines() {
         if (std::ranges::any_of(scene_.links,
                                 [](const SceneLink& link) { return link.kind == LinkKind::sight_line; }))
-            add(LegendMark::line, Role::sight_line, tell<"line of sight">());
+            add(LegendMark::line, Role::sight_line, tell<"sight">());
     }
 
     void add_vectors() {
         for (const auto& [kind, role, words] :
-             {std::tuple{VectorKind::force, Role::vector, tell<"forces, to a scale of their own">()},
-              {VectorKind::moment, Role::moment, tell<"moments, to a scale of their own">()}})
+             {std::tuple{VectorKind::force, Role::vector, tell<"force, own scale">()},
+              {VectorKind::moment, Role::moment, tell<"moment, own scale">()}})
             if (std::ranges::any_of(scene_.vectors,
                                     [kind = kind](const SceneVector& v) { return v.kind == kind; }))
                 add(LegendMark::arrow, role, words);
@@ -119,14 +117,10 @@ private:
 
 void add_legend(SceneBuild& build) {
     const Scene& scene = build.scene;
-    const std::string p = percent_text(scene.probability, build.options.language.numbers());
     Legend legend(build);
-    for (const auto& [role, name] :
-         {std::pair{Role::output, tell<"outputs">()}, {Role::input, tell<"inputs">()}})
-        legend.add_uncertainties(role, scene.ellipsoids, name,
-                                 tell<"%1: coverage ellipsoids, p = %2">(name, p));
-    legend.add_uncertainties(Role::before, scene.ellipsoids_before, tell<"before">(),
-                             tell<"before: coverage ellipsoids, p = %1">(p));
+    for (const auto& [role, name] : {std::pair{Role::output, tell<"out">()}, {Role::input, tell<"in">()}})
+        legend.add_uncertainties(role, scene.ellipsoids, name);
+    legend.add_uncertainties(Role::before, scene.ellipsoids_before, tell<"before">());
     legend.add_histograms();
     legend.add_verdicts();
     legend.add_sight_lines();

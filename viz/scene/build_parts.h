@@ -45,7 +45,7 @@ void add_labels(SceneBuild& build);
 void add_axes(Scene& scene);
 /// The one that is asked for, else the one that is held, else the automatic one.
 double magnification_of(const SceneOptions& options, double automatic);
-/// "uncertainty × 2000, ellipsoids p = 95 %".
+/// "ellipsoids 95 %, × 4 000".
 std::string magnified_ellipsoids_words(const Scene& scene, const SceneOptions& options);
 /// That not all points show their uncertainty, where that is so.
 void note_what_is_drawn(Scene& scene, std::size_t drawn, std::size_t all, const DocumentLanguage& in);

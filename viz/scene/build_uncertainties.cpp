@@ -1,5 +1,7 @@
 // Ellipsoids and clouds of the points of a scene, magnified about the estimates.
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,10 +14,12 @@ namespace covaria::detail {
 namespace {
 
 // For the automatic magnification:
-constexpr double largest_axis = 0.08;      // of the scene's size
+// Of the scene's size, the mean of the two longest semi-axes of the largest ellipsoid: it takes about a
+// twentieth of a picture of the whole.
+constexpr double largest_mean_axis = 0.105;
 constexpr double same_place = 0.01;        // of the scene's size: points that cannot be told apart anyway
 constexpr double room_to_neighbour = 0.7;  // of the distance
-constexpr double most_reduction = 10.0;    // below which ellipsoids would hardly be seen
+constexpr double most_reduction = 6.0;     // below which ellipsoids would hardly be seen
 constexpr double beyond_ball = 1.2;        // of its radius: where an ellipsoid is seen around a point
 
 /// The points with an ellipsoid, with the item that `add_points` made for each.
@@ -28,6 +32,14 @@ struct UncertainPoint {
     CoverageEllipsoid before = {};  ///< of rank 0: nothing is compared
 
     double longest() const { return std::max(ellipsoid.axes.col(0).norm(), before.axes.col(0).norm()); }
+    /// As it is seen from the side where it is largest; half of a line, which has no second axis.
+    double mean_axis() const {
+        const auto of = [](const CoverageEllipsoid& each) {
+            const double first = each.axes.col(0).norm();
+            return std::max(0.5 * first, std::sqrt(first * each.axes.col(1).norm()));
+        };
+        return std::max(of(ellipsoid), of(before));
+    }
 };
 
 CoverageEllipsoid ellipsoid_of(const PointUncertainty& uncertainty, const LayoutPoint& point,
@@ -60,12 +72,21 @@ std::vector<UncertainPoint> uncertain_points(const SceneBuild& build) {
     return found;
 }
 
-/// Magnification at which no ellipsoid reaches much beyond half of the way to its neighbour.
+/// Of these, in ratio: near enough to what is wanted, and short to write.
+double nearest_magnification(double wanted) {
+    constexpr std::array steps{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
+    const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+    return decade * *std::ranges::min_element(
+                        steps, {}, [&](double step) { return std::abs(std::log(step * decade / wanted)); });
+}
+
+/// Magnification at which no ellipsoid reaches much beyond half of the way to its neighbour of the same sort.
 double magnification_with_room(const std::vector<UncertainPoint>& points, double size) {
     double least = std::numeric_limits<double>::infinity();
     for (const UncertainPoint& p : points) {
         double nearest = std::numeric_limits<double>::infinity();
         for (const UncertainPoint& other : points) {
+            if (other.role != p.role) continue;
             const double distance = (other.drawn->position - p.drawn->position).norm();
             if (distance > same_place * size) nearest = std::min(nearest, distance);
         }
@@ -75,9 +96,16 @@ double magnification_with_room(const std::vector<UncertainPoint>& points, double
 }
 
 double automatic_magnification(const std::vector<UncertainPoint>& points, double size) {
+    // Outputs are what a picture is about; inputs where there are none.
     double largest = 0.0;
-    for (const UncertainPoint& p : points) largest = std::max(largest, p.longest());
-    double wanted = largest > 0 ? largest_axis * size / largest : 1.0;
+    bool of_outputs = false;
+    for (const UncertainPoint& p : points) {
+        const bool first = p.role == Role::output && !of_outputs;
+        if (p.role == Role::output) of_outputs = true;
+        if (first || (p.role == Role::output) == of_outputs)
+            largest = first ? p.mean_axis() : std::max(largest, p.mean_axis());
+    }
+    double wanted = largest > 0 ? largest_mean_axis * size / largest : 1.0;
     wanted = std::max(wanted / most_reduction, std::min(wanted, magnification_with_room(points, size)));
     if (!std::isfinite(wanted) || !(wanted > 0)) return 1.0;
     // Room or not, where all would be inside the balls of their points, there would be none to see.
@@ -85,7 +113,25 @@ double automatic_magnification(const std::vector<UncertainPoint>& points, double
     for (const UncertainPoint& p : points)
         first_seen = std::min(first_seen, beyond_ball * p.radius / p.longest());
     const bool limits = std::isfinite(first_seen) && first_seen > 0;
-    return std::max(nearest_round_number(wanted), limits ? round_number_above(first_seen) : 0.0);
+    return std::max(nearest_magnification(wanted), limits ? round_number_above(first_seen) : 0.0);
+}
+
+/// Around the places of the outputs, with air, where they are a small part of the whole.
+std::optional<SceneBounds> focus_of(const std::vector<UncertainPoint>& points, double size) {
+    constexpr double small = 0.2, margin = 0.3;
+    constexpr std::size_t fewest = 3;
+    Eigen::AlignedBox3d box;
+    std::size_t count = 0;
+    for (const UncertainPoint& p : points) {
+        if (p.role != Role::output) continue;
+        box.extend(p.drawn->position);
+        ++count;
+    }
+    if (count < fewest) return std::nullopt;
+    const double extent = box.diagonal().norm();
+    if (!(extent > same_place * size && extent < small * size)) return std::nullopt;
+    const Eigen::Vector3d around = Eigen::Vector3d::Constant(margin * extent);
+    return SceneBounds{box.min() - around, box.max() + around};
 }
 
 /// Rows of the trials matrix that belong to the point; null where there are none.
@@ -129,17 +175,24 @@ std::optional<double> stated_magnification(const SceneOptions& options) {
     return stated > 0 && std::isfinite(stated) ? options.magnification : std::nullopt;
 }
 
-/// An automatic one changes with the results and the set-up: it says so.
-Message magnification_words(const Scene& scene, const SceneOptions& options) {
-    const std::string number = typeset_number(round_number_text(scene.magnification), scene.numbers);
-    return stated_magnification(options) ? Message(number) : tell<"%1 (automatic)">(number);
+/// "× 4 000"; what is drawn smaller than it is has a scale: "1 : 5 000 000". Never a row of zeros.
+std::string magnification_words(const Scene& scene) {
+    constexpr double most_zeros = 1e7;
+    const double m = scene.magnification, smaller = 1.0 / m;
+    const auto number = [&](double value) {
+        return typeset_number(value < most_zeros ? round_number_text(value) : format_short(value, 4),
+                              scene.numbers);
+    };
+    if (m >= 0.1) return "×\u00a0" + number(m);
+    const bool is_whole = std::abs(smaller - std::round(smaller)) < 1e-6 * smaller;
+    return "1\u00a0:\u00a0" + number(is_whole ? std::round(smaller) : smaller);
 }
 
 std::string caption_of(const Scene& scene, const SceneOptions& options) {
     if (!draws_uncertainty(scene)) return {};
     const bool ellipsoids = !scene.ellipsoids.empty() || !scene.ellipsoids_before.empty();
     return ellipsoids ? magnified_ellipsoids_words(scene, options)
-                      : options.language.say(tell<"uncertainty × %1">(magnification_words(scene, options)));
+                      : options.language.say(tell<"uncertainty %1">(magnification_words(scene)));
 }
 
 }  // namespace
@@ -149,8 +202,8 @@ double magnification_of(const SceneOptions& options, double automatic) {
 }
 
 std::string magnified_ellipsoids_words(const Scene& scene, const SceneOptions& options) {
-    return options.language.say(tell<"uncertainty × %1, ellipsoids p = %2">(
-        magnification_words(scene, options), percent_text(options.probability, scene.numbers)));
+    return options.language.say(tell<"ellipsoids %1, %2">(percent_text(options.probability, scene.numbers),
+                                                          magnification_words(scene)));
 }
 
 void note_what_is_drawn(Scene& scene, std::size_t drawn, std::size_t all, const DocumentLanguage& in) {
@@ -160,7 +213,10 @@ void note_what_is_drawn(Scene& scene, std::size_t drawn, std::size_t all, const 
 void add_uncertainties(SceneBuild& build) {
     const auto points = uncertain_points(build);
     Scene& scene = build.scene;
-    scene.magnification = magnification_of(build.options, automatic_magnification(points, scene.size));
+    scene.focus = focus_of(points, scene.size);
+    constexpr double largest_ball = 0.02;  // of what is looked at
+    const double looked_at = scene.focus ? (scene.focus->high - scene.focus->low).norm() : scene.size;
+    scene.magnification = magnification_of(build.options, automatic_magnification(points, looked_at));
     const auto draw = [&](const UncertainPoint& p, Role role, const CoverageEllipsoid& ellipsoid,
                           std::vector<SceneEllipsoid>& into) {
         const Eigen::Matrix3d axes = scene.magnification * ellipsoid.axes;
@@ -172,6 +228,7 @@ void add_uncertainties(SceneBuild& build) {
         draw(p, Role::before, p.before, scene.ellipsoids_before);
         if (build.options.clouds) add_cloud(build, p);
     }
+    for (ScenePoint& point : scene.points) point.radius = std::min(point.radius, largest_ball * looked_at);
     scene.caption = caption_of(scene, build.options);
     if (!scene.caption.empty())
         note_what_is_drawn(scene, points.size(), build.source.layout->uncertain_points,

@@ -19,7 +19,6 @@ namespace {
 constexpr double point_radius = 0.011;  // fractions of the extent of what is drawn
 constexpr double near_point = 0.004;    ///< places of a path so near to the one before are left out
 constexpr double path_radius = 0.0022;
-constexpr double frame_dash = 0.012;
 constexpr int most_names = 3;  ///< of candidates that were not chosen
 
 double extent_of(const DesignResult& design) {
@@ -90,29 +89,29 @@ SceneMap map_of_paths(const DesignResult& design, double extent, const DocumentL
     return map;
 }
 
-SceneLink edge(const std::string& id, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double dash) {
+SceneLink edge(const std::string& id, const Eigen::Vector3d& from, const Eigen::Vector3d& to, bool is_dashed) {
     SceneLink link;
     link.item.id = id;
     link.item.position = (from + to) / 2;
     link.from = from;
     link.to = to;
-    link.dash = dash;
+    link.is_dashed = is_dashed;
     return link;
 }
 
 /// Corners that differ in one bit are joined.
 void add_edges(Scene& scene, const std::string& id, const std::vector<Eigen::Vector3d>& corners,
-               double dash) {
+               bool is_dashed) {
     for (std::size_t a = 0; a < corners.size(); ++a)
         for (std::size_t b = a + 1; b < corners.size(); ++b)
             if (std::has_single_bit(a ^ b))
                 scene.links.push_back(
-                    edge(id + ":" + std::to_string(scene.links.size()), corners[a], corners[b], dash));
+                    edge(id + ":" + std::to_string(scene.links.size()), corners[a], corners[b], is_dashed));
 }
 
 void add_tracks(Scene& scene, const DesignResult& design, double extent, const DocumentLanguage& in) {
     for (const DesignTrack& track : design.places.tracks) {
-        add_edges(scene, "region:" + track.name, track.region, frame_dash * extent);
+        add_edges(scene, "region:" + track.name, track.region, true);
         const auto add = [&](const Message& words, const Eigen::Vector3d& place, double above, int priority) {
             const std::string said = in.say(words);
             const std::string label = design.places.tracks.size() > 1 ? track.name + ": " + said : said;
@@ -142,7 +141,7 @@ void add_obstacles(Scene& scene, const DesignResult& design) {
                 if ((i >> axis) & 1) corner[axis] = box.high[axis];
             corners.push_back(corner);
         }
-        add_edges(scene, "obstacle:" + box.name, corners, 0.0);
+        add_edges(scene, "obstacle:" + box.name, corners, false);
         scene.labels.push_back({box.name, corners.back(), 0.0, Role::quiet_text, 300});
     }
 }

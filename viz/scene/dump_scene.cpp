@@ -75,7 +75,8 @@ void put_head(std::ostream& out, const Scene& scene) {
         << "caption \"" << scene.caption << "\" magnification " << scene.magnification << " p "
         << scene.probability << "\n"
         << "size " << mm(scene.size) << " unit " << scene.unit.text << (scene.scale_bar ? " scale bar" : "")
-        << "\n";
+        << (scene.floor ? " floor " + mm(*scene.floor) : "") << "\n";
+    if (scene.focus) out << "focus " << mm(scene.focus->low) << " " << mm(scene.focus->high) << "\n";
     for (const std::string& note : scene.notes) out << "note \"" << note << "\"\n";
 }
 
@@ -91,15 +92,17 @@ void put_solids(std::ostream& out, const Scene& scene) {
     for (const SceneBody& body : scene.bodies) {
         put_item(out << text_of(body.kind) << " ", body.item);
         if (body.outline.empty())
-            out << " glyph " << body.glyph << " size " << mm(body.size) << "\n";
+            out << " glyph " << body.glyph << " size " << mm(body.size) << " sight " << number(body.sight)
+                << "\n";
         else
             out << " corners " << body.outline.size() << " normal " << number(body.normal) << " thickness "
-                << mm(body.thickness) << "\n";
+                << mm(body.thickness) << " feet " << mm(body.feet) << (body.encloses ? " path" : "") << "\n";
     }
     for (const SceneLink& link : scene.links) {
         put_item(out << text_of(link.kind) << " ", link.item);
-        out << " " << mm(link.from) << " to " << mm(link.to) << " radius " << mm(link.radius) << " dash "
-            << mm(link.dash) << "\n";
+        out << " " << mm(link.from) << " to " << mm(link.to) << " radius " << mm(link.radius);
+        if (link.end_radius > 0) out << " to " << mm(link.end_radius);
+        out << (link.is_dashed ? " dashed" : "") << (link.stands ? " stands" : "") << "\n";
     }
     for (const SceneVector& vector : scene.vectors) {
         put_item(out << (vector.kind == VectorKind::moment ? "moment " : "force "), vector.item);

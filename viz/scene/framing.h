@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "viz/scene/camera.h"
+#include "viz/scene/label_placement.h"
 
 namespace covaria {
 
@@ -23,5 +24,10 @@ private:
     std::shared_ptr<const Scene> before_;
     std::size_t explained_ = 0;  ///< most lines of the legend, which a framed scene stands beside
 };
+
+/// The same direction; what is drawn of a scene fills `inside` of the picture as far as it can. Orthographic.
+Camera filling(const Camera& camera, const Scene& scene, PictureSize size, const ScreenRect& inside);
+/// The same of a box.
+Camera filling(const Camera& camera, const SceneBounds& bounds, PictureSize size, const ScreenRect& inside);
 
 }  // namespace covaria

@@ -42,11 +42,13 @@ ScreenRect at_place(const LabelRequest& request, const Place& place, double dist
 /// What is there already, and the labels that come to it.
 class Placement {
 public:
-    Placement(const ScreenRect& inside, std::vector<ScreenRect> taken, std::vector<ScreenLine> drawn)
-        : inside_(inside), taken_(std::move(taken)), drawn_(std::move(drawn)) {}
+    Placement(const ScreenRect& inside, std::vector<ScreenRect> taken, std::vector<ScreenLine> drawn,
+              const std::vector<ScreenLine>& bodies)
+        : inside_(inside), taken_(std::move(taken)), drawn_(std::move(drawn)), bodies_(bodies) {}
 
     std::optional<ScreenRect> place(const LabelRequest& request) {
-        const auto found = best_place(request);
+        auto found = best_place(request, bodies_);
+        if (!found && request.is_needed) found = best_place(request, {});
         if (!found) return found;
         labels_.push_back(*found);
         taken_.push_back(found->grown(request.gap, 0.0));
@@ -55,14 +57,18 @@ public:
     }
 
 private:
-    std::optional<ScreenRect> best_place(const LabelRequest& request) const {
+    std::optional<ScreenRect> best_place(const LabelRequest& request,
+                                         const std::vector<ScreenLine>& bodies) const {
         std::optional<ScreenRect> best;
         auto least = request.is_needed ? std::numeric_limits<std::ptrdiff_t>::max() : most_covered + 1;
-        for (double further : {0.0, 0.8, 1.8, 3.0, 4.5})
+        for (double further : {0.0, 0.8, 1.8, 3.0, 4.5, 6.5, 9.0})
             for (const Place& place : places) {
                 const ScreenRect rect =
                     at_place(request, place, request.clearance + further * request.height);
                 if (!has_room(request, rect)) continue;
+                if (std::ranges::any_of(bodies,
+                                        [&](const ScreenLine& body) { return body.crosses(rect); }))
+                    continue;
                 const auto covered =
                     std::ranges::count_if(drawn_, [&](const ScreenLine& line) { return line.crosses(rect); });
                 if (covered == 0) return rect;
@@ -84,6 +90,7 @@ private:
     ScreenRect inside_;
     std::vector<ScreenRect> taken_, labels_;
     std::vector<ScreenLine> drawn_;
+    const std::vector<ScreenLine>& bodies_;
 };
 
 }  // namespace
@@ -135,13 +142,14 @@ std::optional<ScreenLine> leader_of(const LabelRequest& request, const ScreenRec
 
 std::vector<std::optional<ScreenRect>> place_labels(const std::vector<LabelRequest>& requests,
                                                     const ScreenRect& inside, std::vector<ScreenRect> taken,
-                                                    std::vector<ScreenLine> drawn) {
+                                                    std::vector<ScreenLine> drawn,
+                                                    const std::vector<ScreenLine>& bodies) {
     std::vector<std::size_t> order(requests.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return requests[a].priority > requests[b].priority;
     });
-    Placement placement(inside, std::move(taken), std::move(drawn));
+    Placement placement(inside, std::move(taken), std::move(drawn), bodies);
     std::vector<std::optional<ScreenRect>> placed(requests.size());
     for (std::size_t i : order) placed[i] = placement.place(requests[i]);
     return placed;

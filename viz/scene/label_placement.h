@@ -42,10 +42,11 @@ struct LabelRequest {
 std::optional<ScreenLine> leader_of(const LabelRequest& request, const ScreenRect& label);
 
 /// Positions in the order of the requests; empty where there was no room within `inside` and outside of
-/// `taken`. Higher priority first, then in order. As little of `drawn` is covered as there is room for, and
-/// no leader runs through a label.
+/// `taken`. Higher priority first, then in order. As little of `drawn` is covered as there is room for,
+/// nothing of `bodies`, unless a label that is needed has no room else, and no leader runs through a label.
 std::vector<std::optional<ScreenRect>> place_labels(const std::vector<LabelRequest>& requests,
                                                     const ScreenRect& inside, std::vector<ScreenRect> taken,
-                                                    std::vector<ScreenLine> drawn = {});
+                                                    std::vector<ScreenLine> drawn = {},
+                                                    const std::vector<ScreenLine>& bodies = {});
 
 }  // namespace covaria

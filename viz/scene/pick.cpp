@@ -141,10 +141,11 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
         for (const SceneFrame& frame : scene.frames) {
             if (const double away = view.offset(frame.item.position).norm(); away <= reach)
                 best.offer(1, away, view.depth(frame.item.position), frame.item.id);
+            // Its axes are drawn where it is pointed at: before them comes what is there to be seen.
             for (int i = 0; i < 3; ++i) {
                 const auto [away, depth] = view.to_segment(
                     frame.item.position, frame.item.position + frame.length * frame.R_WF.col(i));
-                if (away <= reach / 2) best.offer(2, away, depth, frame.item.id);
+                if (away <= reach / 2) best.offer(7, away, depth, frame.item.id);
             }
         }
     if (shown(Layer::vectors))
@@ -166,7 +167,7 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
     if (shown(Layer::bodies)) offer_bodies(scene, view, best);
     if (!best.id() && shown(Layer::meshes))
         for (const SceneMesh& mesh : scene.meshes)
-            if (const auto depth = meets(view, mesh)) best.offer(7, 0.0, *depth, mesh.item.id);
+            if (const auto depth = meets(view, mesh)) best.offer(8, 0.0, *depth, mesh.item.id);
     return best.id();
 }
 

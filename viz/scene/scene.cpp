@@ -41,18 +41,18 @@ void add_uncertainties(const Scene& scene, Box& box) {
 }
 
 void add_all_but_meshes(const Scene& scene, Box& box) {
-    for (const SceneFrame& frame : scene.frames) {
-        box.add(frame.item.position);
-        for (int i = 0; i < 3; ++i) box.add(frame.item.position + frame.length * frame.R_WF.col(i));
-    }
+    for (const SceneFrame& frame : scene.frames) box.add(frame.item.position);
     for (const ScenePoint& point : scene.points) box.add(point.item.position, point.radius);
     for (const SceneBody& body : scene.bodies) {
         for (const Eigen::Vector3d& corner : body.outline) box.add(corner, body.thickness / 2);
-        if (body.outline.empty()) box.add(body.item.position, body.size / 2);
+        if (!body.outline.empty()) continue;
+        box.add(body.item.position, body.size / 2);
+        const Eigen::Vector3d& p = body.item.position;
+        if (scene.floor) box.add({p.x(), p.y(), *scene.floor});
     }
     for (const SceneLink& link : scene.links) {
-        box.add(link.from);
-        box.add(link.to);
+        box.add(link.from, link.radius);
+        box.add(link.to, link.radius);
     }
     for (const SceneVector& vector : scene.vectors) {
         box.add(vector.item.position);

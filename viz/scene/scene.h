@@ -90,12 +90,17 @@ struct ScenePoint {
     bool operator==(const ScenePoint&) const = default;
 };
 
-/// A plate (outline extruded along its normal, half to either side) or, without outline, a glyph.
+/// A plate (outline extruded along its normal, half to either side) or, without outline, an instrument.
 struct SceneBody {
     SceneItem item;
     BodyKind kind = BodyKind::plate;
     std::string glyph = {};  ///< as in LayoutBody; its +x axis is the line of sight
     std::vector<Eigen::Vector3d> outline = {};
+    std::size_t corners = 0;  ///< of the outline, before they were rounded
+    bool encloses = false;    ///< a path, not a body: it is seen through
+    double feet = 0.0;        ///< height of those that it stands on, m
+    /// Where what turns on an instrument looks; zero: along its x axis.
+    Eigen::Vector3d sight = Eigen::Vector3d::Zero();
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
     double thickness = 0.0;                              ///< m
     Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();  ///< of a glyph
@@ -108,8 +113,11 @@ struct SceneLink {
     LinkKind kind = LinkKind::edge;
     Eigen::Vector3d from = Eigen::Vector3d::Zero();
     Eigen::Vector3d to = Eigen::Vector3d::Zero();
-    double radius = 0.0;  ///< of tubes, m; 0 = a thin line
-    double dash = 0.0;    ///< length of a dash, m; 0 = unbroken
+    double radius = 0.0;      ///< of tubes, m; 0 = a thin line
+    double end_radius = 0.0;  ///< at `to`, where it is another
+    bool is_dashed = false;   ///< of a thin line
+    bool stands = false;      ///< the first of an arm, on its foot
+    double foot = 0.0;        ///< how far that reaches below `from`, m
     bool operator==(const SceneLink&) const = default;
 };
 
@@ -176,8 +184,10 @@ struct SceneLabel {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     double clearance = 0.0;  ///< radius of what it must not cover, m
     Role role = Role::text;
-    int priority = 0;       ///< higher is placed first; a label without room is left out
-    std::string item = {};  ///< id of what it names; empty: no item
+    int priority = 0;          ///< higher is placed first; a label without room is left out
+    std::string item = {};     ///< id of what it names; empty: no item
+    Text fact = {};            ///< the line below the name: "U: 36, 51, 34 µm"
+    bool when_asked = false;   ///< written only while its item is selected or pointed at
     bool operator==(const SceneLabel&) const = default;
 };
 
@@ -230,6 +240,12 @@ struct SceneVerdict {
     bool operator==(const SceneVerdict&) const = default;
 };
 
+/// A box in W, m.
+struct SceneBounds {
+    Eigen::Vector3d low = Eigen::Vector3d::Zero();
+    Eigen::Vector3d high = Eigen::Vector3d::Zero();
+    bool operator==(const SceneBounds&) const = default;
+};
 enum class LegendMark { none, ellipsoid, cloud, histogram, line, arrow, diamond };
 
 struct LegendLine {
@@ -244,7 +260,7 @@ struct Scene {
     Name group = {};                      ///< the output group shown
     std::string group_title = {};         ///< likewise, for people
     std::vector<std::string> notes = {};  ///< below the titles: of the layout, and what is not drawn
-    std::string caption = {};  ///< "uncertainty × 2000, ellipsoids p = 95 %": whenever uncertainty is drawn
+    std::string caption = {};  ///< "ellipsoids 95 %, × 4 000": whenever uncertainty is drawn
     double magnification = 1.0;
     double probability = 0.95;
     double size = 0.0;       ///< diagonal of the box of the layout (without uncertainties), m; 0 = empty
@@ -252,6 +268,9 @@ struct Scene {
     LengthUnit unit = {};
     NumberLocale numbers = {};  ///< how its texts write theirs
     bool scale_bar = false;
+    std::optional<double> floor = {};  ///< height of what everything stands on, m
+    /// Around the ellipsoids that the picture is about, where they are close together in a large whole.
+    std::optional<SceneBounds> focus = {};
 
     std::vector<SceneFrame> frames;
     std::vector<ScenePoint> points;
@@ -282,11 +301,6 @@ std::string name_of(const SceneItem& item);
 /// Whether one field of a set-up says where both stand.
 bool stand_by_one_field(const SceneItem& a, const SceneItem& b);
 
-/// A box in W, m.
-struct SceneBounds {
-    Eigen::Vector3d low = Eigen::Vector3d::Zero();
-    Eigen::Vector3d high = Eigen::Vector3d::Zero();
-};
 /// Around everything that is drawn, axes included, without context meshes if there is anything else: they may
 /// be a whole hall, and what is measured small in it.
 SceneBounds bounds_of(const Scene& scene);

@@ -143,9 +143,7 @@ void add_ellipsoids(const StudyResult& study, std::size_t triple, const SceneOpt
             {item, Role::output, axes, ellipsoids[k].rank, ellipsoids[k].coverage_factor});
     }
     const DocumentLanguage& in = options.language;
-    scene.legend.push_back(
-        {LegendMark::ellipsoid, Role::output,
-         in.say(tell<"coverage ellipsoids, p = %1">(percent_text(options.probability, in.numbers())))});
+    scene.legend.push_back({LegendMark::ellipsoid, Role::output, in.say(tell<"out">())});
     scene.caption = detail::magnified_ellipsoids_words(scene, options);
     detail::note_what_is_drawn(scene, drawn.size(), all, in);
 }

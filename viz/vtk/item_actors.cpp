@@ -1,6 +1,7 @@
 // Actors of frames, points, bodies, links, vectors and ellipsoids.
 #include <vtkProperty.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "viz/vtk/layer_actors.h"
@@ -11,28 +12,44 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-constexpr double plate_opacity = 0.42;
 constexpr double ellipsoid_opacity = 0.30;
-constexpr double before_opacity = 0.12;  // mostly its sections: what is now is seen through it
+constexpr double before_opacity = 0.16;
+constexpr double sight_opacity = 0.34;
 constexpr double edge_width = 1.1;
+constexpr std::size_t most_smooth = 400;  // solids of a layer; more have fewer corners
 
 /// What is collected for one layer.
 struct Parts {
     Parts(const Vector& origin, ScenePalette used)
-        : solids(origin), clear(origin), lines(origin), palette(used) {}
+        : solids(origin), clear(origin), paths(origin), lines(origin), dashes(origin), palette(used) {}
     Colour colour(Role role) const { return colour_of(role, palette); }
+    void add(const std::vector<Solid>& made) {
+        if (made.size() > most_smooth) solids.set_coarse(true);
+        for (const Solid& solid : made)
+            (solid.opacity < 1.0 ? paths : solids).solid(solid, colour_of(solid.material, palette));
+    }
     std::vector<LayerActor> actors(double line_width = edge_width) const {
         std::vector<LayerActor> made;
-        if (auto actor = solids.solid_actor()) made.push_back({actor});
-        if (auto actor = clear.solid_actor()) {
+        const auto take = [&](const vtkSmartPointer<vtkActor>& actor, double width,
+                              std::optional<Surface> surface) {
+            if (!actor) return;
+            made.push_back({actor, width});
+            made.back().surface = surface;
+        };
+        take(solids.solid_actor(), 0.0, Surface::matt);
+        take(clear.clear_actor(), 0.0, Surface::clear);
+        if (auto actor = paths.solid_actor()) {
             actor->ForceTranslucentOn();
-            actor->GetProperty()->BackfaceCullingOn();
-            made.push_back({actor});
+            take(actor, 0.0, Surface::matt);
         }
-        if (auto actor = lines.line_actor()) made.push_back({actor, line_width});
+        take(lines.line_actor(), line_width, {});
+        if (auto actor = dashes.dashed_actor()) {
+            actor->ForceTranslucentOn();
+            take(actor, 1.0, Surface::dashed);
+        }
         return made;
     }
-    Shapes solids, clear, lines;
+    Shapes solids, clear, paths, lines, dashes;
     ScenePalette palette;
 };
 
@@ -44,62 +61,6 @@ void add_frames(const Scene& scene, Parts& parts) {
             parts.solids.arrow(o, o + frame.length * frame.R_WF.col(i), 0.022 * frame.length,
                                parts.colour(roles[i]));
         parts.solids.sphere(o, 0.05 * frame.length, parts.colour(Role::point));
-    }
-}
-
-void add_points(const Scene& scene, Parts& parts) {
-    for (const ScenePoint& point : scene.points) {
-        const Vector& p = point.item.position;
-        const double r = point.radius;
-        const Colour colour = parts.colour(Role::point);
-        switch (point.kind) {
-            case PointKind::nest:  // a ball in its seat
-                parts.solids.sphere(p, r, colour);
-                parts.solids.cylinder(p - 0.75 * r * point.axis, p - 0.1 * r * point.axis, 1.25 * r,
-                                      parts.colour(Role::body));
-                break;
-            case PointKind::support:
-                parts.solids.cone(p - 2.2 * r * point.axis, p, 1.2 * r, colour);
-                break;
-            case PointKind::flange:
-                parts.solids.cylinder(p - 0.3 * r * point.axis, p + 0.3 * r * point.axis, 1.8 * r, colour);
-                break;
-            case PointKind::tool:
-                parts.solids.cone(p + 2.6 * r * point.axis, p, 0.9 * r, colour);
-                break;
-            case PointKind::station:
-                parts.solids.box(p, Eigen::AngleAxisd(0.785398, Vector::UnitZ()).toRotationMatrix(),
-                                 Vector::Constant(1.5 * r), colour);
-                break;
-            default:
-                parts.solids.sphere(p, r, colour);
-        }
-    }
-}
-
-/// Glyphs, drawn with modest means: what matters is where the instrument stands and looks.
-void add_glyph(const SceneBody& body, Parts& parts) {
-    const Vector& p = body.item.position;
-    const Vector sight = body.R_WB.col(0), across = body.R_WB.col(1), up = body.R_WB.col(2);
-    const double s = body.size;
-    const Colour colour = parts.colour(Role::instrument), pale = parts.colour(Role::body);
-    if (body.kind == BodyKind::force_sensor) {
-        parts.solids.cylinder(p - 0.16 * s * up, p + 0.16 * s * up, 0.34 * s, colour);
-        parts.solids.cylinder(p - 0.2 * s * up, p + 0.2 * s * up, 0.22 * s, pale);
-    } else if (body.glyph == "camera") {
-        parts.solids.box(p - 0.16 * s * sight, body.R_WB, {0.32 * s, 0.46 * s, 0.36 * s}, colour);
-        parts.solids.cylinder(p, p + 0.22 * s * sight, 0.14 * s, pale);
-    } else if (body.glyph == "distance-meter") {
-        parts.solids.box(p - 0.28 * s * sight, body.R_WB, {0.56 * s, 0.26 * s, 0.22 * s}, colour);
-        parts.solids.cylinder(p, p + 0.08 * s * sight, 0.08 * s, pale);
-    } else {  // total station, tracker: a foot, a fork and a head that looks
-        parts.solids.cylinder(p - 0.5 * s * up, p - 0.34 * s * up, 0.26 * s, pale);
-        parts.solids.box(p - 0.3 * s * up, body.R_WB, {0.24 * s, 0.52 * s, 0.1 * s}, colour);
-        for (double side : {-1.0, 1.0})
-            parts.solids.box(p + side * 0.22 * s * across - 0.06 * s * up, body.R_WB,
-                             {0.2 * s, 0.08 * s, 0.5 * s}, colour);
-        if (body.glyph == "tracker") parts.solids.sphere(p, 0.19 * s, colour);
-        parts.solids.cylinder(p - 0.2 * s * sight, p + 0.28 * s * sight, 0.11 * s, pale);
     }
 }
 
@@ -116,44 +77,33 @@ void add_vectors(const Scene& scene, Parts& parts) {
     }
 }
 
-void add_outline(std::vector<Vector> corners, const Vector& shift, Shapes& lines, Colour colour) {
-    for (Vector& corner : corners) corner += shift;
-    corners.push_back(corners.front());
-    lines.line(corners, colour);
-}
-
-void add_bodies(const Scene& scene, Parts& parts) {
-    for (const SceneBody& body : scene.bodies) {
-        if (body.outline.empty()) {
-            add_glyph(body, parts);
-            continue;
-        }
-        parts.clear.prism(body.outline, body.normal, body.thickness, parts.colour(Role::body), plate_opacity);
-        for (double side : {-0.5, 0.5})
-            add_outline(body.outline, side * body.thickness * body.normal, parts.lines,
-                        parts.colour(Role::link));
-    }
-}
-
-void add_links(const Scene& scene, Parts& parts) {
+void add_lines(const Scene& scene, Parts& parts) {
     for (const SceneLink& link : scene.links) {
+        if (link.radius > 0) continue;
         const bool seeing = link.kind == LinkKind::sight_line || link.kind == LinkKind::field_of_view;
         const Colour colour = parts.colour(seeing ? Role::sight_line : Role::link);
-        if (link.radius > 0) {
-            parts.solids.cylinder(link.from, link.to, link.radius, colour);
-            if (link.kind == LinkKind::robot_link)  // round joints
-                for (const Vector& end : {link.from, link.to})
-                    parts.solids.sphere(end, 1.35 * link.radius, colour);
-        } else if (link.dash > 0) {
-            parts.lines.dashes(link.from, link.to, link.dash, colour);
-        } else {
-            parts.lines.line({link.from, link.to}, colour);
-        }
+        const double opacity = link.kind == LinkKind::field_of_view ? 0.5 * sight_opacity : sight_opacity;
+        if (link.is_dashed)
+            parts.dashes.line({link.from, link.to}, colour, seeing ? opacity : 2 * sight_opacity);
+        else
+            parts.lines.line({link.from, link.to}, colour, seeing ? opacity : 1.0);
     }
+}
+
+/// Of an input whose point an output's ellipsoid covers, nothing could be told apart.
+bool is_within_an_output(const SceneEllipsoid& input, const std::vector<const SceneEllipsoid*>& outputs) {
+    return std::ranges::any_of(outputs, [&](const SceneEllipsoid* output) {
+        const Vector away = input.item.position - output->item.position;
+        return (output->axes.inverse() * away).norm() < 1.0;
+    });
 }
 
 void add_ellipsoids(const std::vector<SceneEllipsoid>& ellipsoids, double opacity, Parts& parts) {
+    std::vector<const SceneEllipsoid*> outputs;
+    for (const SceneEllipsoid& ellipsoid : ellipsoids)
+        if (ellipsoid.role == Role::output && ellipsoid.rank == 3) outputs.push_back(&ellipsoid);
     for (const SceneEllipsoid& ellipsoid : ellipsoids) {
+        if (ellipsoid.role == Role::input && is_within_an_output(ellipsoid, outputs)) continue;
         const Colour colour = parts.colour(ellipsoid.role);
         Eigen::Matrix3d axes = ellipsoid.axes;
         // A flat region has no third axis: give it a thin body so that it is seen from every side.
@@ -161,15 +111,6 @@ void add_ellipsoids(const std::vector<SceneEllipsoid>& ellipsoids, double opacit
         if (ellipsoid.rank < 2) axes.col(1) = thin * axes.col(0).unitOrthogonal();
         if (ellipsoid.rank < 3) axes.col(2) = thin * axes.col(0).cross(axes.col(1)).normalized();
         parts.clear.ellipsoid(ellipsoid.item.position, axes, colour, opacity);
-        for (int plane = 0; plane < 3; ++plane) {  // principal sections
-            std::vector<Vector> ring;
-            for (int i = 0; i <= 72; ++i) {
-                const double t = i * 2 * 3.14159265358979323846 / 72;
-                ring.push_back(ellipsoid.item.position + std::cos(t) * axes.col(plane) +
-                               std::sin(t) * axes.col((plane + 1) % 3));
-            }
-            parts.lines.line(ring, colour, 0.55);
-        }
     }
 }
 
@@ -183,13 +124,14 @@ std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Vector&
             add_frames(scene, parts);
             break;
         case Layer::points:
-            add_points(scene, parts);
+            parts.add(solids_of_points(scene));
             break;
         case Layer::bodies:
-            add_bodies(scene, parts);
+            parts.add(solids_of_bodies(scene));
             break;
         case Layer::links:
-            add_links(scene, parts);
+            parts.add(solids_of_links(scene));
+            add_lines(scene, parts);
             break;
         case Layer::vectors:
             add_vectors(scene, parts);
@@ -214,7 +156,7 @@ std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Vector&
         case Layer::legend:
             return {};
     }
-    return parts.actors(layer == Layer::links ? 1.4 : edge_width);
+    return parts.actors();
 }
 
 }  // namespace covaria::detail

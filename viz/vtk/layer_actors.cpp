@@ -17,7 +17,8 @@ bool same(Layer layer, const Scene& a, const Scene& b) {
         case Layer::points:
             return a.points == b.points;
         case Layer::bodies:
-            return a.bodies == b.bodies;
+            // The shadow on the floor is that of all of them.
+            return a.bodies == b.bodies && a.floor == b.floor && a.links == b.links && a.points == b.points;
         case Layer::links:
             return a.links == b.links;
         case Layer::vectors:
@@ -78,11 +79,20 @@ void LayerActors::update(const Scene& scene, const Scene* before, ScenePalette p
 void LayerActors::rebuild(Layer layer, const Scene& scene, ScenePalette palette) {
     auto& actors = actors_[static_cast<std::size_t>(layer)];
     for (const LayerActor& old : actors) renderer_->RemoveActor(old.actor);
-    actors = actors_of(layer, scene, origin_, palette);
+    // Frames are painted on the picture, of what is selected.
+    actors = layer == Layer::frames ? std::vector<LayerActor>{} : actors_of(layer, scene, origin_, palette);
+    if (layer == Layer::bodies)
+        for (LayerActor& floor : floor_actors(scene, origin_, palette)) actors.push_back(std::move(floor));
     for (const LayerActor& added : actors) renderer_->AddActor(added.actor);
 }
 
 void LayerActors::prepare(const View& view) {
+    const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+    const ShadingView shading{
+        {view.camera.right().dot(up), view.camera.up.dot(up), -view.camera.direction.dot(up)},
+        double(view.size.width),
+        double(view.size.height),
+        view.ratio};
     for (std::size_t i = 0; i < layer_count; ++i)
         for (LayerActor& item : actors_[i]) {
             const bool hidden =
@@ -93,6 +103,7 @@ void LayerActors::prepare(const View& view) {
             if (item.point_size > 0)
                 property->SetPointSize(static_cast<float>(std::max(1.0, item.point_size * view.ratio)));
             if (item.cloud_points > 0) property->SetOpacity(cloud_opacity(item, view));
+            if (item.surface) set_view(item.actor, *item.surface, shading);
             if (item.wall_normal < 0) continue;
             Eigen::Vector3d shift = Eigen::Vector3d::Zero();
             shift[item.wall_normal] = far_side_is_high(view.camera, item.wall_normal) ? item.wall_shift : 0.0;

@@ -8,10 +8,12 @@
 #include <Eigen/Core>
 #include <array>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "viz/scene/camera.h"
 #include "viz/vtk/palette.h"
+#include "viz/vtk/shading.h"
 
 namespace covaria::detail {
 
@@ -29,6 +31,7 @@ struct LayerActor {
     int wall_normal = -1;
     double wall_shift = 0.0;
     enum class Shown { always, still, moving } shown = Shown::always;  ///< thinned twins of clouds
+    std::optional<Surface> surface = {};                               ///< whose shaders follow the camera
 };
 
 class LayerActors {
@@ -43,6 +46,7 @@ public:
         double ratio = 1.0;
         double metres_per_pixel = 1.0;
         bool moving = false;
+        PictureSize size = {};  ///< as it is drawn
     };
     /// Visibility, widths and walls for the next picture.
     void prepare(const View& view);
@@ -67,6 +71,8 @@ std::vector<LayerActor> histogram_actors(const Scene& scene, const Eigen::Vector
 std::vector<LayerActor> map_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 /// Context; the triangles of a mesh are VTK's once, however often its actor is made.
 std::vector<LayerActor> mesh_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
+/// What everything stands on, with its shadow there.
+std::vector<LayerActor> floor_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 std::vector<LayerActor> cloud_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 
 }  // namespace covaria::detail

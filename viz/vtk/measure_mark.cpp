@@ -18,7 +18,7 @@ void Overlay::paint_measure() {
     std::vector<Pixel> at;
     for (const Eigen::Vector3d& p : view_.measure.at) at.push_back(pixel_of(p));
     if (at.empty() || !std::all_of(at.begin(), at.end(), is_near_picture)) return;
-    const Colour ink = selection_colour(view_.palette), ground = ground_top(view_.palette);
+    const Colour ink = selection_colour(view_.palette), ground = ground_colour(view_.palette);
     for (std::size_t i = 1; i < at.size(); ++i) {
         canvas_.line(at[i - 1], at[i], px(4.0), ground, 0.7);
         canvas_.line(at[i - 1], at[i], px(1.8), ink);
@@ -63,7 +63,7 @@ void Overlay::paint_measured_value(Pixel at) {
         y = std::clamp(at.y + 2 * gap + step * (h + 3 * gap), gap, lowest);
         if (is_free({x - gap, y - gap, w + 2 * gap, h + 2 * gap})) break;
     }
-    canvas_.rectangle({x - gap, y - gap, w + 2 * gap, h + 2 * gap}, ground_top(view_.palette), 0.85);
+    canvas_.rectangle({x - gap, y - gap, w + 2 * gap, h + 2 * gap}, ground_colour(view_.palette), 0.85);
     put(word, x, y);
 }
 

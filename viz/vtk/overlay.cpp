@@ -22,6 +22,13 @@ Overlay::Overlay(const Scene& scene, const OverlayView& view, Image& image, Text
     const PictureSize size = canvas_.size();
     if (view.covered > 0.0)
         taken_.push_back({0.0, size.height - view.covered, double(size.width), view.covered});
+    if (!(view.inset.width > 0.0)) return;
+    taken_.push_back(view.inset);
+    const ScreenRect& r = view.inset;
+    const Pixel corners[] = {
+        {r.x, r.y}, {r.x + r.width, r.y}, {r.x + r.width, r.y + r.height}, {r.x, r.y + r.height}};
+    for (int i = 0; i < 4; ++i)
+        canvas_.line(corners[i], corners[(i + 1) % 4], px(1.0), grid_colour(view.palette));
 }
 
 void Overlay::paint() {
@@ -34,14 +41,15 @@ void Overlay::paint() {
         taken_.push_back(ground);  // it would pale what stands beside a short line
     const double bar_top = view_.layers[Layer::map] ? claim_colour_bar() : 0.0;
     paint_caption();
-    if (view_.layers[Layer::axes]) paint_scale_bar();
+    if (view_.layers[Layer::legend]) paint_scale_bar();
     if (view_.layers[Layer::axes]) paint_axes();
     if (view_.layers[Layer::map]) paint_colour_bar(bar_top);
     paint_head(head);
+    if (view_.layers[Layer::links]) paint_selected_sights();
     paint_verdicts();
+    if (view_.layers[Layer::frames]) paint_frames();
     paint_measure();
     paint_selection();
-    if (view_.layers[Layer::frames] && view_.layers[Layer::labels]) paint_triad_letters();
     if (view_.layers[Layer::labels]) paint_labels();
 }
 
@@ -56,9 +64,9 @@ void Overlay::claim(const Word& word, double x, double y) {
 
 void Overlay::write(const Word& word, double x, double y) {
     const TextMask& mask = mask_of(word);
-    canvas_.text(mask, x, y, colour(word.role), ground_top(view_.palette));
+    canvas_.text(mask, x, y, colour(word.role), ground_colour(view_.palette));
     placed_.push_back(
-        {word.text, word.role, {x, y, double(mask.letters.width), double(mask.letters.height)}});
+        {word.text, word.role, {x, y, double(mask.letters.width), double(mask.letters.height)}, false});
 }
 
 void Overlay::put(const Word& word, double x, double y) {
@@ -77,11 +85,11 @@ bool Overlay::has_room(const ScreenRect& rect) const {
 void Overlay::paint_head(const std::vector<HeadLine>& lines) {
     // Where the scene reaches under the legend, it steps back.
     const ScreenRect ground = legend_ground(lines, view_.ratio, masks_);
-    if (ground.width > 0.0) canvas_.rectangle(ground, ground_top(view_.palette), ground_opacity);
+    if (ground.width > 0.0) canvas_.rectangle(ground, ground_colour(view_.palette), ground_opacity);
     for (const HeadLine& line : lines) {
         write(line.word, line.x, line.y);
         if (line.legend)
-            paint_legend_mark(*line.legend, px(margin), line.y + mask_of(line.word).letters.height / 2.0);
+            paint_legend_mark(*line.legend, line.x - px(18), line.y + mask_of(line.word).letters.height / 2.0);
     }
 }
 
@@ -89,8 +97,7 @@ void Overlay::paint_legend_mark(const LegendLine& line, double x, double middle)
     const Colour ink = colour(line.role);
     switch (line.mark) {
         case LegendMark::ellipsoid:
-            canvas_.ellipse({x + px(8), middle}, px(8), px(5), ink, 0.30);
-            canvas_.ellipse({x + px(8), middle}, px(7), px(4), ink, 0.15);
+            canvas_.ellipse({x + px(6), middle}, px(6), px(4), ink, 0.9);
             break;
         case LegendMark::cloud:
             for (int i = 0; i < 14; ++i) {  // points at the golden angle
@@ -107,8 +114,8 @@ void Overlay::paint_legend_mark(const LegendLine& line, double x, double middle)
             }
             break;
         case LegendMark::line:
-            for (int i = 0; i < 3; ++i)
-                canvas_.line({x + px(6.0 * i), middle}, {x + px(6.0 * i + 3.5), middle}, px(1.4), ink);
+            for (int i = 0; i < 2; ++i)
+                canvas_.line({x + px(8.0 * i), middle}, {x + px(8.0 * i + 5.0), middle}, px(1.2), ink);
             break;
         case LegendMark::arrow:
             canvas_.line({x, middle}, {x + px(15), middle}, px(1.6), ink);
@@ -141,7 +148,7 @@ void Overlay::paint_verdicts() {
         const Pixel at = pixel_of(mark.at);
         if (!view_.layers[mark.layer] || !std::isfinite(at.x + at.y)) continue;
         const double half = half_of_diamond(mark);
-        paint_diamond(at, half, px(4.0), ground_top(view_.palette));
+        paint_diamond(at, half, px(4.0), ground_colour(view_.palette));
         paint_diamond(at, half, px(2.0), colour(Role::not_met));
     }
 }
@@ -151,11 +158,11 @@ void Overlay::paint_caption() {
     const bool drawn = view_.layers[Layer::ellipsoids] || view_.layers[Layer::clouds] || before;
     if (scene_.caption.empty() || !drawn) return;
     const double room = canvas_.size().width - 2 * px(margin);
-    const auto word_of = [](const Text& line) { return Word{line, Role::text, false, 1.0}; };
+    const auto word_of = [](const Text& line) { return Word{line, Role::quiet_text, false, 1.0}; };
     const auto fits = [&](const Text& line) { return mask_of(word_of(line)).letters.width <= room; };
     std::vector<Text> lines{scene_.caption};
     if (!fits(lines.front())) lines = wrapped(scene_.caption, fits);
-    double y = canvas_.size().height - view_.covered - px(margin - 4);
+    double y = canvas_.size().height - view_.covered - px(margin - 3);
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
         y -= mask_of(word_of(*line)).letters.height;
         put(word_of(*line), px(margin), y);
@@ -171,7 +178,7 @@ void Overlay::paint_scale_bar() {
     const double shown = round_number_below(longest);
     const double length = shown / scene_.unit.per_metre / scale;
     const Word word{typeset_number(round_number_text(shown), scene_.numbers) + " " + scene_.unit.text,
-                    Role::text, false, 0.92};
+                    Role::quiet_text, false, 1.0};
     const TextMask& mask = mask_of(word);
     const double right = canvas_.size().width - px(margin), height = mask.letters.height + px(14);
     double y = canvas_.size().height - view_.covered - px(margin);
@@ -180,11 +187,12 @@ void Overlay::paint_scale_bar() {
         return is_free({right - length - px(3), y - height, length + px(6), height});
     };
     for (int lines = 0; lines < 2 && !is_clear(); ++lines) y -= height;
-    const Colour ink = colour(Role::text);
-    canvas_.rectangle({right - length - px(3), y - px(7), length + px(6), px(10)}, ground_top(view_.palette),
+    const Colour ink = colour(Role::quiet_text);
+    canvas_.rectangle({right - length - px(3), y - px(7), length + px(6), px(10)}, ground_colour(view_.palette),
                       0.7);
-    canvas_.line({right - length, y}, {right, y}, px(1.4), ink);
-    for (double end : {right - length, right}) canvas_.line({end, y - px(4)}, {end, y}, px(1.4), ink);
+    canvas_.line({right - length, y}, {right, y}, px(1.0), ink);
+    for (double end : {right - length, right})
+        canvas_.line({end, y - px(4)}, {end, y + px(4)}, px(1.0), ink);
     const double left = std::min(right - length / 2 - mask.letters.width / 2.0, right - mask.letters.width);
     put(word, left, y - px(6) - mask.letters.height);
     taken_.push_back({right - length - px(3), y - px(7), length + px(6), px(10)});
@@ -216,7 +224,7 @@ void Overlay::paint_colour_bar(double title_top) {
     const double right = canvas_.size().width - px(margin), top = title_top + px(26);
     double widest = 0.0;
     for (const AxisTick& tick : map.ticks)
-        widest = std::max(widest, double(mask_of({tick.text, Role::text, false, 0.92}).letters.width));
+        widest = std::max(widest, double(mask_of({tick.text, Role::quiet_text, false, 1.0}).letters.width));
     const double left = right - widest - px(6) - width;
     const Word title{map.title, Role::text, false, 1.0};
     write(title, right - mask_of(title).letters.width, title_top);
@@ -225,31 +233,12 @@ void Overlay::paint_colour_bar(double title_top) {
         canvas_.rectangle({left, top + i * height / steps, width, height / steps + 1.0},
                           magnitude_colour(1.0 - (i + 0.5) / steps), 1.0);
     for (const AxisTick& tick : map.ticks) {
-        const Word word{tick.text, Role::text, false, 0.92};
+        const Word word{tick.text, Role::quiet_text, false, 1.0};
         const TextMask& mask = mask_of(word);
         const double y = top + height * (map.high - tick.at) / (map.high - map.low);
         canvas_.line({left + width, y}, {left + width + px(3), y}, px(1.0), colour(Role::text));
         write(word, left + width + px(6), y - mask.letters.height / 2.0);
     }
-}
-
-void Overlay::paint_triad_letters() {
-    static constexpr const char* names[] = {"x", "y", "z"};
-    static constexpr Role roles[] = {Role::axis_x, Role::axis_y, Role::axis_z};
-    for (const SceneFrame& frame : scene_.frames)
-        for (int i = 0; i < 3; ++i) {
-            const Pixel from = pixel_of(frame.item.position);
-            const Pixel tip = pixel_of(frame.item.position + frame.length * frame.R_WF.col(i));
-            const double length = std::hypot(tip.x - from.x, tip.y - from.y);
-            if (length < px(9)) continue;  // points at the eye
-            const Word word{names[i], roles[i], true, 0.92};
-            const TextMask& mask = mask_of(word);
-            const double reach = 1 + px(8) / length;
-            const ScreenRect rect{from.x + reach * (tip.x - from.x) - mask.letters.width / 2.0,
-                                  from.y + reach * (tip.y - from.y) - mask.letters.height / 2.0,
-                                  double(mask.letters.width), double(mask.letters.height)};
-            if (is_free(rect)) put(word, rect.x, rect.y);
-        }
 }
 
 void Overlay::paint_selection() {
@@ -261,7 +250,7 @@ void Overlay::paint_selection() {
         if (point.item.id == item->id) radius = std::max(radius, point.radius / scale + px(5));
     const Pixel at = pixel_of(item->position);
     if (!(std::abs(at.x) < 1e5 && std::abs(at.y) < 1e5)) return;
-    canvas_.ring(at, radius, px(4.5), ground_top(view_.palette), 0.8);
+    canvas_.ring(at, radius, px(4.5), ground_colour(view_.palette), 0.8);
     canvas_.ring(at, radius, px(2.2), selection_colour(view_.palette));
 }
 

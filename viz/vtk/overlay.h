@@ -1,4 +1,4 @@
-// Everything written over a picture: labels, axis numbers, title, legend, caption, scale bar, selection.
+// Everything written over a picture: labels, axis numbers, legend, caption, scale bar, frames, selection.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,11 @@ struct OverlayView {
     ScenePalette palette = ScenePalette::light;
     double ratio = 1.0;
     std::string selected = {};
+    std::string pointed = {};  ///< what the pointer is at
     MeasureMark measure = {};
     ScreenRect reserved = {};  ///< where something else will be painted
     double covered = 0.0;      ///< px at the foot of the picture that lie under something else
+    ScreenRect inset = {};     ///< a picture of the whole
 };
 
 /// Paints on `image` and remembers what is taken, so that later words avoid earlier ones.
@@ -32,6 +34,7 @@ public:
         Text text;
         Role role = Role::text;
         ScreenRect rect;
+        bool is_label = false;  ///< of something in the scene, or its fact
     };
     const std::vector<PlacedWord>& words() const { return placed_; }
 
@@ -54,18 +57,26 @@ private:
     double colour_bar_height() const;
     double claim_colour_bar();
     void paint_colour_bar(double title_top);
-    void paint_triad_letters();
     void paint_selection();
+    // scene_frames.cpp
+    /// Frames of the world, and of what is selected or pointed at.
+    void paint_frames();
+    bool shows(const SceneFrame& frame) const;
+    bool is_of_asked(const SceneFrame& frame) const;
+    /// The sights of what is selected, before all others.
+    void paint_selected_sights();
     void paint_diamond(Pixel centre, double half, double width, Colour ink);
     /// Around the points, or as large as a letter.
     void paint_verdicts();
     double half_of_diamond(const SceneVerdict& mark) const;
     // scene_labels.cpp
     struct PlannedLabel {
-        Word word;
+        Word word, fact;
         LabelRequest request;             ///< without its size
         std::vector<PlannedLabel> parts;  ///< of what joins several
     };
+    bool is_asked_for(const std::string& item) const;
+    bool is_written(const SceneLabel& label) const;
     void paint_labels();
     PlannedLabel planned(const SceneLabel& label) const;
     /// Labels of one sort whose anchors cannot be told apart are one: "axis 5, axis 6".
@@ -73,8 +84,12 @@ private:
     /// Those that have no room.
     std::vector<PlannedLabel> paint_where_free(const std::vector<PlannedLabel>& labels,
                                                const std::vector<ScreenRect>& anchors,
+                                               const std::vector<ScreenLine>& bodies,
                                                std::vector<ScreenLine>& drawn);
     std::vector<ScreenLine> what_labels_avoid() const;
+    /// Which no label covers.
+    std::vector<ScreenLine> bodies() const;
+    ScreenLine line_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) const;
     // measure_mark.cpp
     void paint_measure();
     void paint_arc(Pixel from, Pixel apex, Pixel to);

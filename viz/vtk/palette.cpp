@@ -18,9 +18,9 @@ Colour light(Role role) {
         case Role::point:
             return {0x4A, 0x50, 0x57};
         case Role::input:
-            return {0xE6, 0x8A, 0x00};
+            return {0xD9, 0x7F, 0x0C};
         case Role::output:
-            return {0x00, 0x72, 0xB2};
+            return {0x2F, 0x7F, 0xC0};
         case Role::before:
             return {0x6A, 0x51, 0xA3};
         case Role::body:
@@ -28,7 +28,7 @@ Colour light(Role role) {
         case Role::link:
             return {0x8C, 0x94, 0x9C};
         case Role::sight_line:
-            return {0xA6, 0x5C, 0x86};
+            return {0x62, 0x6A, 0x74};
         case Role::instrument:
             return {0x6B, 0x74, 0x7D};
         case Role::vector:
@@ -38,9 +38,9 @@ Colour light(Role role) {
         case Role::not_met:
             return {0xD9, 0x60, 0x1A};
         case Role::text:
-            return {0x20, 0x24, 0x28};
+            return {0x16, 0x19, 0x1D};
         case Role::quiet_text:
-            return {0x66, 0x6D, 0x74};
+            return {0x4C, 0x54, 0x5D};
     }
     return {};
 }
@@ -56,9 +56,9 @@ Colour dark(Role role) {
         case Role::point:
             return {0xC3, 0xCA, 0xD1};
         case Role::input:
-            return {0xF5, 0xB0, 0x41};
+            return {0xF0, 0xA2, 0x3C};
         case Role::output:
-            return {0x56, 0xB4, 0xE9};
+            return {0x4B, 0x9B, 0xDD};
         case Role::before:
             return {0xB3, 0xA2, 0xE0};
         case Role::body:
@@ -66,7 +66,7 @@ Colour dark(Role role) {
         case Role::link:
             return {0x8F, 0x99, 0xA3};
         case Role::sight_line:
-            return {0xD8, 0x8F, 0xB8};
+            return {0x98, 0xA0, 0xAA};
         case Role::instrument:
             return {0x9A, 0xA4, 0xAE};
         case Role::vector:
@@ -76,9 +76,9 @@ Colour dark(Role role) {
         case Role::not_met:
             return {0xF0, 0x82, 0x3A};
         case Role::text:
-            return {0xE9, 0xEC, 0xEF};
+            return {0xEC, 0xEE, 0xF0};
         case Role::quiet_text:
-            return {0xA4, 0xAC, 0xB4};
+            return {0xB3, 0xBA, 0xC2};
     }
     return {};
 }
@@ -125,12 +125,38 @@ Colour magnitude_colour(double t) {
     return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
-Colour ground_top(ScenePalette palette) {
-    return palette == ScenePalette::light ? Colour{0xFD, 0xFD, 0xFC} : Colour{0x25, 0x29, 0x2D};
+Colour colour_of(Material material, ScenePalette palette) {
+    const bool dark_theme = palette == ScenePalette::dark;
+    switch (material) {
+        case Material::robot:
+            return dark_theme ? Colour{0xC9, 0xCD, 0xD2} : Colour{0xE4, 0xE6, 0xE9};
+        case Material::joint:
+            return {0x5B, 0x63, 0x6C};
+        case Material::instrument:
+            return {0xD6, 0xDA, 0xDE};
+        case Material::dark:
+            return {0x3D, 0x43, 0x4A};
+        case Material::leg:
+        case Material::support:
+            return {0x8A, 0x92, 0x9B};
+        case Material::plate:
+            return dark_theme ? Colour{0x80, 0x87, 0x8F} : Colour{0xB4, 0xBA, 0xC1};
+        case Material::part:
+            return {0xC3, 0xCC, 0xD4};
+        case Material::nest:
+            return dark_theme ? Colour{0xD9, 0xDD, 0xE1} : Colour{0x2B, 0x30, 0x36};
+        case Material::lens:
+            return {0x2F, 0x6F, 0xA8};
+    }
+    return {};
 }
 
-Colour ground_bottom(ScenePalette palette) {
-    return palette == ScenePalette::light ? Colour{0xF2, 0xF3, 0xF4} : Colour{0x1A, 0x1D, 0x20};
+Colour ground_colour(ScenePalette palette) {
+    return palette == ScenePalette::light ? Colour{0xF7, 0xF8, 0xF9} : Colour{0x1B, 0x1E, 0x22};
+}
+
+Colour floor_colour(ScenePalette palette) {
+    return palette == ScenePalette::light ? Colour{0xEE, 0xF0, 0xF2} : Colour{0x24, 0x28, 0x2D};
 }
 
 Colour grid_colour(ScenePalette palette) {

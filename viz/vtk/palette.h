@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "viz/scene/scene.h"
+#include "viz/scene/solids.h"
 #include "viz/vtk/scene_renderer.h"
 
 namespace covaria::detail {
@@ -16,12 +17,12 @@ struct Colour {
 
 Colour colour_of(Role role, ScenePalette palette);
 Colour colour_of(MeshColour colour, ScenePalette palette);
-/// The ground fades from top to bottom.
+Colour colour_of(Material material, ScenePalette palette);
 /// Perceptually uniform magnitude, 0 <= t <= 1 (clamped): control points of viridis (S. van der Walt, N.
 /// Smith, 2015, CC0), interpolated.
 Colour magnitude_colour(double t);
-Colour ground_top(ScenePalette palette);
-Colour ground_bottom(ScenePalette palette);
+Colour ground_colour(ScenePalette palette);
+Colour floor_colour(ScenePalette palette);  ///< where things stand; it fades into the ground
 Colour grid_colour(ScenePalette palette);       ///< lines of the axes' walls
 Colour selection_colour(ScenePalette palette);  ///< ring around the selected item
 

@@ -3,11 +3,30 @@
 #include <algorithm>
 
 #include "core/text/symbol.h"
+#include "core/text/wrapped.h"
 
 namespace covaria::detail {
 namespace {
 
-constexpr double widest_line = 0.42;  // of a legend, of the width of its picture
+constexpr double widest_row = 0.55;  // of the width of a picture: the other corner has the rest
+constexpr double swatch = 18.0, between = 14.0;
+
+bool is_shown(const LegendLine& line, const LayerVisibility& layers) {
+    switch (line.mark) {
+        case LegendMark::cloud:
+            return layers[Layer::clouds];
+        case LegendMark::histogram:
+            return layers[Layer::wall_histograms];
+        case LegendMark::ellipsoid:
+            return layers[line.role == Role::before ? Layer::ellipsoids_before : Layer::ellipsoids];
+        case LegendMark::line:
+            return layers[Layer::links];
+        case LegendMark::arrow:
+            return layers[Layer::vectors];
+        default:
+            return true;
+    }
+}
 
 const Mask& letters_of(const Word& word, double ratio, TextMasks& masks) {
     return masks.of(word.text, letter_size * word.scale * ratio, word.bold).letters;
@@ -18,48 +37,52 @@ const Mask& letters_of(const Word& word, double ratio, TextMasks& masks) {
 std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& layers, double ratio, int width,
                                  TextMasks& masks) {
     std::vector<HeadLine> lines;
-    double y = (picture_margin - 4) * ratio;
-    const double x = picture_margin * ratio, indent = 24 * ratio, gap = 3 * ratio;
-    std::vector<Word> titles{{running_text(scene.title), Role::text, true, 1.15},
-                             {running_text(scene.group_title), Role::text, false, 1.0}};
-    for (const std::string& note : scene.notes)
-        titles.push_back({running_text(note), Role::quiet_text, false, 0.92});
-    for (const Word& word : titles) {
-        if (word.text.empty()) continue;
-        lines.push_back({word, x, y});
-        y += letters_of(word, ratio, masks).height + 2 * ratio;
-    }
-    if (!layers[Layer::legend]) return lines;
-    y += 6 * ratio;
-    const auto word_of = [](const LegendLine& line) {
-        return Word{line.text, Role::quiet_text, false, 0.92};
+    const double left = picture_margin * ratio, row = 16.0 * ratio;
+    double x = left, y = (picture_margin - 3) * ratio;
+    const auto add = [&](const Word& word, double indent, const LegendLine* legend) {
+        const double wide = indent + letters_of(word, ratio, masks).width;
+        if (x > left && x + wide > widest_row * width) {
+            x = left;
+            y += row;
+        }
+        lines.push_back({word, x + indent, y, legend});
+        x += wide + between * ratio;
     };
-    const auto is_wide = [&](const LegendLine& line) {
-        return indent + letters_of(word_of(line), ratio, masks).width > widest_line * width;
-    };
-    // A small picture has no room beside the scene; the caption says what matters most, but of no arrow.
-    const bool is_small = std::ranges::any_of(scene.legend, is_wide);
+    if (!scene.group_title.empty()) add({running_text(scene.group_title), Role::text, true, 1.0}, 0.0, nullptr);
+    std::vector<Word> remarks;
     for (const LegendLine& line : scene.legend) {
-        if (is_small && (line.mark != LegendMark::arrow || is_wide(line))) continue;
-        const Word word = word_of(line);
-        lines.push_back({word, x + (line.mark == LegendMark::none ? 0.0 : indent), y, &line});
-        y += letters_of(word, ratio, masks).height + gap;
+        if (!layers[Layer::legend] || !is_shown(line, layers)) continue;
+        const Word word{line.text, Role::quiet_text, false, 1.0};
+        if (line.mark == LegendMark::none)
+            remarks.push_back(word);
+        else
+            add(word, swatch * ratio, &line);
+    }
+    for (const std::string& note : scene.notes)
+        remarks.push_back({running_text(note), Role::quiet_text, false, 1.0});
+    if (x > left) y += row;
+    for (const Word& word : remarks) {
+        const auto fits = [&](const Text& line) {
+            return letters_of({line, word.role}, ratio, masks).width <= widest_row * width;
+        };
+        for (const Text& line : fits(word.text) ? std::vector<Text>{word.text} : wrapped(word.text, fits)) {
+            lines.push_back({{line, word.role, false, 1.0}, left, y, nullptr});
+            y += row;
+        }
     }
     return lines;
 }
 
 ScreenRect legend_ground(const std::vector<HeadLine>& lines, double ratio, TextMasks& masks) {
-    const double x = picture_margin * ratio, gap = 3 * ratio;
-    double widest = 0.0, top = 0.0, bottom = 0.0;
+    if (lines.empty()) return {};
+    const double left = picture_margin * ratio, top = lines.front().y, gap = 3 * ratio;
+    double right = left, bottom = top;
     for (const HeadLine& line : lines) {
-        if (!line.legend) continue;
         const Mask& letters = letters_of(line.word, ratio, masks);
-        if (widest == 0.0) top = line.y;
-        widest = std::max(widest, line.x - x + letters.width);
-        bottom = line.y + letters.height;
+        right = std::max(right, line.x + letters.width);
+        bottom = std::max(bottom, line.y + letters.height);
     }
-    if (widest == 0.0) return {};
-    return {x - gap, top - gap, widest + 3 * gap, bottom - top + 2 * gap};
+    return {left - gap, top - gap, right - left + 2 * gap, bottom - top + 2 * gap};
 }
 
 }  // namespace covaria::detail

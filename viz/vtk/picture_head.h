@@ -1,4 +1,4 @@
-// Title, group and legend of a picture: what stands in its upper left corner.
+// Group and legend of a picture: what stands in its upper left corner.
 #pragma once
 
 #include <vector>
@@ -15,19 +15,19 @@ struct Word {
     double scale = 1.0;  ///< of the size of letters
 };
 
-inline constexpr double letter_size = 13.0;
-inline constexpr double picture_margin = 14.0;
+inline constexpr double letter_size = 11.0;
+inline constexpr double picture_margin = 16.0;
 inline constexpr double ground_opacity = 0.8;  ///< under words that stand on what is drawn
 
-/// A line of the title, or of the legend.
+/// The name of the group, an entry of the legend, or a remark.
 struct HeadLine {
     Word word;
     double x = 0.0, y = 0.0;
     const LegendLine* legend = nullptr;
 };
 
-/// Lives as long as `scene`. Of a legend too wide for a picture of this width in pixels only its arrows are
-/// left.
+/// Lives as long as `scene`: group and swatches in a row, as many rows as its width in pixels needs; remarks
+/// below, each on its line.
 std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& layers, double ratio, int width,
                                  TextMasks& masks);
 /// Of the legend's lines with their ground; of no width without any.

@@ -29,7 +29,8 @@ FontFiles first_of(const std::vector<FontFiles>& candidates) {
 
 const FontFiles& latin_fonts() {
     static const FontFiles files = first_of(
-        {{"truetype/liberation2/LiberationSans-Regular.ttf", "truetype/liberation2/LiberationSans-Bold.ttf"},
+        {{"opentype/inter/Inter-Regular.otf", "opentype/inter/Inter-SemiBold.otf"},
+         {"truetype/liberation2/LiberationSans-Regular.ttf", "truetype/liberation2/LiberationSans-Bold.ttf"},
          {"truetype/liberation/LiberationSans-Regular.ttf", "truetype/liberation/LiberationSans-Bold.ttf"},
          {"liberation-sans/LiberationSans-Regular.ttf", "liberation-sans/LiberationSans-Bold.ttf"},
          {"truetype/dejavu/DejaVuSans.ttf", "truetype/dejavu/DejaVuSans-Bold.ttf"},

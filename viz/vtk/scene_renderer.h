@@ -26,7 +26,11 @@ enum class RenderQuality {
 
 struct LayerVisibility {
     std::array<bool, layer_count> shown;
-    LayerVisibility() { shown.fill(true); }
+    /// Distributions and axes only when somebody asks for them: a picture is read by its bodies and ellipsoids.
+    LayerVisibility() {
+        shown.fill(true);
+        for (const Layer asked : {Layer::clouds, Layer::wall_histograms, Layer::axes}) (*this)[asked] = false;
+    }
     bool operator[](Layer layer) const { return shown[static_cast<std::size_t>(layer)]; }
     bool& operator[](Layer layer) { return shown[static_cast<std::size_t>(layer)]; }
     bool operator==(const LayerVisibility&) const = default;
@@ -62,6 +66,7 @@ public:
     void set_layers(const LayerVisibility& layers);
     LayerVisibility layers() const;
     void set_selected(const std::string& item_id);  ///< empty = none
+    void set_pointed(const std::string& item_id);   ///< what the pointer is at; empty = nothing
     void set_measure(MeasureMark mark);             ///< without places: none
     const MeasureMark& measure() const;
     /// Pixels that are painted over: words stay clear of them.

@@ -109,6 +109,9 @@ TEST_F(ResultsSession, ADotOfTheCloudTellsItsInputs) {
     ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
     scene_picture();
     SceneView& view = window_->scene().view();
+    LayerVisibility layers;
+    layers[Layer::clouds] = true;  // they are shown when asked for
+    view.set_layers(layers);
     ASSERT_TRUE(view.scene() && !view.scene()->clouds.empty());
     const SceneCloud* cloud = nullptr;
     for (const SceneCloud& one : view.scene()->clouds)

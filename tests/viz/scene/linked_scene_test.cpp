@@ -32,7 +32,7 @@ TEST(LinkedScene, PlacesThatARobotIsIdentifiedFromHaveEllipsoids) {
         EXPECT_GT(ellipsoid.item.u->minCoeff(), 0.0);
     }
     EXPECT_TRUE(scene->clouds.empty()) << "the trials of others are not drawn";
-    EXPECT_TRUE(scene->caption.starts_with("uncertainty ×")) << scene->caption;
+    EXPECT_TRUE(scene->caption.starts_with("ellipsoids 95")) << scene->caption;
     const auto nothing = analysis_scene(*prepared, nullptr, {});
     ASSERT_TRUE(nothing);
     EXPECT_TRUE(nothing->ellipsoids.empty());

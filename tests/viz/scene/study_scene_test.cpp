@@ -97,7 +97,7 @@ TEST(StudyScene, EllipsoidsOnRequest) {
     EXPECT_TRUE(map.scene().ellipsoids.empty());
     const Scene scene = map.scene({.ellipsoids = true});
     EXPECT_EQ(scene.ellipsoids.size(), 405u);
-    EXPECT_NE(scene.caption.find("uncertainty ×"), std::string::npos) << scene.caption;
+    EXPECT_NE(scene.caption.find("ellipsoids 95"), std::string::npos) << scene.caption;
 }
 
 TEST(StudyScene, PointsWithoutValuesAreLeftOut) {

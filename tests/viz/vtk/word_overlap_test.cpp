@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "core/made/load_project.h"
 #include "core/made/made_project.h"
@@ -40,12 +41,40 @@ std::vector<View> views() {
 
 struct Counts {
     std::size_t words = 0;
-    std::vector<std::string> overlaps, nameless, covered;
+    std::vector<std::string> overlaps, nameless, covered, over_bodies, over_corners;
+    std::size_t labels = 0;
 };
 
 std::string view_words(const Scene& scene, const View& view) {
     return scene.title + ", " + scene.group + ", view " + std::to_string(int(view.view)) + ", width " +
            std::to_string(view.size.width) + ": ";
+}
+
+/// Middles of what stands in the scene.
+std::vector<Eigen::Vector3d> centres_of(const Scene& scene) {
+    std::vector<Eigen::Vector3d> centres;
+    for (const SceneBody& body : scene.bodies)
+        if (body.outline.empty()) centres.push_back(body.item.position);
+    for (const SceneLink& link : scene.links)
+        if (link.radius > 0) centres.push_back((link.from + link.to) / 2);
+    for (const ScenePoint& point : scene.points) centres.push_back(point.item.position);
+    return centres;
+}
+
+void count_labels(const detail::Overlay& overlay, const detail::OverlayView& look, const Scene& scene,
+                  const View& view, Counts& counts) {
+    const std::vector<Eigen::Vector3d> centres = centres_of(scene);
+    for (const auto& word : overlay.words()) {
+        if (!word.is_label) continue;
+        ++counts.labels;
+        if (word.rect.overlaps(look.reserved))
+            counts.over_corners.push_back(view_words(scene, view) + to_unicode(word.text));
+        for (const Eigen::Vector3d& centre : centres) {
+            const Pixel at = project(look.camera, view.size, centre);
+            if (word.rect.overlaps({at.x, at.y, 1e-6, 1e-6}))
+                counts.over_bodies.push_back(view_words(scene, view) + to_unicode(word.text));
+        }
+    }
 }
 
 /// Writes the words of a picture and counts those that share pixels, and the axes that are to be seen without
@@ -61,6 +90,8 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
     detail::OverlayView look;
     look.camera = renderer.camera();
     look.ratio = view.ratio;
+    const double cube = 64.0 * view.ratio, margin = 16.0 * view.ratio;
+    look.reserved = {view.size.width - margin - cube, margin, cube, cube};
     detail::Overlay overlay(scene, look, image, masks);
     overlay.paint();
     const auto& words = overlay.words();
@@ -70,7 +101,9 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
             if (words[i].rect.overlaps(words[j].rect))
                 counts.overlaps.push_back(view_words(scene, view) + to_unicode(words[i].text) + " on " +
                                           to_unicode(words[j].text));
+    count_labels(overlay, look, scene, view, counts);
     look.covered = 40.0 * view.ratio;
+    look.layers.shown.fill(true);
     detail::Overlay covered(scene, look, image, masks);
     covered.paint();
     const double foot = view.size.height - look.covered;
@@ -82,9 +115,10 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
         const bool from_its_end = std::abs(look.camera.direction[axis]) > 0.9;
         const auto is_name = [&](const auto& word) {
             const std::string text = to_unicode(word.text);
-            return word.role == Role::text && (text == name || text.starts_with(name + " / "));
+            return word.role == Role::text && !word.is_label &&
+                   (text == name || text.starts_with(name + " / "));
         };
-        if (scene.axes && !from_its_end && std::ranges::none_of(words, is_name))
+        if (scene.axes && !from_its_end && std::ranges::none_of(covered.words(), is_name))
             counts.nameless.push_back(view_words(scene, view) + name);
     }
 }
@@ -106,7 +140,7 @@ std::vector<Scene> scenes_of(const fs::path& file) {
         if (!result) continue;
         std::vector<Name> groups = groups_of(prepared->model->outputs());
         if (groups.empty()) groups = {""};
-        for (const std::string& group : {groups.front(), groups.back()}) {
+        for (const Name& group : {groups.front(), groups.back()}) {
             SceneOptions options;
             options.group = group;
             auto scene = analysis_scene(*prepared, &*result, options);
@@ -144,6 +178,9 @@ TEST(Words, NoneStandsOnAnotherInAnyExample) {
     for (std::size_t i = 0; i < std::min<std::size_t>(counts.overlaps.size(), 30); ++i)
         ADD_FAILURE() << counts.overlaps[i];
     EXPECT_EQ(counts.overlaps.size(), 0U);
+    EXPECT_GE(counts.labels, 1'000U);
+    EXPECT_EQ(counts.over_bodies, std::vector<std::string>{});
+    EXPECT_EQ(counts.over_corners, std::vector<std::string>{});
     EXPECT_EQ(counts.nameless, std::vector<std::string>{});
     EXPECT_EQ(counts.covered, std::vector<std::string>{});
 }
@@ -244,6 +281,7 @@ TEST(Words, ALabelKeepsOffTheAxes) {
     scene.size = 1.0;
     scene.axes = SceneAxes{.low = {-0.5, -0.5, -0.5}, .high = {0.5, 0.5, 0.5}};
     detail::OverlayView look;
+    look.layers[Layer::axes] = true;
     const PictureSize size{800, 600};
     look.camera = view_of(bounds_of(scene), StandardView::front, size, 50.0);
     const double axis = project(look.camera, size, {-0.5, 0, 0}).x;
@@ -264,16 +302,25 @@ TEST(Words, ALabelKeepsOffTheAxes) {
     }
 }
 
-// A pane of the window: the legend keeps what fits, and the arrows of forces are explained.
-TEST(Words, ANarrowPictureKeepsTheShortLinesOfItsLegend) {
+// A pane of the window: swatches go on in the next row, and a remark is broken.
+TEST(Words, ANarrowPictureHasItsLegendInRows) {
     Scene scene;
     scene.size = 1.0;
-    const std::string arrows = "forces, to a scale of their own", ellipsoids(60, 'e');
-    scene.legend = {{LegendMark::ellipsoid, Role::output, ellipsoids},
-                    {LegendMark::arrow, Role::vector, arrows}};
-    const auto words = words_of(scene, {}, {500, 400});
-    EXPECT_EQ(words, std::vector<std::string>{arrows});
-    EXPECT_EQ(words_of(scene, {}, {1280, 800}).size(), 2U);
+    for (const char* name : {"out", "in", "before", "force, own scale"})
+        scene.legend.push_back({LegendMark::ellipsoid, Role::output, name});
+    scene.notes = {"uncertainty drawn at 12 of 400 points of this network"};
+    const auto rows = [&](PictureSize size) {
+        detail::TextMasks masks;
+        std::set<double> tops;
+        for (const auto& line : detail::head_lines(scene, {}, 1.0, size.width, masks)) {
+            EXPECT_LT(line.x, 0.6 * size.width);
+            tops.insert(line.y);
+        }
+        return tops.size();
+    };
+    EXPECT_EQ(rows({1280, 800}), 2U);
+    EXPECT_GT(rows({260, 300}), 3U);
+    EXPECT_GE(words_of(scene, {}, {260, 300}).size(), 6U);
 }
 
 // The remark of a preview was cut at the right.
@@ -281,7 +328,7 @@ TEST(Words, ALongCaptionIsBrokenIntoLines) {
     Scene scene;
     scene.size = 1.0;
     scene.caption =
-        "uncertainty × 2000 (automatic), ellipsoids p = 95 %; Preview with 12 000 of 1 000 000 trials";
+        "ellipsoids 95 %, × 2000 with some more words; Preview with 12 000 of 1 000 000 trials of all";
     const auto lines = words_of(scene, {}, {460, 300});
     EXPECT_EQ(lines.size(), 2U);
     std::string all;
@@ -333,6 +380,7 @@ TEST(Words, NoAxisHasASingleNumber) {
             Image image{size.width, size.height, {}};
             image.rgba.assign(std::size_t(4) * std::size_t(size.width) * std::size_t(size.height), 255);
             detail::OverlayView look;
+            look.layers[Layer::axes] = true;
             look.camera = view_of(bounds_of(scene), view.view, size, 50.0, view.perspective);
             detail::Overlay overlay(scene, look, image, masks);
             overlay.paint();
