@@ -65,7 +65,7 @@ void apply_theme(QApplication& application, const Theme& theme, const FontChoice
         QApplication::setPalette(palette_of_rows(palette, tokens), rows);
     for (const char* bar : {"QMenuBar", "QStatusBar"})
         QApplication::setPalette(palette_of_bars(palette, tokens), bar);
-    QApplication::setFont(with_tabular_figures(sized(font, TextSize::small)), "QHeaderView");
+    QApplication::setFont(sized(font, TextSize::small), "QHeaderView");
     QToolTip::setPalette(palette);
 }
 

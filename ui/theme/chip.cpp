@@ -12,7 +12,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int sign_size = 12, side = 10, gap = 6, around = 4;  // px
+constexpr int sign_size = 12, chip_side = 10, sign_gap = 6, chip_around = 4;  // px
 
 /// A tick or a cross of one line.
 void draw_sign(QPainter& painter, QRectF box, Chip::Kind kind, const QColor& ink) {
@@ -53,10 +53,10 @@ QFont Chip::letters() const {
 
 QSize Chip::sizeHint() const {
     const bool has_sign = kind_ != Kind::neutral || !sign_.isEmpty();
-    const int before = has_sign ? sign_size + gap : 0;
+    const int before = has_sign ? sign_size + sign_gap : 0;
     const QFont font = letters();
-    return {2 * side + before + int(std::ceil(text_width(words_, font))),
-            QFontMetrics(font).height() + 2 * around};
+    return {2 * chip_side + before + int(std::ceil(text_width(words_, font))),
+            QFontMetrics(font).height() + 2 * chip_around};
 }
 
 void Chip::paintEvent(QPaintEvent*) {
@@ -68,13 +68,13 @@ void Chip::paintEvent(QPaintEvent*) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground);
     painter.drawRoundedRect(QRectF(rect()), 0.5 * height(), 0.5 * height());
-    double x = side;
+    double x = chip_side;
     const QRectF box(x, 0.5 * (height() - sign_size), sign_size, sign_size);
     if (!sign_.isEmpty())
         icon(sign_).paint(&painter, box.toRect());
     else if (kind_ != Kind::neutral)
         draw_sign(painter, box.adjusted(1, 1, -1, -1), kind_, ink);
-    if (!sign_.isEmpty() || kind_ != Kind::neutral) x += sign_size + gap;
+    if (!sign_.isEmpty() || kind_ != Kind::neutral) x += sign_size + sign_gap;
     painter.setPen(ink);
     const LabelText label(words_, letters());
     label.draw(painter, {x, 0.5 * (height() - label.height())});

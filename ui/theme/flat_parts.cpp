@@ -16,7 +16,7 @@ namespace covaria::ui {
 namespace {
 
 constexpr double radius = 4.0, focus_width = 2.0;
-constexpr int bar = 2;  // px at the left of the selected row, below the current tab
+constexpr int mark_width = 2;  // px at the left of the selected row, below the current tab
 
 void draw_check_box(const QStyleOption& option, QPainter& painter) {
     const Tokens& t = tokens_of(option.palette);
@@ -78,7 +78,7 @@ void draw_cell(const QStyleOptionViewItem& cell, QPainter& painter, const QWidge
     if (qobject_cast<const QTableView*>(widget))
         painter.fillRect(QRect(cell.rect.left(), cell.rect.bottom(), cell.rect.width(), 1), t.line);
     if (selected && is_at_left(cell, widget))
-        painter.fillRect(QRect(cell.rect.left(), cell.rect.top(), bar, cell.rect.height()), t.blue);
+        painter.fillRect(QRect(cell.rect.left(), cell.rect.top(), mark_width, cell.rect.height()), t.blue);
 }
 
 /// Of a tree the row before its first cell, with the branches.
@@ -88,7 +88,7 @@ void draw_row(const QStyleOption& option, QPainter& painter, const QWidget* widg
     const Tokens& t = tokens_of(option.palette);
     const QRect row(0, option.rect.top(), tree->viewport()->width(), option.rect.height());
     painter.fillRect(row & QRect(option.rect.topLeft(), row.bottomRight()), t.tint);
-    if (option.rect.left() <= 0) painter.fillRect(QRect(0, row.top(), bar, row.height()), t.blue);
+    if (option.rect.left() <= 0) painter.fillRect(QRect(0, row.top(), mark_width, row.height()), t.blue);
 }
 
 void draw_ring(const QStyleOption& option, QPainter& painter, const QWidget* widget) {
@@ -104,8 +104,8 @@ void draw_tab(const QStyleOptionTab& tab, QPainter& painter) {
     const Tokens& t = tokens_of(tab.palette);
     if (!(tab.state & QStyle::State_Selected)) return;
     const bool below = tab.shape != QTabBar::RoundedSouth;
-    const int y = below ? tab.rect.bottom() - bar + 1 : tab.rect.top();
-    painter.fillRect(QRect(tab.rect.left() + 4, y, tab.rect.width() - 8, bar), t.blue);
+    const int y = below ? tab.rect.bottom() - mark_width + 1 : tab.rect.top();
+    painter.fillRect(QRect(tab.rect.left() + 4, y, tab.rect.width() - 8, mark_width), t.blue);
 }
 
 void draw_head(const QStyleOption& option, QPainter& painter) {

@@ -28,7 +28,7 @@ void TypesetLabel::set_rank(int rank) {
 }
 
 QFont TypesetLabel::letters() const {
-    QFont font = with_tabular_figures(sized(this->font(), size_));
+    QFont font = sized(this->font(), size_);
     if (rank_ > 1) font.setWeight(QFont::Normal);
     return font;
 }
