@@ -40,5 +40,5 @@ uncertainties (law of propagation and Monte Carlo, JCGM 100, 101 and 102) and wr
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What is loaded at run time and therefore not found by its linking: pictures of icons, fonts, drawing without a display.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3, python3-numpy")  # of the Python module
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6, fonts-inter, fonts-liberation2, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6, fonts-inter, fonts-liberation2, fonts-stix, libgl1-mesa-dri")
 include(CPack)

@@ -12,6 +12,8 @@
 namespace covaria {
 
 struct AnalysisTemplate {
+    /// What one wants to know.
+    enum class Topic { equation, points, pose, robot } topic = Topic::equation;
     std::string title;     ///< "Pose of a robot's flange from a laser tracker"
     std::string question;  ///< what it answers
     std::string

@@ -24,13 +24,13 @@ void draw_bands(QPainter& painter, const ChartDrawing& chart) {
         const double left = geometry.x_at(on_axis(chart.plot.x, band.low));
         const double right = geometry.x_at(on_axis(chart.plot.x, band.high));
         const QRectF rect(QPointF(left, geometry.area.top()), QPointF(right, geometry.area.bottom()));
-        painter.fillRect(rect.intersected(geometry.area), chart.theme.neutrals().band);
+        painter.fillRect(rect.intersected(geometry.area), chart.theme.tokens().hover);
     }
 }
 
 void draw_grid(QPainter& painter, const ChartDrawing& chart) {
     const QRectF& area = chart.layout.geometry.area;
-    painter.setPen(QPen(chart.theme.neutrals().grid, 1.0));
+    painter.setPen(QPen(chart.theme.tokens().line, 1.0));
     if (!chart.plot.horizontal_bars)
         for (const Tick& tick : chart.layout.y.ticks) {
             const double y = sharp(chart.layout.geometry.y_at(tick.at));
@@ -65,7 +65,7 @@ void draw_histogram(QPainter& painter, const ChartDrawing& chart, const PlotSeri
     painter.setBrush(chart.theme.filling(series.role));
     painter.drawPolygon(steps);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(mix(chart.theme.series(series.role), chart.theme.neutrals().ground, 0.2), 0.8));
+    painter.setPen(QPen(mix(chart.theme.series(series.role), chart.theme.tokens().stage, 0.2), 0.8));
     painter.drawPolyline(steps);
 }
 
@@ -110,7 +110,7 @@ void draw_heat_map(QPainter& painter, const ChartDrawing& chart, const PlotSerie
                                 .intersected(geometry.area);
         if (cell.isEmpty() || !std::isfinite(series.z[i])) continue;
         const QColor colour = cell_colour(chart, series.z[i]);
-        painter.setPen(room > 12.0 ? QPen(chart.theme.neutrals().ground, 1.0) : QPen(colour, 0.3));
+        painter.setPen(room > 12.0 ? QPen(chart.theme.tokens().stage, 1.0) : QPen(colour, 0.3));
         painter.setBrush(colour);
         painter.drawRect(cell);
         const LabelText text(cell_text(chart, series.z[i]), font);
@@ -139,7 +139,7 @@ void draw_axes(QPainter& painter, const ChartDrawing& chart) {
     const bool zero_inside =
         chart.plot.horizontal_bars && geometry.view.x_low < 0.0 && geometry.view.x_high > 0.0;
     const double length = std::round(4.0 * chart.layout.fonts.scale);
-    painter.setPen(QPen(chart.theme.neutrals().rule, 1.0));
+    painter.setPen(QPen(chart.theme.tokens().line2, 1.0));
     const double bottom = sharp(area.bottom()), left = sharp(area.left());
     painter.drawLine(QPointF(left, bottom), QPointF(area.right(), bottom));
     if (!zero_inside) painter.drawLine(QPointF(left, area.top()), QPointF(left, bottom));
@@ -183,7 +183,7 @@ void draw_bar_values(QPainter& painter, const ChartDrawing& chart, const PlotSer
                                      [](const PlotSeries& s) { return s.kind == SeriesKind::bars; }) == 1;
     const double gap = std::round(6.0 * chart.layout.fonts.scale);
     const QRectF room = geometry.area.adjusted(0.0, -gap, 2.0 * gap, gap);
-    painter.setPen(chart.theme.neutrals().text);
+    painter.setPen(chart.theme.tokens().ink);
     for (std::size_t i = 0; i < bars.x.size(); ++i) {
         double low = std::min(0.0, bars.x[i]), high = std::max(0.0, bars.x[i]);
         for (const PlotSeries& series : chart.plot.series)
@@ -212,7 +212,7 @@ void draw_swatch(QPainter& painter, const ChartDrawing& chart, const LegendEntry
             break;
         case SwatchKind::band:
             // small and beside no ground of its own: stronger than the band
-            painter.fillRect(patch, mix(chart.theme.neutrals().band, chart.theme.series(entry.role), 0.35));
+            painter.fillRect(patch, mix(chart.theme.tokens().hover, chart.theme.series(entry.role), 0.35));
             painter.setPen(QPen(chart.theme.series(entry.role), 1.0));
             painter.drawLine(patch.topLeft(), patch.bottomLeft());
             painter.drawLine(patch.topRight(), patch.bottomRight());
@@ -234,7 +234,7 @@ void draw_swatch(QPainter& painter, const ChartDrawing& chart, const LegendEntry
 
 void draw_text(QPainter& painter, const ChartDrawing& chart, const PlacedText& text) {
     const bool quiet = text.kind == TextKind::axis_title || text.kind == TextKind::message;
-    painter.setPen(quiet ? chart.theme.neutrals().quiet : chart.theme.neutrals().text);
+    painter.setPen(quiet ? chart.theme.tokens().ink2 : chart.theme.tokens().ink);
     const LabelText label(text.text, font_of(chart.layout.fonts, text.kind));
     if (!text.upwards) return label.draw(painter, text.box.topLeft());
     painter.save();
@@ -254,7 +254,7 @@ QPen pen_of(SeriesRole role, const Theme& theme, double scale) {
 }
 
 void draw_below(QPainter& painter, const ChartDrawing& chart, const QRectF& ground) {
-    painter.fillRect(ground, chart.theme.neutrals().ground);
+    painter.fillRect(ground, chart.theme.tokens().stage);
     if (chart.plot.series.empty()) return;
     draw_bands(painter, chart);
     if (!has_heat_map(chart.plot)) draw_grid(painter, chart);

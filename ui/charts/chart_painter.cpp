@@ -53,7 +53,7 @@ void paint_plot(QPainter& painter, const QRectF& area, const PlotSpecification& 
 QImage plot_image(const ShownPlot& shown, double pixel_ratio) {
     QImage image(shown.size * pixel_ratio, QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(pixel_ratio);
-    image.fill(shown.theme.neutrals().ground);
+    image.fill(shown.theme.tokens().stage);
     QPainter painter(&image);
     paint_plot(painter, QRectF(QPointF(), QSizeF(shown.size)), shown.plot, shown.theme, shown.view);
     return image;

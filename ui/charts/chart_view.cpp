@@ -69,7 +69,7 @@ void ChartView::replace_chart(PlotSpecification plot) {
     chart_->setAcceptedMouseButtons(Qt::NoButton);
     chart_->resize(viewport()->size());
     scene()->setSceneRect(QRectF(QPointF(), viewport()->size()));
-    setBackgroundBrush(theme_.neutrals().ground);
+    setBackgroundBrush(theme_.tokens().stage);
     setAccessibleName(to_qt(to_unicode(chart_->plot().title)));
     show_read_out({});
 }
@@ -87,7 +87,7 @@ const PlotSpecification& ChartView::plot() const {
 
 void ChartView::set_theme(const Theme& theme) {
     theme_ = in_words_of_the_user(theme);
-    setBackgroundBrush(theme_.neutrals().ground);
+    setBackgroundBrush(theme_.tokens().stage);
     chart_->set_theme(theme_);
 }
 

@@ -110,12 +110,12 @@ void ChartView::drawForeground(QPainter* painter, const QRectF&) {
     const ChartFonts& fonts = chart_->chart_layout().fonts;
     const LabelText label(read_out_->text, fonts.figures);
     const QRectF box(chart_->size().width() - label.width() - 10.0, 6.0, label.width(), label.height());
-    painter->fillRect(box.adjusted(-6.0, -1.0, 6.0, 1.0), theme_.neutrals().ground);
-    painter->setPen(theme_.neutrals().text);
+    painter->fillRect(box.adjusted(-6.0, -1.0, 6.0, 1.0), theme_.tokens().stage);
+    painter->setPen(theme_.tokens().ink);
     label.draw(*painter, box.topLeft());
     if (!read_out_->point) return;
     painter->setBrush(Qt::NoBrush);
-    painter->setPen(QPen(theme_.neutrals().text, 1.2));
+    painter->setPen(QPen(theme_.tokens().ink, 1.2));
     painter->drawEllipse(*read_out_->point, 4.5, 4.5);
 }
 

@@ -7,7 +7,6 @@
 
 #include "ui/forms/cell_delegate.h"
 #include "ui/models/budget_sheet_model.h"
-#include "ui/theme/follow_font.h"
 #include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
@@ -23,7 +22,7 @@ bool follows_from_statement(const QModelIndex& cell) {
 }  // namespace
 
 BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
-    : SpreadsheetView(model, parent), sheet_(model), frozen_(new QTableView(this)) {
+    : SpreadsheetView(model, parent, RowRoom::stage), sheet_(model), frozen_(new QTableView(this)) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setHorizontalScrollMode(ScrollPerPixel);
     setVerticalScrollMode(ScrollPerPixel);
@@ -34,10 +33,8 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     frozen_->setEditTriggers(NoEditTriggers);
     frozen_->setFocusPolicy(Qt::ClickFocus);  // by Tab it would lead back here; before it has a proxy
     frozen_->setFocusProxy(this);
-    frozen_->setFrameShape(QFrame::NoFrame);
-    frozen_->setAlternatingRowColors(true);
     frozen_->verticalHeader()->hide();
-    rows_follow_font(*frozen_);
+    make_quiet(*frozen_);
     frozen_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     frozen_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     frozen_->setVerticalScrollMode(ScrollPerPixel);

@@ -16,7 +16,6 @@
 #include "ui/forms/cell_delegate.h"
 #include "ui/models/cell_blocks.h"
 #include "ui/models/roles.h"
-#include "ui/theme/follow_font.h"
 #include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
@@ -28,7 +27,7 @@ constexpr int far_too_wide = 60;
 constexpr int give_back_after = 300;  // ms without a change
 }  // namespace
 
-SpreadsheetView::SpreadsheetView(SpreadsheetModel& model, QWidget* parent)
+SpreadsheetView::SpreadsheetView(SpreadsheetModel& model, QWidget* parent, RowRoom room)
     : QTableView(parent),
       model_(model),
       copy_(add(tr("Copy"), QKeySequence::Copy, &SpreadsheetView::copy)),
@@ -47,11 +46,10 @@ SpreadsheetView::SpreadsheetView(SpreadsheetModel& model, QWidget* parent)
     setItemDelegate(new CellDelegate(this));
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
     setSelectionMode(ExtendedSelection);
-    setAlternatingRowColors(true);
     setWordWrap(false);
     setTabKeyNavigation(true);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
-    rows_follow_font(*this);
+    make_quiet(*this, room);
     resizeColumnsToContents();
     connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
         if (!fitting_) given_widths_.insert(column);

@@ -8,13 +8,15 @@
 #include <set>
 
 #include "ui/models/spreadsheet_model.h"
+#include "ui/theme/quiet_table.h"
 
 namespace covaria::ui {
 
 class SpreadsheetView : public QTableView {
     Q_OBJECT
 public:
-    explicit SpreadsheetView(SpreadsheetModel& model, QWidget* parent = nullptr);
+    explicit SpreadsheetView(SpreadsheetModel& model, QWidget* parent = nullptr,
+                             RowRoom room = RowRoom::inspector);
 
     QAction* copy_action() const { return copy_; }
     QAction* cut_action() const { return cut_; }

@@ -14,6 +14,7 @@
 #include "ui/pages/page_view.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/results_pane.h"
+#include "ui/pages/stage.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -59,7 +60,7 @@ void FirstStepsGuide::connect_parts() {
     connect(&parts_.runner, &AnalysisRunner::result_changed, this, &FirstStepsGuide::look);
     connect(&parts_.runner, &AnalysisRunner::state_changed, this, &FirstStepsGuide::look);
     connect(&parts_.selection, &Selection::analysis_changed, this, &FirstStepsGuide::look);
-    connect(&parts_.results.tabs(), &QTabWidget::currentChanged, this, &FirstStepsGuide::look);
+    connect(&parts_.results.stage(), &Stage::changed, this, &FirstStepsGuide::look);
     connect(&parts_.results.compare_tab().kept(), &KeptStates::changed, this, &FirstStepsGuide::look);
     connect(&parts_.results.report().view(), &PageView::current_page_changed, this, &FirstStepsGuide::look);
     connect(&parts_.exports, &ExportActions::finished, this,

@@ -57,7 +57,7 @@ QString eigen_version() {
 void show_about(QWidget& window) {
     QMessageBox box(&window);
     box.setWindowTitle(tr("About Covaria"));
-    box.setIconPixmap(own_icon(QStringLiteral("covaria")).pixmap(QSize(64, 64), window.devicePixelRatioF()));
+    box.setIconPixmap(icon(QStringLiteral("covaria")).pixmap(QSize(64, 64), window.devicePixelRatioF()));
     box.setText(about_text());
     box.exec();
 }

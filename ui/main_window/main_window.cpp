@@ -45,6 +45,8 @@
 #include "ui/pages/report_preview.h"
 #include "ui/pages/results_pane.h"
 #include "ui/pages/run_status.h"
+#include "ui/pages/second_part.h"
+#include "ui/pages/stage.h"
 #include "ui/pages/start_page.h"
 #include "ui/pages/study_tab.h"
 #include "ui/pages/unit_button.h"
@@ -72,6 +74,7 @@ MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     make_actions();
     make_toolbar();
     make_menus();
+    results_->set_typed(is_typed_);
     connect_panes();
     for (QDockWidget* dock : docks_) dock->hide();
     scene_->set_dark(theme_->is_dark());
@@ -90,24 +93,31 @@ void MainWindow::make_panes() {
     connect(budget_, &BudgetPage::quantity_asked, this, &MainWindow::go_to);
     views_ = new ViewActions(document_, scene_->view(), this);
     scene_->offer_views(views_->menu());
-    setCentralWidget(pages_ = new MiddlePages(document_, *scene_));
     project_ = new ProjectPane(document_, runner_, selection_, preferences_);
     project_->confirm = [this](const QString& question, const QString& action) {
         return files_.dialogs.confirm(question, action);
     };
     results_ = new ResultsPane(document_, runner_, selection_, preferences_);
+    results_->add_scene(*scene_);
+    setCentralWidget(pages_ = new MiddlePages(document_, *results_));
     properties_ = new PropertiesPane(document_, runner_, selection_);
     problems_ = new ProblemsPane(document_);
     log_ = new LogPane;
     add_dock(Qt::LeftDockWidgetArea, tr("Project"), QStringLiteral("project"), project_);
     add_dock(Qt::RightDockWidgetArea, tr("Properties"), QStringLiteral("properties"), properties_);
-    QDockWidget* results = add_dock(Qt::BottomDockWidgetArea, tr("Analysis"), QStringLiteral("results"),
-                                    results_, &results_->head());
     QDockWidget* problems =
         add_dock(Qt::BottomDockWidgetArea, tr("Problems"), QStringLiteral("problems"), problems_);
     QDockWidget* log = add_dock(Qt::BottomDockWidgetArea, tr("Log"), QStringLiteral("log"), log_);
-    tabifyDockWidget(results, problems);
     tabifyDockWidget(problems, log);
+    for (QDockWidget* dock : {problems, log}) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(dock->toggleViewAction());
+        button->setAutoRaise(true);
+        statusBar()->addWidget(button);
+        connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
+            if (shown) dock->raise();
+        });
+    }
     statusBar()->addPermanentWidget(new RunStatus(document_, runner_, selection_));
     exports_ = new ExportActions(document_, runner_, files_.dialogs, this);
     imports_ = new ImportActions(document_, files_.dialogs, this);
@@ -128,27 +138,24 @@ QDockWidget* MainWindow::add_dock(Qt::DockWidgetArea area, const QString& title,
 
 void MainWindow::arrange() {
     const Qt::DockWidgetArea areas[] = {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea,
-                                        Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea,
-                                        Qt::BottomDockWidgetArea};
+                                        Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea};
     for (int i = 0; i < docks_.size(); ++i) {
         docks_[i]->setFloating(false);
         addDockWidget(areas[i], docks_[i]);
-        docks_[i]->show();
+        docks_[i]->setVisible(i < 2);  // problems and log are behind the buttons of the bottom line
     }
     tabifyDockWidget(docks_[2], docks_[3]);
-    tabifyDockWidget(docks_[3], docks_[4]);
-    docks_[2]->raise();
     if (help_) help_->hide();
     given_to_names_ = room_for_names();
-    const int for_forms = std::max({395, (27 * width()) / 100, properties_->room_for_tabs() + 4});
+    const int for_forms = std::max(width() < 1400 ? 296 : 320, properties_->room_for_tabs() + 4);
     resizeDocks({docks_[0], docks_[1]}, {given_to_names_, for_forms}, Qt::Horizontal);
-    resizeDocks({docks_[2]}, {(45 * height()) / 100}, Qt::Vertical);
+    resizeDocks({docks_[2]}, {height() / 5}, Qt::Vertical);
     addToolBar(Qt::TopToolBarArea, toolbar_);
     toolbar_->show();
 }
 
 int MainWindow::room_for_names() const {
-    return std::clamp(project_->wanted_width(), 210, (32 * width()) / 100);
+    return std::clamp(project_->wanted_width(), 184, (32 * width()) / 100);
 }
 
 /// Takes what names of another project needed, never what the user gave.
@@ -254,14 +261,19 @@ void MainWindow::make_view_menu() {
     project_actions_ << middle << menu->addAction(tr("&Reset Layout"), this, &MainWindow::arrange);
     menu->addSeparator();
     menu->addAction(icon(QStringLiteral("start")), tr("Start Page"), this, [this] { pages_->show_start(); });
-    QAction* scene = menu->addAction(icon(QStringLiteral("scene")), tr("3D Scene"), this,
-                                     [this] { pages_->show_project(); });
+    QAction* scene = menu->addAction(icon(QStringLiteral("scene")), tr("3D Scene"), this, [this] {
+        pages_->show_project();
+        results_->stage().show_view(scene_);
+    });
     project_actions_ << scene << menu->addMenu(&views_->menu());
 }
 
 /// As they stand, from the left.
 QList<QWidget*> MainWindow::panes() {
-    QList<QWidget*> all{project_, pages_->currentWidget(), results_, problems_, log_, properties_};
+    const bool on_stage = results_->isVisible();
+    QList<QWidget*> all{project_, on_stage ? results_->tabs().currentWidget() : pages_->currentWidget()};
+    if (QWidget* second = results_->stage().second().view()) all << second;
+    all << problems_ << log_ << properties_;
     if (QWidget* help = help_ ? help_->shown_pane() : nullptr) all << help;
     return all;
 }
@@ -324,11 +336,13 @@ void MainWindow::connect_panes() {
         runner_.set_focus(id);
         scene_->show_analysis(id);
         views_->set_analysis(id);
+        const bool typed = budget_->model() != nullptr;
+        if (std::exchange(is_typed_, typed) != typed) results_->set_typed(typed);
     });
     connect_scene();
     connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_tab_in_scene);
     connect(&results_->design_tab(), &DesignTab::shown_changed, this, &MainWindow::show_tab_in_scene);
-    connect(&results_->tabs(), &QTabWidget::currentChanged, this, &MainWindow::show_tab_in_scene);
+    connect(&results_->stage(), &Stage::changed, this, &MainWindow::show_tab_in_scene);
     const auto edit_by = [this](void (PropertiesPane::*page)()) {
         selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
         docks_[1]->show();
@@ -360,6 +374,12 @@ void MainWindow::connect_middle() {
     StartPage* start = &pages_->start();
     connect(start, &StartPage::new_wanted, &files_, &FileActions::new_project);
     connect(start, &StartPage::open_wanted, &files_, &FileActions::open);
+    connect(start, &StartPage::import_wanted, imports_, &ImportActions::ask_for_file);
+    connect(start, &StartPage::urdf_wanted, imports_, &ImportActions::ask_for_urdf);
+    connect(start, &StartPage::template_wanted, this, [this](const AnalysisTemplate& wanted) {
+        files_.new_project();
+        project_->add_from_template(wanted);
+    });
     connect(start, &StartPage::library_wanted, this, &MainWindow::show_library);
     connect(start, &StartPage::first_steps_wanted, this, &MainWindow::show_first_steps);
     connect(start, &StartPage::file_wanted, &files_, &FileActions::open_file);
@@ -464,7 +484,7 @@ void MainWindow::show_first_steps() {
 /// While the tab of a study or design is on top, the scene shows its map.
 void MainWindow::show_tab_in_scene() {
     const StudyTab& tab = results_->study_tab();
-    const bool on_top = results_->tabs().currentWidget() == &tab;
+    const bool on_top = results_->stage().shows(tab);
     StudySceneOptions wanted;
     wanted.quantity = tab.view().quantity;
     wanted.ellipsoids = tab.wants_ellipsoids();
@@ -474,7 +494,7 @@ void MainWindow::show_tab_in_scene() {
     }
     scene_->show_study(on_top ? tab.study() : nullptr, wanted);
     const DesignTab& designs = results_->design_tab();
-    const bool design_on_top = results_->tabs().currentWidget() == &designs;
+    const bool design_on_top = results_->stage().shows(designs);
     const bool in_space = design_on_top && designs.result() && stands_in_space(*designs.result());
     scene_->show_design(in_space ? designs.result() : nullptr,
                         designs.is_current() ? QString() : tr("out of date"));
@@ -516,9 +536,7 @@ void MainWindow::show_running_design(const QString& analysis, const QString& id)
         runner_.designs().status(analysis, id).state != RunState::running)
         return;
     selection_.select_design(id);
-    docks_[2]->show();
-    docks_[2]->raise();
-    results_->tabs().setCurrentWidget(&results_->design_tab());
+    results_->stage().show_view(&results_->design_tab());
 }
 
 void MainWindow::begin(const QString& file) {
@@ -564,7 +582,7 @@ void MainWindow::hold_runs() {
 
 void MainWindow::count_problems() {
     const int count = problems_->problems().rowCount();
-    docks_[3]->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%1)").arg(count));
+    docks_[2]->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%1)").arg(count));
 }
 
 void MainWindow::go_to(const QString& path) {

@@ -130,9 +130,10 @@ private:
     NumberForm numbers_ = NumberForm::system;
     int given_to_names_ = 0;  ///< width of the tree that no one but this gave
     FontChoice font_;
+    bool is_typed_ = false;     ///< the analysis being looked at
     bool has_project_ = false;  ///< false: only the start page has been shown
     QToolBar* toolbar_ = nullptr;
-    QList<QDockWidget*> docks_;        ///< project, properties, analysis, problems, log
+    QList<QDockWidget*> docks_;        ///< project, properties, problems, log
     QList<QAction*> project_actions_;  ///< enabled only with a project
 };
 

@@ -2,18 +2,16 @@
 
 #include "ui/pages/empty_project.h"
 #include "ui/pages/start_page.h"
-#include "ui/scene_view/scene_panel.h"
 
 namespace covaria::ui {
 
-MiddlePages::MiddlePages(const Document& document, ScenePanel& scene, QWidget* parent)
+MiddlePages::MiddlePages(const Document& document, QWidget& stage, QWidget* parent)
     : QStackedWidget(parent),
       document_(document),
       start_(new StartPage),
       empty_(new EmptyProject),
-      scene_(scene) {
-    for (QWidget* page :
-         {static_cast<QWidget*>(start_), static_cast<QWidget*>(empty_), static_cast<QWidget*>(&scene_)})
+      stage_(stage) {
+    for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(empty_), &stage_})
         addWidget(page);
     connect(&document_, &Document::project_changed, this, [this] {
         if (currentWidget() != start_) show_project();
@@ -27,7 +25,7 @@ void MiddlePages::show_start() {
 void MiddlePages::show_project() {
     const Project& project = document_.project();
     const bool is_empty = project.analyses.empty() && project.assets.empty();
-    setCurrentWidget(is_empty ? static_cast<QWidget*>(empty_) : &scene_);
+    setCurrentWidget(is_empty ? static_cast<QWidget*>(empty_) : &stage_);
 }
 
 }  // namespace covaria::ui

@@ -1,4 +1,4 @@
-// The middle of the window: the start page, what an empty project can begin with, or the scene.
+// The middle of the window: the start page, what an empty project can begin with, or the stage.
 #pragma once
 
 #include <QStackedWidget>
@@ -8,14 +8,14 @@
 namespace covaria::ui {
 
 class EmptyProject;
-class ScenePanel;
 class StartPage;
 
-/// Once a project has been shown, the scene follows its first entry and the list of beginnings its last.
+/// Once a project has been shown, the stage follows its first entry and the list of beginnings its last.
 class MiddlePages : public QStackedWidget {
     Q_OBJECT
 public:
-    MiddlePages(const Document& document, ScenePanel& scene, QWidget* parent = nullptr);
+    /// The stage: what a project is looked at in.
+    MiddlePages(const Document& document, QWidget& stage, QWidget* parent = nullptr);
     StartPage& start() { return *start_; }
     EmptyProject& empty() { return *empty_; }
     void show_start();
@@ -25,7 +25,7 @@ private:
     const Document& document_;
     StartPage* start_;
     EmptyProject* empty_;
-    ScenePanel& scene_;
+    QWidget& stage_;
 };
 
 }  // namespace covaria::ui

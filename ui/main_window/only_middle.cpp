@@ -10,7 +10,7 @@ OnlyMiddle::OnlyMiddle(QMainWindow& window, QList<QDockWidget*> docks)
     setObjectName(QStringLiteral("only_middle"));
     setCheckable(true);
     setShortcut(QKeySequence(Qt::Key_F11));
-    setToolTip(tr("The budget or the scene alone; once more, and the panes stand as they did"));
+    setToolTip(tr("The stage alone; once more, and the panes stand as they did"));
     connect(this, &QAction::toggled, this, [this](bool on) { on ? put_away() : bring_back(); });
     for (QDockWidget* dock : docks_)
         connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {

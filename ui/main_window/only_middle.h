@@ -1,4 +1,4 @@
-// F11: the budget or the scene alone, and back to the panes as they stood.
+// F11: the stage alone, and back to the panes as they stood.
 #pragma once
 
 #include <QAction>

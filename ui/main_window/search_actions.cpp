@@ -15,6 +15,7 @@
 #include "ui/pages/properties_pane.h"
 #include "ui/pages/results_pane.h"
 #include "ui/pages/search_palette.h"
+#include "ui/pages/stage.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/languages.h"
@@ -135,7 +136,7 @@ void SearchActions::add_quantities(const std::string& analysis, const QString& n
                            selection_.select_entry(entry);
                            selection_.select_group(group);
                            selection_.select_output(static_cast<int>(j));
-                           results_.tabs().setCurrentIndex(0);
+                           results_.stage().show_view(results_.results_tab());
                        }});
     const auto& inputs = made->inputs.quantities;
     const QString of = to_qt(setup_path(document_.project(), entry));

@@ -18,7 +18,6 @@
 #include "ui/forms/budget_sheet_view.h"
 #include "ui/forms/complaint.h"
 #include "ui/models/roles.h"
-#include "ui/run/result_words.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
@@ -27,7 +26,7 @@ namespace covaria::ui {
 
 namespace {
 
-constexpr std::size_t most_lines = 6;  // of results; all are in the table below
+constexpr std::size_t most_lines = 6;  // of results that are named
 
 const FieldSpec* stating_table(const Project& project, const SetupAddress& address) {
     const SetupSchema* schema = find_schema(project, address);
@@ -40,15 +39,6 @@ std::string shown_coefficient(double r) {
     return typed.size() <= rounded.size() ? typed : rounded;
 }
 
-/// "k = 2" and "[0.1, 18.4]" are not broken into lines.
-QString kept_together(QString statement) {
-    statement.replace(QStringLiteral(" = "), QStringLiteral("\u00a0=\u00a0"));
-    const auto open = statement.indexOf(QLatin1Char('[')), close = statement.indexOf(QLatin1Char(']'));
-    if (open < 0 || close < open) return statement;
-    const QString interval = statement.mid(open, close - open);
-    return statement.replace(interval, QString(interval).replace(QLatin1Char(' '), QChar(QChar::Nbsp)));
-}
-
 }  // namespace
 
 BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
@@ -56,11 +46,6 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
     column_ = new QVBoxLayout(this);
     column_->setContentsMargins(12, 4, 12, 8);
     column_->setSpacing(6);
-    lines_ = new QLabel(this);
-    lines_->setTextFormat(Qt::RichText);
-    lines_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    lines_->setWordWrap(true);
-    lines_->setAccessibleName(tr("Results"));
     pair_ = new QLabel(this);
     pair_->setTextFormat(Qt::RichText);
     correlation_ = new QLineEdit(this);
@@ -69,7 +54,6 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
     follow_font(*correlation_, [this] {
         correlation_->setFixedWidth(8 * correlation_->fontMetrics().averageCharWidth() + 12);
     });
-    column_->addWidget(lines_);
     remark_ = new QLabel(this);
     remark_->setTextFormat(Qt::RichText);
     remark_->setWordWrap(true);
@@ -163,17 +147,13 @@ void BudgetPage::take_result() {
     model_->set_result(status.result, output, status.is_of_present());
     if (status.prepared != correlations_.analysis()) correlations_.set_analysis(status.prepared);
     show_correlation();
-    lines_->setVisible(status.result != nullptr);
-    lines_->setEnabled(status.is_of_present());
     if (!status.result) return remark_->clear();
-    const QString said = status.is_of_present() ? result_words(status) : reservation(status);
     const QString correlated = status.prepared ? correlation_words(*status.prepared) : QString();
+    const QString first_order = first_order_words(*status.result);
+    QString words = correlated;
+    if (!words.isEmpty() && !first_order.isEmpty()) words += QStringLiteral("<br>");
     // A label breaks a number between its groups, but at no such space.
-    const auto kept_whole = [](QString words) { return words.replace(QChar(0x202f), QChar(QChar::Nbsp)); };
-    lines_->setText(kept_whole(lines_of(*status.result)));
-    remark_->setText(kept_whole((correlated.isEmpty() ? QString() : correlated + QStringLiteral("<br>")) +
-                                QStringLiteral("<small>") + said.toHtmlEscaped() +
-                                first_order_words(*status.result) + QStringLiteral("</small>")));
+    remark_->setText(QString(words + first_order).replace(QChar(0x202f), QChar(QChar::Nbsp)));
 }
 
 std::set<int> BudgetPage::selected_rows() const {
@@ -286,27 +266,10 @@ QString BudgetPage::first_order_words(const UncertaintyResult& result) const {
                        to_html(symbol_text(output.quantity.symbol)) + ")");
     }
     if (parts.isEmpty()) return {};
-    return tr("; c and share by the law of propagation, whose u is %1 of that by Monte Carlo")
+    return tr("c and share by the law of propagation, whose u is %1 of that by Monte Carlo")
         .toHtmlEscaped()
         .arg(parts.join(language_of_window().numbers().decimal == "," ? QStringLiteral("; ")
                                                                       : QStringLiteral(", ")));
-}
-
-QString BudgetPage::lines_of(const UncertaintyResult& result) const {
-    const DocumentLanguage in = language_of_window();
-    QStringList lines;
-    for (const OutputResult& output : result.outputs) {
-        if (output.quantity.role != OutputRole::measurand) continue;
-        if (static_cast<std::size_t>(lines.size()) == most_lines) {
-            lines << QStringLiteral("…");
-            break;
-        }
-        const std::string symbol = to_html(symbol_text(output.quantity.symbol));
-        const std::string stated =
-            to_html(running_text(result_statement(output, result, in, units_, digits_)));
-        lines << to_qt("<b>" + symbol + "</b> = ") + kept_together(to_qt(stated));
-    }
-    return lines.join(QStringLiteral("<br>"));
 }
 
 }  // namespace covaria::ui

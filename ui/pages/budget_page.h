@@ -1,5 +1,4 @@
-// The budget in the centre of the window: one table of what is stated and what comes of it, and the results
-// below.
+// The budget in the centre of the window: one table of what is stated and what comes of it.
 #pragma once
 
 #include <QWidget>
@@ -29,8 +28,7 @@ public:
     /// Null: the analysis states its quantities otherwise.
     BudgetSheetView* view() const { return view_; }
     BudgetSheetModel* model() const { return model_.get(); }
-    QLabel& result_lines() const { return *lines_; }
-    /// What is correlated, and how the results came about.
+    /// What is correlated, and how far the law of propagation holds.
     QLabel& remark() const { return *remark_; }
     /// The correlation coefficient of the components of the two rows that are selected.
     QLineEdit& correlation() const { return *correlation_; }
@@ -39,7 +37,6 @@ public:
     /// Another project.
     void start_over();
 
-    /// Of the results below the table.
     void set_units(const DisplayUnits& units);
     void set_digits(int digits);  ///< significant ones of U
 
@@ -55,7 +52,6 @@ private:
     void show_analysis();
     void take_result();
     QString first_order_words(const UncertaintyResult& result) const;
-    QString lines_of(const UncertaintyResult& result) const;
     /// "r(d, theta) = 0.5" of every two rows that are correlated; empty: none are.
     QString correlation_words(const PreparedAnalysis& analysis) const;
     /// Of the correlations, the cell of the two rows selected; invalid: none.
@@ -73,8 +69,7 @@ private:
     std::unique_ptr<BudgetSheetModel> model_;
     BudgetSheetView* view_ = nullptr;
     QVBoxLayout* column_ = nullptr;
-    QLabel* lines_ = nullptr;
-    QLabel* remark_;  ///< how they came about, and what is correlated
+    QLabel* remark_;
     InputCorrelationModel correlations_;
     QLabel* pair_ = nullptr;
     QLineEdit* correlation_ = nullptr;

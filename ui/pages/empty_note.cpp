@@ -22,7 +22,7 @@ void EmptyNote::changeEvent(QEvent* event) {
 
 /// As the text of an empty chart.
 void EmptyNote::take_theme() {
-    const QColor quiet = Theme::of(palette()).neutrals().quiet;
+    const QColor quiet = Theme::of(palette()).tokens().ink2;
     if (palette().color(QPalette::WindowText) == quiet) return;
     QPalette own = palette();
     own.setColor(QPalette::WindowText, quiet);

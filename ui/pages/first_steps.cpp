@@ -20,7 +20,7 @@ const std::array<FirstStep, 10>& first_steps() {
                     "they are typed."),
          "budget", nullptr, &StepsTaken::has_statement},
         {QT_TR_NOOP("See the result"),
-         QT_TR_NOOP("The result is there when every quantity has its uncertainty, below the budget and in "
+         QT_TR_NOOP("The result is there when every quantity has its uncertainty, above the budget and in "
                     "the tab Results. It follows every change at once."),
          "results_table", nullptr, &StepsTaken::has_result},
         {QT_TR_NOOP("Correlate two quantities"),
@@ -33,7 +33,7 @@ const std::array<FirstStep, 10>& first_steps() {
                     "below it, and in the table of results, follows every change."),
          "targetUncertainty", nullptr, &StepsTaken::has_requirement},
         {QT_TR_NOOP("See what contributes most"),
-         QT_TR_NOOP("The tab Budget has the contributions as a table and as a chart, the largest first. "
+         QT_TR_NOOP("The tab Contributions has them as a table and as a chart, the largest first. "
                     "What is at the top is worth improving."),
          "contributions_chart", nullptr, &StepsTaken::seen_chart},
         {QT_TR_NOOP("Keep and compare"),
@@ -41,13 +41,13 @@ const std::array<FirstStep, 10>& first_steps() {
                     "Compare shows the results before and after beside each other."),
          "keep_before_button", nullptr, &StepsTaken::kept},
         {QT_TR_NOOP("Look at the report"),
-         QT_TR_NOOP("The tab Report shows the pages as they are printed, of the report or of the "
+         QT_TR_NOOP("The tab Document shows the pages as they are printed, of the report or of the "
                     "certificate. It has results that are up to date only: run the analysis first (F5)."),
          "report_pages", nullptr, &StepsTaken::seen_report},
         {QT_TR_NOOP("Save it as PDF"),
          QT_TR_NOOP(
              "Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that "
-             "Covaria can open it again. While the tab Report shows the certificate, the button writes "
+             "Covaria can open it again. While the tab Document shows the certificate, the button writes "
              "that; it is also in the menu File under Export."),
          "export_pdf_button", nullptr, &StepsTaken::exported},
     }};

@@ -23,7 +23,7 @@
 #include "ui/pages/evaluation_view.h"
 #include "ui/pages/side_by_side.h"
 #include "ui/theme/core_text.h"
-#include "ui/theme/follow_font.h"
+#include "ui/theme/quiet_table.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/tabs.h"
 #include "ui/theme/typeset_views.h"
@@ -87,10 +87,9 @@ void InputsPage::make_table() {
     table_->sortByColumn(-1, Qt::AscendingOrder);
     table_->setAccessibleName(tr("Input quantities"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setAlternatingRowColors(true);
     table_->setWordWrap(false);
     table_->verticalHeader()->hide();
-    rows_follow_font(*table_);
+    make_quiet(*table_, RowRoom::inspector);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setSectionResizeMode(InputQuantitiesModel::components_column,
                                                      QHeaderView::Interactive);

@@ -160,7 +160,6 @@ int ProjectPane::wanted_width() const {
     const auto take = [&](const QModelIndex& index, int depth) {
         names = std::max(names, itemDelegate()->sizeHint(option, index).width() + depth * indentation());
     };
-    take(model_.index(0, 0), 1);
     for (int category = ProjectTreeModel::artefacts; category < ProjectTreeModel::category_count;
          ++category) {
         const QModelIndex above = model_.index(category, 0);

@@ -4,37 +4,33 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "core/project/stated_requirements.h"
 #include "core/report/plots.h"
-#include "core/result/representation.h"
 #include "core/text/numbers.h"
 #include "ui/charts/chart_view.h"
 #include "ui/document/component_source.h"
-#include "ui/document/missing_fields.h"
-#include "ui/document/setup_address.h"
 #include "ui/forms/form_labels.h"
-#include "ui/models/problems_model.h"
 #include "ui/pages/all_results_tab.h"
+#include "ui/pages/answer_strip.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
+#include "ui/pages/second_part.h"
 #include "ui/pages/side_by_side.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/pages/stage.h"
 #include "ui/pages/study_tab.h"
 #include "ui/pages/unit_button.h"
 #include "ui/run/result_words.h"
-#include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
-#include "ui/theme/elided_label.h"
 #include "ui/theme/output_words.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/tabs.h"
@@ -50,16 +46,18 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
       selection_(selection),
       preferences_(preferences) {
     tabs_ = new Tabs;
-    tabs_->addTab(make_results_tab(), tr("Results"));
-    tabs_->addTab(make_budget_tab(), tr("Budget"));
-    tabs_->addTab(make_distributions_tab(), tr("Distributions"));
-    tabs_->addTab(make_correlation_tab(), tr("Correlation"));
-    tabs_->addTab(make_convergence_tab(), tr("Convergence"));
+    tabs_->addTab(results_tab_ = make_results_tab(), tr("Results"));
+    tabs_->addTab(budget_tab_ = make_budget_tab(), tr("Budget"));
+    tabs_->addTab(charts_tab_ = make_charts_tab(), tr("Charts"));
     auto* evaluation = new EvaluationTab(runner, selection);
     tabs_->addTab(evaluation, tr("Evaluation"));
     show_tab(*tabs_, evaluation, false);
-    connect(evaluation, &EvaluationTab::filled, tabs_,
-            [this, evaluation](bool any) { show_tab(*tabs_, evaluation, any); });
+    connect(evaluation, &EvaluationTab::filled, tabs_, [this, evaluation](bool any) {
+        const int tab = stage_->tab_of(evaluation);
+        tabs_->setTabEnabled(tab, any);
+        tabs_->setTabVisible(tab, any);
+        stage_->second().take_names();
+    });
     study_ = new StudyTab(document, runner, selection);
     tabs_->addTab(study_, tr("Study"));
     design_ = new DesignTab(document, runner, selection);
@@ -67,31 +65,27 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     compare_ = new CompareTab(document, runner, selection);
     tabs_->addTab(compare_, tr("Compare"));
     report_ = new ReportPreview(document, runner);
-    tabs_->addTab(report_, tr("Report"));
+    tabs_->addTab(report_, tr("Document"));
     all_ = new AllResultsTab(document, runner);
     tabs_->addTab(all_, tr("All Results"));
     connect(all_, &AllResultsTab::result_wanted, this, &ResultsPane::go_to_result);
+    answer_ = new AnswerStrip(document, runner, selection, this);
+    connect(answer_, &AnswerStrip::place_wanted, this, &ResultsPane::place_wanted);
+    stage_ = new Stage(*tabs_);
+    connect(stage_, &Stage::changed, this, &ResultsPane::refresh_charts);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    make_head();
-    column->addWidget(tabs_, 1);
+    column->addWidget(answer_);
+    column->addWidget(stage_, 1);
     connect_selection();
     take_preferences();
-    connect(tabs_, &QTabWidget::currentChanged, this, &ResultsPane::refresh_charts);
     take_result();
 }
 
-void ResultsPane::make_head() {
-    head_ = new QWidget(this);
-    auto* row = new QHBoxLayout(head_);
-    row->setContentsMargins(0, 0, 0, 0);
-    state_ = new ElidedLabel;
+/// At the right of the filter.
+void ResultsPane::add_units_and_digits(QHBoxLayout& row) {
     units_ = new UnitButton(document_, preferences_);
-    output_ = new TypesetComboBox;
-    output_->setToolTip(tr("Output quantity of the budget and the charts"));
-    output_->setAccessibleName(tr("Output quantity"));
-    narrow_if_need_be(*output_);
     digits_ = new QSpinBox;
     digits_->setRange(fewest_digits, most_digits);
     digits_->setPrefix(tr("digits of U: "));
@@ -99,23 +93,14 @@ void ResultsPane::make_head() {
     digits_->setToolTip(
         tr("Significant digits of uncertainties in the window; estimates are rounded to match. "
            "Documents have those of the project page."));
-    next_ = new QPushButton;
-    next_->setObjectName(QStringLiteral("next_step"));
-    next_->setAccessibleName(tr("Next step"));
-    next_->hide();
-    connect(next_, &QPushButton::clicked, this, [this] { emit place_wanted(next_place_); });
-    row->addWidget(next_);
-    row->addWidget(state_, 1);
-    row->addWidget(output_);
-    row->addWidget(units_);
-    row->addWidget(digits_);
-    connect(output_, &QComboBox::activated, this,
-            [this](int index) { selection_.select_output(output_->itemData(index).toInt()); });
+    row.addWidget(units_);
+    row.addWidget(digits_);
     connect(digits_, &QSpinBox::valueChanged, this, [this](int digits) {
         result_model_.set_digits(digits);
         budget_model_.set_digits(digits);
         compare_->set_digits(digits);
         all_->set_digits(digits);
+        answer_->set_digits(digits);
     });
 }
 
@@ -138,6 +123,7 @@ QWidget* ResultsPane::make_filter() {
     row->addWidget(all_groups_);
     row->addWidget(only_not_met_);
     row->addStretch(1);
+    add_units_and_digits(*row);
     connect(filter_, &QLineEdit::textChanged, this, &ResultsPane::take_filter);
     connect(only_not_met_, &QCheckBox::toggled, this, &ResultsPane::take_filter);
     connect(all_groups_, &QCheckBox::toggled, this, [this](bool on) {
@@ -163,6 +149,7 @@ void ResultsPane::take_requirements() {
     if (result_ && entry) verdicts = judge(*result_, *entry);
     only_not_met_->setEnabled(!verdicts.empty() || only_not_met_->isChecked());
     result_model_.set_result(result_, current_, std::move(verdicts));
+    answer_->take_result();
 }
 
 QWidget* ResultsPane::make_results_tab() {
@@ -229,6 +216,37 @@ void ResultsPane::go_to_source(int row) {
     if (!place.isEmpty()) emit place_wanted(place);
 }
 
+/// One at a time, chosen from a list.
+QWidget* ResultsPane::make_charts_tab() {
+    auto* tab = new QWidget;
+    charts_ = new QComboBox;
+    charts_->setObjectName(QStringLiteral("chart_kind"));
+    charts_->setAccessibleName(tr("Kind of chart"));
+    charts_->setToolTip(tr("Which charts of the result are shown"));
+    auto* pages = new QStackedWidget;
+    const auto add = [&](QWidget* page, const QString& name) {
+        pages->addWidget(page);
+        charts_->addItem(name);
+    };
+    add(make_distributions_tab(), tr("Distributions"));
+    add(make_correlation_tab(), tr("Correlation"));
+    add(make_convergence_tab(), tr("Convergence"));
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(8, 4, 8, 4);
+    row->addWidget(charts_);
+    row->addStretch(1);
+    auto* column = new QVBoxLayout(tab);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(row);
+    column->addWidget(pages, 1);
+    connect(charts_, &QComboBox::currentIndexChanged, this, [this, pages](int index) {
+        pages->setCurrentIndex(index);
+        refresh_charts();
+    });
+    return tab;
+}
+
 QWidget* ResultsPane::make_distributions_tab() {
     histogram_ = new ChartView;
     quantiles_ = new ChartView;
@@ -263,37 +281,8 @@ void ResultsPane::connect_selection() {
         if (!(document_.project().results.style == shown_style_)) take_preferences();
         take_requirements();
     });
-    connect(&document_, &Document::problems_changed, this, &ResultsPane::show_state);
     connect(&selection_, &Selection::group_changed, this, &ResultsPane::show_group);
     connect(&selection_, &Selection::output_changed, this, &ResultsPane::show_output);
-}
-
-QString ResultsPane::state_words() const {
-    if (selection_.analysis().isEmpty()) return tr("Select an analysis to see its results.");
-    const AnalysisStatus& status = runner_.status(selection_.analysis());
-    if (status.state == RunState::failed) return tr("Failed: %1").arg(status.message);
-    if (status.state == RunState::incomplete) {
-        const QString missing = ProblemsModel::missing_words(document_, to_std(selection_.analysis()));
-        return missing.isEmpty() ? tr("Not complete yet: nothing is wrong.")
-                                 : tr("Not complete yet, but not wrong; to give next: %1").arg(missing);
-    }
-    if (!status.result)
-        return status.prepared ? tr("Not evaluated yet: press F5.") : tr("The analysis has problems.");
-    QString words = result_words(status);
-    if (status.is_of_present() && !status.is_current())
-        words = QStringLiteral("<b>%1</b>").arg(words) +
-                (status.state == RunState::running ? tr("; running") : tr("; press F5 for the result"));
-    if (status.result->failed_trials > 0)
-        words += tr("; %1 trials without a value").arg(to_qt(count_text(status.result->failed_trials)));
-    if (!represents_measurand(*status.result))
-        words =
-            tr("<b>Does not represent the measurand</b> (more than 1 % of the trials are lost). ") + words;
-    if (!status.result->stabilised) words += tr("; not stabilised");
-    // A preview is of a moment ago while something is dragged, and there is a next one at once.
-    const bool is_followed = runner_.is_live() && status.stage != ResultStage::complete && status.prepared;
-    if (!status.is_of_present() && !is_followed)
-        words = tr("<b>Out of date</b>: shown for the project as it was. ") + words;
-    return words;
 }
 
 void ResultsPane::take_result() {
@@ -302,33 +291,11 @@ void ResultsPane::take_result() {
     current_ = status.is_of_present();
     const QString said = reservation(status);
     for (SortableTable* table : {results_, budget_, correlation_}) table->set_remark(said);
-    show_state();
     units_->set_result(result_);
     result_model_.set_group(to_std(shown_group()));
     take_requirements();
     refresh_outputs();
     show_group(selection_.group());
-}
-
-void ResultsPane::show_state() {
-    state_->setText(state_words());
-    state_->setToolTip(state_->text());
-    show_next_step();
-}
-
-void ResultsPane::show_next_step() {
-    const QString& id = selection_.analysis();
-    std::optional<MissingField> missing;
-    if (!id.isEmpty() && runner_.status(id).state == RunState::incomplete) {
-        const Project& project = document_.project();
-        missing = next_missing(project, document_.problems(),
-                               entry_path(project, {SetupOwner::analysis, to_std(id)}));
-    }
-    next_->setVisible(missing.has_value());
-    if (!missing) return;
-    next_place_ = to_qt(missing->path);
-    next_->setText(tr("Next: %1").arg(core_text(missing->title)));
-    next_->setToolTip(tr("Goes to the field that must be given next"));
 }
 
 void ResultsPane::take_preferences() {
@@ -340,6 +307,7 @@ void ResultsPane::take_preferences() {
     budget_model_.set_units(units_->units());
     compare_->set_units(units_->units());
     all_->set_units(units_->units());
+    answer_->set_units(units_->units());
     study_->show_study();
     refresh_charts();
 }
@@ -352,15 +320,16 @@ void ResultsPane::show_chart(ChartView& view, PlotSpecification plot) const {
 }
 
 void ResultsPane::refresh_outputs() {
-    const QSignalBlocker blocker(output_);
-    output_->clear();
-    output_->setEnabled(result_ != nullptr);
-    if (!result_) return;
+    TypesetComboBox* output = &answer_->outputs();
+    const QSignalBlocker blocker(output);
+    output->clear();
+    if (!result_) return output->hide();
     for (std::size_t i = 0; i < result_->outputs.size(); ++i) {
         const OutputQuantity& quantity = result_->outputs[i].quantity;
         if (!shown_group().isEmpty() && to_qt(quantity.group) != shown_group()) continue;
-        output_->add_item(output_words(quantity.symbol, quantity.group), int(i));
+        output->add_item(output_words(quantity.symbol, quantity.group), int(i));
     }
+    output->setVisible(output->count() > 1);
 }
 
 void ResultsPane::show_group(const QString& group) {
@@ -368,19 +337,22 @@ void ResultsPane::show_group(const QString& group) {
     correlation_model_.set_result(result_, to_std(group), current_);
     correlation_->setVisible(correlation_model_.rowCount() > 1);
     refresh_outputs();
-    const bool shown = selection_.output() >= 0 && output_->findData(selection_.output()) >= 0;
-    if (!shown && output_->count() > 0) selection_.select_output(output_->itemData(0).toInt());
+    const TypesetComboBox& list = answer_->outputs();
+    const bool shown = selection_.output() >= 0 && list.findData(selection_.output()) >= 0;
+    if (!shown && list.count() > 0) selection_.select_output(list.itemData(0).toInt());
     show_output(selection_.output());
 }
 
 void ResultsPane::show_output(int output) {
     const bool known = result_ && output >= 0 && std::size_t(output) < result_->outputs.size();
     if (known) {
-        const QSignalBlocker blocker(output_);
-        output_->setCurrentIndex(output_->findData(output));
+        TypesetComboBox* list = &answer_->outputs();
+        const QSignalBlocker blocker(list);
+        list->setCurrentIndex(list->findData(output));
         results_->select_row(result_model_.row_of(std::size_t(output)));
     }
     budget_model_.set_result(known ? result_ : nullptr, known ? std::size_t(output) : 0, current_);
+    answer_->take_result();
     refresh_charts();
 }
 
@@ -388,7 +360,7 @@ void ResultsPane::go_to_result(const QString& analysis, const QString& group, in
     selection_.select_entry({SetupOwner::analysis, to_std(analysis)});
     selection_.select_group(group);
     selection_.select_output(output);
-    tabs_->setCurrentIndex(0);
+    stage_->show_view(results_tab());
 }
 
 void ResultsPane::refresh_charts() {
@@ -400,19 +372,30 @@ void ResultsPane::refresh_charts() {
         return;
     }
     const auto index = std::size_t(output);
-    const QWidget* shown = tabs_->currentWidget();
     const DocumentLanguage in = language_of_window();
-    if (shown->isAncestorOf(contributions_)) show_contributions(index);
-    if (shown->isAncestorOf(histogram_)) {
+    if (stage_->shows(*contributions_)) show_contributions(index);
+    if (stage_->shows(*histogram_)) {
         show_chart(*histogram_, histogram_plot(*result_, index, units_->units(), in));
         show_chart(*quantiles_, normal_quantile_plot(*result_, index, units_->units(), in));
     }
-    if (shown->isAncestorOf(correlation_map_))
+    if (stage_->shows(*correlation_map_))
         show_chart(
             *correlation_map_,
             correlation_plot(*result_, outputs_to_correlate(*result_, to_std(selection_.group())), in));
-    if (shown == convergence_)
+    if (stage_->shows(*convergence_))
         show_chart(*convergence_, convergence_plot(*result_, index, units_->units(), in));
+}
+
+void ResultsPane::add_scene(QWidget& scene) {
+    stage_->add_first(scene, tr("Scene"));
+}
+
+/// What is typed as a budget has that in the place of a scene.
+void ResultsPane::set_typed(bool typed) {
+    stage_->name_first(typed ? tr("Budget") : tr("Scene"));
+    tabs_->setTabText(stage_->tab_of(budget_tab_), typed ? tr("Contributions") : tr("Budget"));
+    stage_->second().take_names();
+    stage_->show_usual(typed ? *charts_tab_ : *results_tab());
 }
 
 void ResultsPane::start_over() {

@@ -1,5 +1,5 @@
-// The results of the analysis being looked at, in tabs: results, budget, distributions, correlation,
-// convergence, evaluation, study, design, compare, report.
+// The middle of the window: the answer of the analysis being looked at, and below it the stage with all its
+// views: scene, results, budget, charts, evaluation, study, design, compare, document.
 #pragma once
 
 #include <QTabWidget>
@@ -12,12 +12,11 @@
 #include "ui/models/result_table_model.h"
 #include "ui/run/analysis_runner.h"
 #include "ui/theme/preferences.h"
-#include "ui/theme/typeset_views.h"
 
 class QCheckBox;
-class QLabel;
+class QComboBox;
+class QHBoxLayout;
 class QLineEdit;
-class QPushButton;
 class QSpinBox;
 
 namespace covaria {
@@ -28,10 +27,12 @@ namespace covaria::ui {
 
 class ChartView;
 class AllResultsTab;
+class AnswerStrip;
 class CompareTab;
 class ReportPreview;
 class SortableTable;
 class DesignTab;
+class Stage;
 class StudyTab;
 class UnitButton;
 
@@ -46,9 +47,15 @@ public:
     void take_preferences();
     /// Another project: its report has not been made.
     void start_over();
-    /// State of the analysis, output quantity, units, digits: for the dock's title bar.
-    QWidget& head() { return *head_; }
+    /// Its first view: the scene, or what takes its place.
+    void add_scene(QWidget& scene);
+    /// The analysis being looked at is typed as a budget.
+    void set_typed(bool typed);
+    Stage& stage() { return *stage_; }
     QTabWidget& tabs() { return *tabs_; }
+    QComboBox& chart_kind() { return *charts_; }
+    QWidget* results_tab() { return results_tab_; }
+    QWidget* budget_tab() { return budget_tab_; }
     SortableTable& result_table() { return *results_; }
     /// Above it: what it shows of the results.
     QLineEdit& filter() { return *filter_; }
@@ -63,20 +70,19 @@ public:
     ReportPreview& report() { return *report_; }
     AllResultsTab& all_results_tab() { return *all_; }
 
-    /// The one next step of an analysis that is not complete.
-    QPushButton& next_step() { return *next_; }
+    /// Above the stage.
+    AnswerStrip& answer() { return *answer_; }
 
 signals:
     /// A JSON pointer into the project.
     void place_wanted(const QString& path);
 
 private:
-    void show_state();
-    void show_next_step();
-    void make_head();
+    void add_units_and_digits(QHBoxLayout& row);
     QWidget* make_filter();
     QWidget* make_results_tab();
     QWidget* make_budget_tab();
+    QWidget* make_charts_tab();
     QWidget* make_distributions_tab();
     QWidget* make_correlation_tab();
     QWidget* make_convergence_tab();
@@ -92,7 +98,6 @@ private:
     void go_to_source(int row);
     void refresh_charts();
     void show_chart(ChartView& view, PlotSpecification plot) const;
-    QString state_words() const;
 
     /// That the tables show; empty: all.
     QString shown_group() const;
@@ -110,12 +115,11 @@ private:
     BudgetTableModel budget_model_;
     CorrelationTableModel correlation_model_;
 
-    QWidget* head_ = nullptr;
-    QLabel* state_ = nullptr;
-    QPushButton* next_ = nullptr;
-    QString next_place_;
+    Stage* stage_ = nullptr;
+    QWidget *results_tab_ = nullptr, *budget_tab_ = nullptr, *charts_tab_ = nullptr;
+    QComboBox* charts_ = nullptr;
+    AnswerStrip* answer_ = nullptr;
     UnitButton* units_ = nullptr;
-    TypesetComboBox* output_ = nullptr;
     QSpinBox* digits_ = nullptr;
     QTabWidget* tabs_ = nullptr;
     QLineEdit* filter_ = nullptr;

@@ -17,6 +17,7 @@
 #include "ui/models/roles.h"
 #include "ui/theme/follow_font.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/quiet_table.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset_views.h"
 
@@ -38,14 +39,12 @@ SortableTable::SortableTable(ColumnTableModel& model, const QString& name, QWidg
     setAccessibleName(name);
     setSortingEnabled(true);
     sortByColumn(-1, Qt::AscendingOrder);
-    setAlternatingRowColors(true);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     setWordWrap(false);
-    setFrameShape(QFrame::NoFrame);
     setTabKeyNavigation(false);
-    rows_follow_font(*this);
+    make_quiet(*this);
     verticalHeader()->hide();
     QHeaderView* head = horizontalHeader();
     head->setContextMenuPolicy(Qt::CustomContextMenu);

@@ -3,7 +3,9 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyleOptionToolButton>
@@ -13,8 +15,9 @@
 #include <algorithm>
 
 #include "core/made/examples.h"
-#include "ui/pages/example_card.h"
+#include "ui/pages/question_tile.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/fonts.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
@@ -22,15 +25,11 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int gap = 20;
-constexpr int widest_page = 1500;
+constexpr int gap = 20, page_margin = 32, widest_page = 1160 + 2 * page_margin, in_a_row = 4, most_recent = 8;
 
-QLabel* heading(const QString& text) {
+QLabel* heading(const QString& text, TextSize size = TextSize::title) {
     auto* label = new QLabel(text);
-    QFont font = label->font();
-    font.setPointSizeF(font.pointSizeF() * 1.25);
-    font.setWeight(QFont::DemiBold);
-    label->setFont(font);
+    label->setFont(sized(label->font(), size));
     return label;
 }
 
@@ -54,32 +53,39 @@ public:
         setCursor(Qt::PointingHandCursor);
         setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     }
-    QSize sizeHint() const override { return {200, 2 * fontMetrics().lineSpacing() + 8}; }
+    QSize sizeHint() const override { return {160, 2 * fontMetrics().lineSpacing() + 12}; }
 
 protected:
     void paintEvent(QPaintEvent*) override {
+        const Tokens& t = tokens_of(palette());
         QStylePainter painter(this);
         QStyleOptionToolButton option;
         initStyleOption(&option);
         option.text.clear();
         painter.drawComplexControl(QStyle::CC_ToolButton, option);
-        const QRect area = rect().adjusted(6, 4, -6, -4);
-        painter.setPen(palette().color(QPalette::Text));
+        const QRect area = rect().adjusted(8, 6, -8, -6);
+        QFont bold = font();
+        bold.setWeight(QFont::DemiBold);
+        painter.setFont(bold);
+        painter.setPen(t.ink);
         painter.drawText(area, Qt::AlignLeft | Qt::AlignTop,
-                         fontMetrics().elidedText(text(), Qt::ElideRight, area.width()));
-        painter.setPen(mix(palette().color(QPalette::Window), palette().color(QPalette::Text), 0.6));
+                         painter.fontMetrics().elidedText(text(), Qt::ElideRight, area.width()));
+        painter.setFont(sized(font(), TextSize::small));
+        painter.setPen(t.ink2);
         painter.drawText(area, Qt::AlignLeft | Qt::AlignBottom,
-                         fontMetrics().elidedText(folder_, Qt::ElideMiddle, area.width()));
+                         painter.fontMetrics().elidedText(folder_, Qt::ElideMiddle, area.width()));
     }
 
 private:
     QString folder_;
 };
 
-QPushButton* action_button(const QString& picture, const QString& text) {
-    auto* button = new QPushButton(icon(picture), text);
-    button->setMinimumHeight(34);
-    return button;
+QGridLayout* grid() {
+    auto* lines = new QGridLayout;
+    lines->setHorizontalSpacing(gap);
+    lines->setVerticalSpacing(2);
+    for (int column = 0; column < in_a_row; ++column) lines->setColumnStretch(column, 1);
+    return lines;
 }
 
 }  // namespace
@@ -88,120 +94,121 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Start page"));
     auto* inner = new QWidget;
     inner->setMaximumWidth(widest_page);
-    auto* row = new QHBoxLayout(inner);
-    row->setContentsMargins(48, 40, 48, 40);
-    row->setSpacing(56);
-    row->addWidget(make_actions(), 0, Qt::AlignTop);
-    row->addWidget(make_examples(), 1, Qt::AlignTop);
+    auto* page = new QVBoxLayout(inner);
+    page->setContentsMargins(page_margin, page_margin + 8, page_margin, page_margin);
+    page->setSpacing(12);
+    page->addLayout(make_head());
+    page->addLayout(make_tiles());
+    page->addSpacing(gap);
+    page->addWidget(heading(tr("Recent")));
+    page->addLayout(recent_ = grid());
+    page->addSpacing(gap);
+    add_examples(*page);
+    page->addStretch(1);
+    set_recent_files({});
     auto* scroll = new QScrollArea(this);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     auto* centred = new QWidget;
+    centred->setAutoFillBackground(true);
+    centred->setBackgroundRole(QPalette::Base);
     auto* middle = new QHBoxLayout(centred);
     middle->setContentsMargins(0, 0, 0, 0);
-    middle->addWidget(inner, 0, Qt::AlignTop);
+    middle->addWidget(inner, 1);
     scroll->setWidget(centred);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(scroll);
+    setFocusProxy(tiles_.front());
 }
 
-QWidget* StartPage::make_actions() {
-    auto* box = new QWidget;
-    box->setFixedWidth(260);
-    auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
-    auto* name = heading(tr("Covaria"));
-    QFont font = name->font();
-    font.setPointSizeF(font.pointSizeF() * 1.5);
-    name->setFont(font);
-    column->addWidget(name);
-    column->addWidget(new QLabel(tr("Measurement uncertainty of robots\nand large-scale metrology")));
-    column->addSpacing(20);
-    auto* new_project = action_button(QStringLiteral("new"), tr("New Project"));
-    auto* open = action_button(QStringLiteral("open"), tr("Open …"));
-    connect(new_project, &QPushButton::clicked, this, &StartPage::new_wanted);
-    connect(open, &QPushButton::clicked, this, &StartPage::open_wanted);
-    column->addWidget(new_project);
-    column->addWidget(open);
-    auto* library = action_button(QStringLiteral("layers"), tr("Library and Examples …"));
-    connect(library, &QPushButton::clicked, this, &StartPage::library_wanted);
-    column->addWidget(library);
-    auto* steps = action_button(QStringLiteral("help"), tr("First Steps"));
+QHBoxLayout* StartPage::make_head() {
+    auto* row = new QHBoxLayout;
+    row->addWidget(heading(tr("What do you want to know?"), TextSize::answer), 1);
+    const auto add = [&](const char* picture, const QString& text, void (StartPage::*wanted)()) {
+        auto* button = new QPushButton(icon(QLatin1String(picture)), text);
+        connect(button, &QPushButton::clicked, this, wanted);
+        row->addWidget(button);
+        return button;
+    };
+    add("new", tr("New Project"), &StartPage::new_wanted);
+    add("open", tr("Open …"), &StartPage::open_wanted);
+    add("layers", tr("Library …"), &StartPage::library_wanted);
+    QPushButton* steps = add("help", tr("First Steps"), &StartPage::first_steps_wanted);
     steps->setObjectName(QStringLiteral("first_steps"));
     steps->setToolTip(tr("A budget from nothing to a PDF, in ten steps beside the window"));
-    connect(steps, &QPushButton::clicked, this, &StartPage::first_steps_wanted);
-    column->addWidget(steps);
-    column->addSpacing(20);
-    column->addWidget(heading(tr("Recent")));
-    recent_ = new QVBoxLayout;
-    recent_->setSpacing(0);
-    column->addLayout(recent_);
-    set_recent_files({});
-    return box;
+    return row;
 }
 
-QWidget* StartPage::make_examples() {
-    auto* box = new QWidget;
-    auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(heading(tr("Examples")));
-    column->addWidget(quiet(tr("They open as new projects; the shipped files stay as they are.")));
-    column->addSpacing(8);
-    examples_ = new QGridLayout;
-    examples_->setSpacing(gap);
-    for (const Example& example : shipped_examples()) {
-        auto* card =
-            new ExampleCard(core_text(example.title), core_text(example.summary), from_path(example.picture));
-        connect(card, &ExampleCard::clicked, this,
-                [this, file = from_path(example.file)] { emit example_wanted(file); });
-        cards_ << card;
-    }
-    column->addLayout(examples_);
-    place_cards(3);
-    column->addSpacing(20);
-    add_worked_examples(*column);
-    return box;
+QHBoxLayout* StartPage::make_tiles() {
+    using Topic = AnalysisTemplate::Topic;
+    using Drawing = QuestionTile::Drawing;
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap);
+    add_tile(*row, new QuestionTile(Drawing::equation, tr("A quantity by an equation"),
+                                    tr("Type y = f(x), state each input, get the budget."),
+                                    menu_of(Topic::equation)));
+    add_tile(*row,
+             new QuestionTile(Drawing::points, tr("Points by instruments"),
+                              tr("Tracker, total station, camera; one or many."), menu_of(Topic::points)));
+    add_tile(*row,
+             new QuestionTile(Drawing::pose, tr("The pose of an object"),
+                              tr("A frame from its points, in the frame of another."), menu_of(Topic::pose)));
+    add_tile(*row,
+             new QuestionTile(Drawing::robot, tr("A robot"),
+                              tr("Where its tool is, and what its parameters are."), menu_of(Topic::robot)));
+    add_tile(*row, new QuestionTile(Drawing::file, tr("A file I have"),
+                                    tr("Excel budget, points, measurement report."), menu_of_files()));
+    return row;
 }
 
-/// The standards' own examples, as plain lines.
-void StartPage::add_worked_examples(QVBoxLayout& column) {
-    const std::vector<Example> examples = shipped_examples("gum");
-    if (examples.empty()) return;
-    column.addWidget(heading(tr("Worked examples of the GUM and its supplements")));
-    auto* lines = new QGridLayout;
-    lines->setHorizontalSpacing(gap);
-    lines->setVerticalSpacing(0);
-    const int rows = (int(examples.size()) + 1) / 2;
-    for (int i = 0; i < int(examples.size()); ++i) {
-        const Example& example = examples[std::size_t(i)];
-        auto* button = new QToolButton;
-        button->setText(core_text(example.title));
-        button->setToolTip(core_text(example.summary));
-        button->setAutoRaise(true);
-        button->setCursor(Qt::PointingHandCursor);
-        connect(button, &QToolButton::clicked, this,
-                [this, file = from_path(example.file)] { emit example_wanted(file); });
-        lines->addWidget(button, i % rows, i / rows, Qt::AlignLeft);
+void StartPage::add_tile(QHBoxLayout& row, QuestionTile* tile) {
+    tiles_ << tile;
+    row.addWidget(tile, 1);
+}
+
+/// The first of them is the usual one: a click, and Return.
+QMenu* StartPage::menu_of(AnalysisTemplate::Topic topic) {
+    auto* menu = new QMenu(this);
+    menu->setToolTipsVisible(true);
+    for (const AnalysisTemplate& known : analysis_templates()) {
+        if (known.topic != topic) continue;
+        menu->addAction(core_text(known.title), this, [this, &known] { emit template_wanted(known); })
+            ->setToolTip(core_text(known.question));
     }
-    lines->setColumnStretch(2, 1);
+    return menu;
+}
+
+QMenu* StartPage::menu_of_files() {
+    auto* menu = new QMenu(this);
+    menu->addAction(tr("Budget, Points or Report …"), this, &StartPage::import_wanted);
+    menu->addAction(tr("Robot (URDF) …"), this, &StartPage::urdf_wanted);
+    menu->addAction(tr("Project …"), this, &StartPage::open_wanted);
+    return menu;
+}
+
+/// As plain lines; with their pictures they are in the library.
+void StartPage::add_examples(QVBoxLayout& column) {
+    auto* head = new QHBoxLayout;
+    head->addWidget(heading(tr("Examples")));
+    head->addWidget(quiet(tr("They open as new projects; the shipped files stay as they are.")), 1);
+    column.addLayout(head);
+    QGridLayout* lines = grid();
+    int at = 0;
+    for (const char* folder : {"", "gum"})
+        for (const Example& example : shipped_examples(folder)) {
+            auto* button = new QToolButton;
+            button->setText(core_text(example.title));
+            button->setToolTip(button->text() + QStringLiteral("\n\n") + core_text(example.summary));
+            button->setAutoRaise(true);
+            button->setCursor(Qt::PointingHandCursor);
+            button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+            connect(button, &QToolButton::clicked, this,
+                    [this, file = from_path(example.file)] { emit example_wanted(file); });
+            lines->addWidget(button, at / 3, at % 3, Qt::AlignLeft);
+            ++at;
+        }
     column.addLayout(lines);
-}
-
-void StartPage::place_cards(int in_a_row) {
-    if (in_a_row == in_a_row_) return;
-    in_a_row_ = in_a_row;
-    for (qsizetype i = 0; i < cards_.size(); ++i)
-        examples_->addWidget(cards_[i], int(i) / in_a_row, int(i) % in_a_row, Qt::AlignLeft | Qt::AlignTop);
-    for (int column = 0; column <= cards_.size(); ++column)
-        examples_->setColumnStretch(column, column == in_a_row ? 1 : 0);
-}
-
-void StartPage::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    if (cards_.isEmpty()) return;
-    const int room = std::min(width(), widest_page) - 2 * 48 - 260 - 56;
-    place_cards(std::max(1, (room + gap) / (cards_.front()->sizeHint().width() + gap)));
 }
 
 void StartPage::set_recent_files(const QStringList& files) {
@@ -209,16 +216,26 @@ void StartPage::set_recent_files(const QStringList& files) {
         delete item->widget();
         delete item;
     }
-    for (const QString& file : files) {
-        auto* button = new RecentButton(file);
-        connect(button, &QToolButton::clicked, this, [this, file] { emit file_wanted(file); });
-        recent_->addWidget(button);
+    for (int i = 0; i < std::min(most_recent, int(files.size())); ++i) {
+        auto* button = new RecentButton(files[i]);
+        connect(button, &QToolButton::clicked, this, [this, file = files[i]] { emit file_wanted(file); });
+        recent_->addWidget(button, i / in_a_row, i % in_a_row);
     }
-    if (files.isEmpty()) {
-        QLabel* hint = quiet(tr("Projects that you open are listed here."));
-        hint->setWordWrap(true);
-        recent_->addWidget(hint);
-    }
+    if (files.isEmpty())
+        recent_->addWidget(quiet(tr("Projects that you open are listed here.")), 0, 0, 1, in_a_row);
+}
+
+/// 1 to 5 open the tiles, the arrow keys go from one to the next.
+void StartPage::keyPressEvent(QKeyEvent* event) {
+    const int number = event->key() - Qt::Key_1;
+    const auto now = std::ranges::find_if(tiles_, [](const QuestionTile* tile) { return tile->hasFocus(); });
+    const int step = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+    if (number >= 0 && number < tiles_.size())
+        tiles_[number]->click();
+    else if (step != 0 && now != tiles_.end())
+        tiles_[(now - tiles_.begin() + step + tiles_.size()) % tiles_.size()]->setFocus(Qt::TabFocusReason);
+    else
+        QWidget::keyPressEvent(event);
 }
 
 }  // namespace covaria::ui

@@ -1,44 +1,52 @@
-// What the window shows without a project: new, open, recent files, examples with pictures.
+// What the window shows without a project: five questions, recent projects, examples.
 #pragma once
 
 #include <QStringList>
 #include <QWidget>
 
+#include "core/made/analysis_templates.h"
+
 class QGridLayout;
+class QHBoxLayout;
 class QVBoxLayout;
 
 namespace covaria::ui {
 
-class ExampleCard;
+class QuestionTile;
 
+/// A tile leads to an analysis that has results in two clicks.
 class StartPage : public QWidget {
     Q_OBJECT
 public:
     explicit StartPage(QWidget* parent = nullptr);
     void set_recent_files(const QStringList& files);
+    const QList<QuestionTile*>& tiles() const { return tiles_; }
 
 signals:
     void new_wanted();
     void open_wanted();
+    void import_wanted();
+    void urdf_wanted();
     void library_wanted();
     void first_steps_wanted();
     void file_wanted(const QString& file);
     /// Opens as a new project, so that the shipped file stays as it is.
     void example_wanted(const QString& file);
+    void template_wanted(const covaria::AnalysisTemplate& wanted);
 
 protected:
-    void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    QWidget* make_actions();
-    QWidget* make_examples();
-    void add_worked_examples(QVBoxLayout& column);
-    void place_cards(int in_a_row);
+    QHBoxLayout* make_head();
+    QHBoxLayout* make_tiles();
+    void add_tile(QHBoxLayout& row, QuestionTile* tile);
+    QMenu* menu_of(AnalysisTemplate::Topic topic);
+    QMenu* menu_of_files();
+    void add_examples(QVBoxLayout& column);
 
-    QVBoxLayout* recent_ = nullptr;
-    QGridLayout* examples_ = nullptr;
-    QList<ExampleCard*> cards_;
-    int in_a_row_ = 0;
+    QGridLayout* recent_ = nullptr;
+    QList<QuestionTile*> tiles_;
 };
 
 }  // namespace covaria::ui

@@ -11,39 +11,61 @@
 namespace covaria::ui {
 namespace {
 
-QPalette palette_of(const Neutrals& n, bool dark) {
-    QPalette palette(n.panel);
-    palette.setColor(QPalette::Window, n.panel);
-    palette.setColor(QPalette::Base, n.ground);
-    palette.setColor(QPalette::AlternateBase, mix(n.ground, n.panel, 0.6));
-    palette.setColor(QPalette::Button, n.panel);
-    palette.setColor(QPalette::ToolTipBase, dark ? n.panel.lighter(120) : n.ground);
-    palette.setColor(QPalette::Mid, n.rule);
-    palette.setColor(QPalette::Dark, dark ? n.panel.darker(160) : n.panel.darker(135));
-    palette.setColor(QPalette::Light, dark ? n.panel.lighter(130) : QColor(Qt::white));
-    palette.setColor(QPalette::Highlight, n.accent);
-    palette.setColor(QPalette::HighlightedText, n.on_accent);
-    palette.setColor(QPalette::Link, n.accent);
-    palette.setColor(QPalette::LinkVisited, n.accent);
-    palette.setColor(QPalette::PlaceholderText, n.disabled);
+QPalette palette_of(const Tokens& t, bool dark) {
+    QPalette palette(t.panel);
+    palette.setColor(QPalette::Window, t.panel);
+    palette.setColor(QPalette::Base, t.stage);
+    palette.setColor(QPalette::AlternateBase, t.stage);
+    palette.setColor(QPalette::Button, t.stage);
+    palette.setColor(QPalette::ToolTipBase, dark ? t.panel.lighter(120) : t.stage);
+    palette.setColor(QPalette::Mid, t.line2);
+    palette.setColor(QPalette::Midlight, t.line);
+    palette.setColor(QPalette::Dark, t.field_line);
+    palette.setColor(QPalette::Light, dark ? t.hover : t.stage);
+    palette.setColor(QPalette::Highlight, t.blue);
+    palette.setColor(QPalette::HighlightedText, t.on_blue);
+    palette.setColor(QPalette::Link, t.blue);
+    palette.setColor(QPalette::LinkVisited, t.blue);
+    palette.setColor(QPalette::PlaceholderText, t.ink3);
     for (const auto role :
          {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
-        palette.setColor(role, n.text);
-        palette.setColor(QPalette::Disabled, role, n.disabled);
+        palette.setColor(role, t.ink);
+        palette.setColor(QPalette::Disabled, role, t.ink3);
     }
-    palette.setColor(QPalette::Disabled, QPalette::Highlight, n.band);
-    palette.setColor(QPalette::Disabled, QPalette::HighlightedText, n.disabled);
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, t.hover);
+    palette.setColor(QPalette::Disabled, QPalette::HighlightedText, t.ink3);
+    return palette;
+}
+
+/// A selected row is tinted; its inks stay.
+QPalette palette_of_rows(QPalette palette, const Tokens& t) {
+    palette.setColor(QPalette::Highlight, t.tint);
+    palette.setColor(QPalette::HighlightedText, t.ink);
+    return palette;
+}
+
+/// Bars of the window.
+QPalette palette_of_bars(QPalette palette, const Tokens& t) {
+    for (const auto role : {QPalette::Window, QPalette::Button}) palette.setColor(role, t.chrome);
+    palette.setColor(QPalette::Highlight, t.tint);
+    palette.setColor(QPalette::HighlightedText, t.ink);
     return palette;
 }
 
 }  // namespace
 
 void apply_theme(QApplication& application, const Theme& theme, const FontChoice& chosen) {
-    const QPalette palette = palette_of(theme.neutrals(), theme.is_dark());
+    const Tokens& tokens = theme.tokens();
+    const QPalette palette = palette_of(tokens, theme.is_dark());
     if (!dynamic_cast<Style*>(application.style())) application.setStyle(new Style);
     application.setPalette(palette);
     const QFont font = application_font(chosen);
     if (font != QApplication::font()) application.setFont(font);
+    for (const char* rows : {"QAbstractItemView", "QMenu"})
+        QApplication::setPalette(palette_of_rows(palette, tokens), rows);
+    for (const char* bar : {"QMenuBar", "QStatusBar"})
+        QApplication::setPalette(palette_of_bars(palette, tokens), bar);
+    QApplication::setFont(sized(font, TextSize::small), "QHeaderView");
     QToolTip::setPalette(palette);
 }
 

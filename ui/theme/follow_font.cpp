@@ -2,8 +2,7 @@
 #include "ui/theme/follow_font.h"
 
 #include <QEvent>
-#include <QHeaderView>
-#include <QTableView>
+#include <QWidget>
 
 namespace covaria::ui {
 namespace {
@@ -27,14 +26,6 @@ private:
 void follow_font(QWidget& widget, std::function<void()> size) {
     size();
     new FontFollower(widget, std::move(size));  // the widget's own
-}
-
-void rows_follow_font(QTableView& view) {
-    follow_font(view, [&view] {
-        const int height = view.fontMetrics().height() + 8;
-        if (view.verticalHeader()->defaultSectionSize() != height)
-            view.verticalHeader()->setDefaultSectionSize(height);
-    });
 }
 
 }  // namespace covaria::ui

@@ -3,14 +3,11 @@
 
 #include <functional>
 
-class QTableView;
 class QWidget;
 
 namespace covaria::ui {
 
 /// `size` is called now, and whenever the widget's font has changed.
 void follow_font(QWidget& widget, std::function<void()> size);
-/// Rows as high as their text.
-void rows_follow_font(QTableView& view);
 
 }  // namespace covaria::ui

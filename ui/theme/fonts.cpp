@@ -65,6 +65,14 @@ QStringList with_fallbacks(const QString& family) {
     return families;
 }
 
+QFont times(QFont font, double factor) {
+    if (font.pointSizeF() > 0)
+        font.setPointSizeF(factor * font.pointSizeF());
+    else
+        font.setPixelSize(qRound(factor * font.pixelSize()));
+    return font;
+}
+
 }  // namespace
 
 QStringList text_families() {
@@ -94,6 +102,36 @@ QFont application_font(const FontChoice& chosen) {
     const bool is_ours = chosen.family.isEmpty() || !QFontDatabase::hasFamily(chosen.family);
     font.setFamilies(with_fallbacks(is_ours ? text_family() : chosen.family));
     if (chosen.points > 0) font.setPointSize(chosen.points);
+    return font;
+}
+
+QFont sized(QFont font, TextSize size) {
+    constexpr double text = 13.0, answer = 20.0, title = 15.0, small = 11.0;
+    const double wanted = size == TextSize::answer  ? answer
+                          : size == TextSize::title ? title
+                          : size == TextSize::small ? small
+                                                    : text;
+    if (wanted > text) font.setWeight(QFont::DemiBold);
+    return times(std::move(font), wanted / text);
+}
+
+QFont formula_font(QFont font) {
+    constexpr double larger = 1.14;
+    static const QStringList families = [] {
+        const QStringList installed = QFontDatabase::families();
+        QStringList found;
+        for (const char* family : {"STIXGeneral", "STIX", "Liberation Serif", "DejaVu Serif"})
+            if (installed.contains(QLatin1String(family))) found << QLatin1String(family);
+        return found;
+    }();
+    if (families.isEmpty() || families.contains(font.families().value(0))) return font;
+    font.setFamilies(families + with_fallbacks(text_family()));
+    return times(std::move(font), larger);
+}
+
+QFont symbol_font(QFont font) {
+    font = formula_font(std::move(font));
+    font.setItalic(true);
     return font;
 }
 

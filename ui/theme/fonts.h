@@ -1,5 +1,5 @@
 // The fonts of the window, charts and pictures: Inter where it is installed, else Liberation Sans, DejaVu
-// Sans.
+// Sans; symbols and formulae in STIX, so that l, I and 1 differ.
 #pragma once
 
 #include <QFont>
@@ -25,6 +25,14 @@ QString figures_family();
 
 /// Font of the whole application. A family that is not installed is ours.
 QFont application_font(const FontChoice& chosen = {});
+/// 20, 15, 13 and 11 px where the text of the window has 13: the answer, titles, all else, and heads with
+/// units and captions. The first two are semibold.
+enum class TextSize { answer, title, text, small };
+QFont sized(QFont font, TextSize size);
+/// Of formulae beside that text: a serif, as much larger as its small letters are lower.
+QFont formula_font(QFont font);
+/// Likewise of the symbol of a quantity in running text: italic.
+QFont symbol_font(QFont font);
 /// Same size and weight, with figures of equal width: numbers in tables, ticks, read-outs.
 QFont with_tabular_figures(QFont font);
 

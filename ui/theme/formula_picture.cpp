@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/theme/fonts.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -44,9 +45,11 @@ public:
     }
 
     Box words(const Text& words, const QFont& font) const {
+        const QFont symbols = formula_font(font);
         Box line, last;  // a script hangs on the last letters, however low an earlier one goes
         for (const Text::Span& span : words.spans()) {
-            const Box part = span.script == Script::line ? text(to_qt(span.letters), font, span.italic)
+            const QFont& own = span.italic ? symbols : font;
+            const Box part = span.script == Script::line ? text(to_qt(span.letters), own, span.italic)
                                                          : script(span.letters, font);
             if (span.script == Script::line) line = beside(std::move(line), std::exchange(last, part));
             if (span.script == Script::below) last = with_scripts(std::move(last), part, {}, font);
@@ -213,7 +216,7 @@ private:
 }  // namespace
 
 FormulaPicture::FormulaPicture(const Formula& formula, const QFont& font, QPaintDevice* device)
-    : box_(FormulaSetter(device).formula(formula, font)) {}
+    : box_(FormulaSetter(device).formula(formula, formula_font(font))) {}
 
 FormulaPicture::FormulaPicture(const Text& text, const QFont& font, QPaintDevice* device)
     : box_(FormulaSetter(device).words(text, font)) {}

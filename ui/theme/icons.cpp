@@ -15,21 +15,9 @@
 namespace covaria::ui {
 namespace {
 
-/// Names of the freedesktop icon naming specification for what it names.
-QString theme_name(const QString& name) {
-    static const QHash<QString, QString> names{
-        {"new", "document-new"},   {"open", "document-open"},       {"recent", "document-open-recent"},
-        {"save", "document-save"}, {"save-as", "document-save-as"}, {"undo", "edit-undo"},
-        {"redo", "edit-redo"},     {"copy", "edit-copy"},           {"delete", "edit-delete"},
-        {"add", "list-add"},       {"run", "media-playback-start"}, {"stop", "media-playback-stop"},
-        {"help", "help-contents"}, {"about", "help-about"},         {"quit", "application-exit"}};
-    return names.value(name);
-}
-
 QColor colour_of(QIcon::Mode mode) {
     const QPalette palette = QGuiApplication::palette();
     if (mode == QIcon::Disabled) return palette.color(QPalette::Disabled, QPalette::ButtonText);
-    if (mode == QIcon::Selected) return palette.color(QPalette::HighlightedText);
     return palette.color(QPalette::ButtonText);
 }
 
@@ -79,14 +67,9 @@ QByteArray drawing_of(const QString& name) {
 
 }  // namespace
 
-QIcon own_icon(const QString& name) {
+QIcon icon(const QString& name) {
     const QByteArray drawing = drawing_of(name);
     return drawing.isEmpty() ? QIcon() : QIcon(new DrawnIcon(name, drawing));
-}
-
-QIcon icon(const QString& name) {
-    const QString desktop = theme_name(name);
-    return !desktop.isEmpty() && QIcon::hasThemeIcon(desktop) ? QIcon::fromTheme(desktop) : own_icon(name);
 }
 
 }  // namespace covaria::ui

@@ -1,4 +1,4 @@
-// Runs of text on the line, below and above it. Labels are set upright, symbols too.
+// Runs of text on the line, below and above it; symbols are italic.
 #include "ui/theme/label_text.h"
 
 #include <QFontInfo>
@@ -8,22 +8,26 @@
 #include <set>
 
 #include "core/text/wrapped.h"
+#include "ui/theme/fonts.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
 
-constexpr double small_size = 0.74, lowering = 0.16, raising = 0.36;  // of the font's size
+constexpr double small_size = 0.72, lowering = 0.16, raising = 0.36;  // of the font's size
 
 }  // namespace
 
-LabelText::LabelText(const Text& text, const QFont& font) : font_(font), small_(font) {
+LabelText::LabelText(const Text& text, const QFont& font)
+    : font_(font), small_(font), symbol_(symbol_font(font)) {
     const int size = font.pixelSize() > 0 ? font.pixelSize() : QFontInfo(font).pixelSize();
     small_.setPixelSize(std::max(1, qRound(small_size * size)));
     shift_ = size;
     for (const Text::Span& span : text.spans()) {
         // Letters on one line are one piece, for kerning and for who copies them out of a PDF.
-        if (runs_.empty() || runs_.back().script != span.script) runs_.push_back({{}, span.script, 0.0});
+        const bool goes_on =
+            !runs_.empty() && runs_.back().script == span.script && runs_.back().italic == span.italic;
+        if (!goes_on) runs_.push_back({{}, span.script, span.italic, 0.0});
         runs_.back().text += to_qt(span.letters);
     }
     for (Run& run : runs_) width_ += run.width = QFontMetricsF(font_of(run)).horizontalAdvance(run.text);

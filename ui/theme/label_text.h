@@ -1,5 +1,4 @@
-// Text with real subscripts and superscripts, in charts, tables and lists: small letters below and above the
-// line.
+// Text with real subscripts and superscripts and italic symbols, in charts, tables and lists.
 #pragma once
 
 #include <QFont>
@@ -29,10 +28,13 @@ private:
     struct Run {
         QString text;
         Script script;
+        bool italic;
         double width;
     };
-    const QFont& font_of(const Run& run) const { return run.script == Script::line ? font_ : small_; }
-    QFont font_, small_;
+    const QFont& font_of(const Run& run) const {
+        return run.script != Script::line ? small_ : run.italic ? symbol_ : font_;
+    }
+    QFont font_, small_, symbol_;
     std::vector<Run> runs_;
     double width_ = 0.0, shift_ = 0.0;
 };

@@ -45,18 +45,28 @@ double contrast(const QColor& a, const QColor& b) {
 }
 
 Theme Theme::light() {
-    Neutrals n;
-    n.ground = 0xffffff;
-    n.panel = 0xf3f4f5;
-    n.text = 0x1c1f23;
-    n.quiet = 0x5d646c;
-    n.disabled = 0x666d74;
-    n.rule = 0x8b929a;
-    n.grid = 0xe6e8ea;
-    n.band = 0xf0f1f3;
-    n.accent = 0x1f5a8a;
-    n.on_accent = 0xffffff;
-    return {false, n};
+    Tokens t;
+    t.chrome = 0xf0f2f4;
+    t.panel = 0xf7f8f9;
+    t.stage = 0xffffff;
+    t.line = 0xdde1e5;
+    t.line2 = 0xb9c0c8;
+    t.field_line = 0x8b939c;
+    t.hover = 0xe9ecef;
+    t.ink = 0x16191d;
+    t.ink2 = 0x4c545d;
+    t.ink3 = 0x626a74;
+    t.blue = 0x1563a8;
+    t.on_blue = 0xffffff;
+    t.fill = 0x2f7fc0;
+    t.tint = 0xe6f0f9;
+    t.orange = 0xd97f0c;
+    t.type_a = 0x8a4a00;
+    t.green = 0x17703f;
+    t.green_tint = 0xe3f3ea;
+    t.red = 0xb0281e;
+    t.red_tint = 0xfbe8e5;
+    return {false, t};
 }
 
 Theme Theme::with_numbers(const NumberLocale& numbers) const {
@@ -66,25 +76,36 @@ Theme Theme::with_numbers(const NumberLocale& numbers) const {
 }
 
 Theme Theme::dark() {
-    Neutrals n;
-    n.ground = 0x1e2125;
-    n.panel = 0x282c31;
-    n.text = 0xe6e9ec;
-    n.quiet = 0xa7aeb6;
-    n.disabled = 0x9098a0;
-    n.rule = 0x7c848d;
-    n.grid = 0x33383e;
-    n.band = 0x292e33;
-    n.accent = 0x6aaede;
-    n.on_accent = 0x10161b;
-    return {true, n};
+    Tokens t;
+    t.chrome = 0x1f2226;
+    t.panel = 0x23272c;
+    t.stage = 0x1b1e22;
+    t.line = 0x343a41;
+    t.line2 = 0x4d555e;
+    t.field_line = 0x69727c;
+    t.hover = 0x2b3036;
+    t.ink = 0xeceef0;
+    t.ink2 = 0xb3bac2;
+    t.ink3 = 0x98a0aa;
+    t.blue = 0x74b6ee;
+    t.on_blue = 0x10161b;
+    t.fill = 0x4b9bdd;
+    t.tint = 0x1c3346;
+    t.orange = 0xf0a23c;
+    t.type_a = 0xf7c787;
+    t.green = 0x6fd09a;
+    t.green_tint = 0x1b3528;
+    t.red = 0xff9489;
+    t.red_tint = 0x45231f;
+    return {true, t};
 }
 
 QColor Theme::series(SeriesRole role) const {
     switch (role) {
         case SeriesRole::data:
         case SeriesRole::monte_carlo:
-            return dark_ ? 0x56b4e9 : 0x0072b2;
+        case SeriesRole::family_1:
+            return tokens_.fill;
         case SeriesRole::fit:
             return dark_ ? 0xf0823a : 0xd55e00;
         case SeriesRole::first_order:
@@ -92,9 +113,7 @@ QColor Theme::series(SeriesRole role) const {
         case SeriesRole::emphasis:
             return dark_ ? 0xe6c14a : 0x8a3d6e;
         case SeriesRole::reference:
-            return neutrals_.quiet;
-        case SeriesRole::family_1:
-            return dark_ ? 0x56b4e9 : 0x0072b2;
+            return tokens_.ink2;
         case SeriesRole::family_2:
             return dark_ ? 0xf0823a : 0xd55e00;
         case SeriesRole::family_3:
@@ -104,13 +123,13 @@ QColor Theme::series(SeriesRole role) const {
         case SeriesRole::family_5:
             return dark_ ? 0xe6c14a : 0xb8860b;
         case SeriesRole::family_6:
-            return neutrals_.text;
+            return tokens_.ink;
     }
-    return neutrals_.text;
+    return tokens_.ink;
 }
 
 QColor Theme::filling(SeriesRole role) const {
-    return mix(series(role), neutrals_.ground, dark_ ? 0.50 : 0.52);
+    return mix(series(role), tokens_.stage, dark_ ? 0.50 : 0.52);
 }
 
 QColor Theme::sequential(double t) const {
@@ -119,6 +138,11 @@ QColor Theme::sequential(double t) const {
 
 Theme Theme::of(const QPalette& palette) {
     return palette.color(QPalette::Window).lightness() < 128 ? dark() : light();
+}
+
+const Tokens& tokens_of(const QPalette& palette) {
+    static const Theme light = Theme::light(), dark = Theme::dark();
+    return (palette.color(QPalette::Window).lightness() < 128 ? dark : light).tokens();
 }
 
 QColor Theme::diverging(double t) const {

@@ -1,4 +1,5 @@
-// Colours of the window and of charts, light and dark: neutral greys, one accent, colour for data only.
+// Colours of the window and of charts, light and dark: neutral greys, blue for outputs, orange for inputs,
+// green and red for verdicts.
 #pragma once
 
 #include <QColor>
@@ -12,18 +13,26 @@ class QApplication;
 
 namespace covaria::ui {
 
-/// Greys and accent of the window.
-struct Neutrals {
-    QColor ground;     ///< of charts, tables, text fields
-    QColor panel;      ///< of forms, docks, tool bars
-    QColor text;       ///< what is read first
-    QColor quiet;      ///< units, axis titles, notes
-    QColor disabled;   ///< text that stands back, but is read: what cannot be used, hints, notes
-    QColor rule;       ///< axes, borders
-    QColor grid;       ///< thin lines behind data
-    QColor band;       ///< a shaded range
-    QColor accent;     ///< selection, links, focus
-    QColor on_accent;  ///< text on the accent
+/// What everything in the window is coloured with. Inks reach a contrast of 4.5 on every ground.
+struct Tokens {
+    QColor chrome;             ///< bars
+    QColor panel;              ///< tree, inspector, forms
+    QColor stage;              ///< tables, charts, fields
+    QColor line;               ///< between rows and groups, behind data
+    QColor line2;              ///< below heads, around totals, zero of a chart
+    QColor field_line;         ///< around what can be typed into or pressed
+    QColor hover;              ///< under the mouse, a neutral chip, a shaded range
+    QColor ink;                ///< what is read first
+    QColor ink2;               ///< labels, heads, axis titles
+    QColor ink3;               ///< units, hints, what cannot be used
+    QColor blue;               ///< outputs, focus, links
+    QColor on_blue;            ///< text on blue
+    QColor fill;               ///< outputs in charts
+    QColor tint;               ///< the selected row
+    QColor orange;             ///< inputs; fills only, never text
+    QColor type_a;             ///< of them those evaluated by Type A
+    QColor green, green_tint;  ///< a requirement is met, and the ground of its chip
+    QColor red, red_tint;      ///< it is not, or something failed
 };
 
 class Theme {
@@ -38,8 +47,9 @@ public:
     /// the window.
     const NumberLocale& numbers() const { return numbers_; }
     Theme with_numbers(const NumberLocale& numbers) const;
-    const Neutrals& neutrals() const { return neutrals_; }
-    /// Okabe and Ito's colours (Color Universal Design, 2008), on dark ground their lighter ones.
+    const Tokens& tokens() const { return tokens_; }
+    /// Results are blue; families beside them have Okabe and Ito's colours (Color Universal Design, 2008), on
+    /// dark ground their lighter ones.
     QColor series(SeriesRole role) const;
     /// Filling of bars of that role: between the role's colour and the ground.
     QColor filling(SeriesRole role) const;
@@ -52,11 +62,14 @@ public:
     static QColor text_on(const QColor& ground);
 
 private:
-    Theme(bool dark, Neutrals neutrals) : dark_(dark), neutrals_(std::move(neutrals)) {}
+    Theme(bool dark, Tokens tokens) : dark_(dark), tokens_(std::move(tokens)) {}
     bool dark_;
-    Neutrals neutrals_;
+    Tokens tokens_;
     NumberLocale numbers_;
 };
+
+/// Those of the theme whose panels have the colour of the palette's windows.
+const Tokens& tokens_of(const QPalette& palette);
 
 /// Contrast ratio of two colours, 1 to 21 (WCAG 2.1).
 double contrast(const QColor& a, const QColor& b);

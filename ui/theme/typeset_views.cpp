@@ -14,9 +14,12 @@
 #include "ui/theme/fonts.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
+#include "ui/theme/theme.h"
 
 namespace covaria::ui {
 namespace {
+
+constexpr int around_head = 12;  // px above and below the text of a head
 
 QStyle* style_of(const QWidget* widget) {
     return widget ? widget->style() : QApplication::style();
@@ -35,6 +38,11 @@ void draw_typeset(QPainter& painter, const Text& text, const QFont& font, const 
     if (alignment & Qt::AlignRight) left += area.width() - label.width();
     if (alignment & Qt::AlignHCenter) left += 0.5 * (area.width() - label.width());
     label.draw(painter, {left, area.top() + 0.5 * (area.height() - label.height())});
+}
+
+/// With a symbol or a script in it: drawn by hand, not by the style.
+bool is_typeset(const Text& text) {
+    return !text.empty() && !text.is_plain();
 }
 
 QColor text_colour(const QStyleOptionViewItem& option) {
@@ -76,7 +84,7 @@ TypesetDelegate::TypesetDelegate(QObject* parent, Qt::TextElideMode elide)
 void TypesetDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);
     // "θ" of a model whose cell is "theta"; with scripts it is drawn by hand.
-    if (const QVariant text = index.data(typeset_role); text.isValid() && !text.value<Text>().has_scripts())
+    if (const QVariant text = index.data(typeset_role); text.isValid() && !is_typeset(text.value<Text>()))
         option->text = to_qt(to_unicode(text.value<Text>()));
     if (option->displayAlignment & Qt::AlignRight)
         option->font = with_tabular_figures(option->font);
@@ -101,7 +109,7 @@ void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     const int margin = text_margins(cell) / 2;
     const QRect area = style->subElementRect(QStyle::SE_ItemViewItemText, &cell, cell.widget)
                            .adjusted(margin, 0, -margin, 0);
-    if (!text.has_scripts()) {
+    if (!is_typeset(text)) {
         if (cell.textElideMode == Qt::ElideMiddle && text_width(text, cell.font) > area.width())
             cell.text = to_qt(to_unicode(shortened(text, cell.font, area.width())));
         style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
@@ -135,7 +143,7 @@ QSize TypesetDelegate::sizeHint(const QStyleOptionViewItem& option, const QModel
     QStyleOptionViewItem cell(option);
     initStyleOption(&cell, index);
     const Text text = text_from(index.data(typeset_role), cell.text);
-    if (text.has_scripts())
+    if (is_typeset(text))
         size.rwidth() += int(
             std::ceil(text_width(text, cell.font) - QFontMetricsF(cell.font).horizontalAdvance(cell.text)));
     return size;
@@ -164,7 +172,7 @@ void TypesetHeader::initStyleOptionForIndex(QStyleOptionHeader* option, int sect
 bool TypesetHeader::draws_text(int section) const {
     const QRect whole(sectionViewportPosition(section), 0, sectionSize(section), height());
     const bool is_cut = orientation() == Qt::Horizontal && seen_part(whole, this) != whole;
-    return is_cut || text_of(section).has_scripts();
+    return is_cut || is_typeset(text_of(section));
 }
 
 void TypesetHeader::paintSection(QPainter* painter, const QRect& whole, int section) const {
@@ -179,7 +187,7 @@ void TypesetHeader::paintSection(QPainter* painter, const QRect& whole, int sect
     option.rect = rect;
     const QRect area = style()->subElementRect(QStyle::SE_HeaderLabel, &option, this);
     painter->save();
-    painter->setPen(option.palette.color(QPalette::ButtonText));
+    painter->setPen(tokens_of(option.palette).ink2);
     draw_typeset(*painter, text_of(section), font(), area, option.textAlignment);
     painter->restore();
 }
@@ -191,7 +199,8 @@ QSize TypesetHeader::sectionSizeFromContents(int section) const {
     const int margin = style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, this);
     const int mark = sorted ? style()->pixelMetric(QStyle::PM_HeaderMarkSize) + margin : 0;
     const int width = int(std::ceil(text_width(text_of(section), font()))) + 1;
-    return {width + 2 * margin + mark, size.height()};
+    const int height = std::max(size.height(), QFontMetrics(font()).height() + around_head);
+    return {width + 2 * margin + mark, height};
 }
 
 TypesetComboBox::TypesetComboBox(QWidget* parent) : QComboBox(parent) {
@@ -209,7 +218,7 @@ void TypesetComboBox::paintEvent(QPaintEvent*) {
     initStyleOption(&option);
     painter.drawComplexControl(QStyle::CC_ComboBox, option);
     const Text text = text_from(currentData(typeset_role), option.currentText);
-    if (!text.has_scripts()) {
+    if (!is_typeset(text)) {
         painter.drawControl(QStyle::CE_ComboBoxLabel, option);
         return;
     }

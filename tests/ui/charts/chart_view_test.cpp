@@ -154,7 +154,7 @@ TEST_F(ChartViewTest, FollowsItsSizeAndTheme) {
     QCoreApplication::processEvents();
     EXPECT_EQ(view_.chart().size().toSize(), view_.viewport()->size());
     const QImage image = view_.grab().toImage();
-    EXPECT_LE(test::difference(image.pixelColor(498, 298), Theme::dark().neutrals().ground), 2);
+    EXPECT_LE(test::difference(image.pixelColor(498, 298), Theme::dark().tokens().stage), 2);
 }
 
 TEST(ReadOut, KnowsBarsCellsAndPoints) {

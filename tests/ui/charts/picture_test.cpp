@@ -27,9 +27,9 @@ TEST_F(ChartPicture, HistogramFillsItsCells) {
         EXPECT_LE(test::nearest_difference(image_, at.at(-120.0 - 0.5 * u, 0.35),
                                            theme.filling(SeriesRole::data), 0),
                   2);
-        EXPECT_LE(test::nearest_difference(image_, at.at(-120.0 - 1.7 * u, 0.95), theme.neutrals().band, 0),
+        EXPECT_LE(test::nearest_difference(image_, at.at(-120.0 - 1.7 * u, 0.95), theme.tokens().hover, 0),
                   2);
-        EXPECT_LE(test::nearest_difference(image_, at.at(-120.0 + 2.6 * u, 0.95), theme.neutrals().ground, 0),
+        EXPECT_LE(test::nearest_difference(image_, at.at(-120.0 + 2.6 * u, 0.95), theme.tokens().stage, 0),
                   2);
         EXPECT_LE(test::nearest_difference(image_, at.at(-120.0, 0.3), theme.series(SeriesRole::emphasis)),
                   24);
@@ -57,7 +57,7 @@ TEST_F(ChartPicture, QuantilesAreOnTheirPlaces) {
                                            theme.series(SeriesRole::monte_carlo), 1),
                   12)
             << i;
-    EXPECT_LE(test::nearest_difference(image_, at.at(0.75, 1175.3), theme.neutrals().ground, 0), 2);
+    EXPECT_LE(test::nearest_difference(image_, at.at(0.75, 1175.3), theme.tokens().stage, 0), 2);
 }
 
 TEST_F(ChartPicture, BarsEndAtTheirShares) {
@@ -71,7 +71,7 @@ TEST_F(ChartPicture, BarsEndAtTheirShares) {
         EXPECT_LE(test::nearest_difference(image_, end - QPointF(3, 0), theme.filling(SeriesRole::data), 0),
                   2)
             << i;
-        EXPECT_LE(test::nearest_difference(image_, end + QPointF(3, 0), theme.neutrals().ground, 0), 30) << i;
+        EXPECT_LE(test::nearest_difference(image_, end + QPointF(3, 0), theme.tokens().stage, 0), 30) << i;
     }
     EXPECT_LT(at.y_at(0.0), at.y_at(1.0)) << "the largest is on top";
 }
@@ -132,8 +132,8 @@ TEST_F(ChartPicture, EveryChartIsFilledInBothThemes) {
             for (int y = 0; y < image_.height(); ++y)
                 for (int x = 0; x < image_.width(); ++x) {
                     const QColor pixel = image_.pixelColor(x, y);
-                    ground += test::difference(pixel, theme.neutrals().ground) <= 2;
-                    text += contrast(pixel, theme.neutrals().ground) >= 4.5;
+                    ground += test::difference(pixel, theme.tokens().stage) <= 2;
+                    text += contrast(pixel, theme.tokens().stage) >= 4.5;
                 }
             EXPECT_GT(ground, 760 * 520 / 12) << plot.id;
             EXPECT_GT(text, 500) << plot.id << ": words that can be read";

@@ -17,16 +17,34 @@ namespace {
 constexpr SeriesRole roles[] = {SeriesRole::data,        SeriesRole::fit,         SeriesRole::reference,
                                 SeriesRole::first_order, SeriesRole::monte_carlo, SeriesRole::emphasis};
 
+TEST(Theme, InksCanBeReadOnEveryGround) {
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+        const Tokens& t = theme.tokens();
+        for (const QColor& ground : {t.chrome, t.panel, t.stage, t.hover, t.tint})
+            for (const QColor& ink : {t.ink, t.ink2, t.ink3, t.blue})
+                EXPECT_GE(contrast(ink, ground), 4.5)
+                    << ink.name().toStdString() << " on " << ground.name().toStdString();
+        EXPECT_GE(contrast(t.on_blue, t.blue), 4.5);
+        EXPECT_GE(contrast(t.green, t.green_tint), 4.5);
+        EXPECT_GE(contrast(t.red, t.red_tint), 4.5);
+        for (const QColor& ground : {t.panel, t.stage}) {
+            EXPECT_GE(contrast(t.field_line, ground), 2.9) << "what can be typed into is seen";
+            for (const QColor& sign : {t.green, t.red}) EXPECT_GE(contrast(sign, ground), 4.5);
+        }
+        EXPECT_GE(contrast(t.orange, t.stage), 2.8) << "fills, beside their figures";
+    }
+}
+
 TEST(Theme, ColoursStandOutFromTheGround) {
     for (const Theme& theme : {Theme::light(), Theme::dark()}) {
-        const Neutrals& n = theme.neutrals();
-        EXPECT_GE(contrast(n.text, n.ground), 10.0);
-        EXPECT_GE(contrast(n.text, n.panel), 10.0);
-        EXPECT_GE(contrast(n.quiet, n.ground), 4.5);
-        EXPECT_GE(contrast(n.quiet, n.panel), 4.5);
-        EXPECT_GE(contrast(n.on_accent, n.accent), 4.5);
+        const Tokens& n = theme.tokens();
+        EXPECT_GE(contrast(n.ink, n.stage), 10.0);
+        EXPECT_GE(contrast(n.ink, n.panel), 10.0);
+        EXPECT_GE(contrast(n.ink2, n.stage), 4.5);
+        EXPECT_GE(contrast(n.ink2, n.panel), 4.5);
+        EXPECT_GE(contrast(n.on_blue, n.blue), 4.5);
         for (const SeriesRole role : roles)
-            EXPECT_GE(contrast(theme.series(role), n.ground), 3.0) << int(role);
+            EXPECT_GE(contrast(theme.series(role), n.stage), 3.0) << int(role);
     }
     EXPECT_TRUE(Theme::dark().is_dark());
 }
@@ -44,11 +62,11 @@ TEST(Theme, MagnitudesGetSteadilyLighter) {
 
 TEST(Theme, DivergingMapIsNeutralInTheMiddle) {
     for (const Theme& theme : {Theme::light(), Theme::dark()}) {
-        EXPECT_LT(contrast(theme.diverging(0.0), theme.neutrals().ground), 1.3);
+        EXPECT_LT(contrast(theme.diverging(0.0), theme.tokens().stage), 1.3);
         for (const double sign : {-1.0, 1.0}) {
-            EXPECT_GT(contrast(theme.diverging(sign), theme.neutrals().ground), 4.5);
-            EXPECT_GT(contrast(theme.diverging(sign), theme.neutrals().ground),
-                      contrast(theme.diverging(0.5 * sign), theme.neutrals().ground));
+            EXPECT_GT(contrast(theme.diverging(sign), theme.tokens().stage), 4.5);
+            EXPECT_GT(contrast(theme.diverging(sign), theme.tokens().stage),
+                      contrast(theme.diverging(0.5 * sign), theme.tokens().stage));
         }
         for (int i = -20; i <= 20; ++i) {
             const QColor colour = theme.diverging(i / 20.0);
@@ -68,9 +86,8 @@ TEST(ApplyTheme, SetsStylePaletteAndFont) {
         const auto* style = qobject_cast<const QProxyStyle*>(QApplication::style());
         ASSERT_NE(style, nullptr);
         EXPECT_EQ(style->baseStyle()->name(), QStringLiteral("fusion"));
-        EXPECT_EQ(QApplication::palette().color(QPalette::Base), theme.neutrals().ground);
-        EXPECT_EQ(QApplication::palette().color(QPalette::Disabled, QPalette::Text),
-                  theme.neutrals().disabled);
+        EXPECT_EQ(QApplication::palette().color(QPalette::Base), theme.tokens().stage);
+        EXPECT_EQ(QApplication::palette().color(QPalette::Disabled, QPalette::Text), theme.tokens().ink3);
         EXPECT_EQ(QApplication::font().family(), text_family());
     }
 }
@@ -80,16 +97,16 @@ TEST(ApplyTheme, DimTextCanBeReadOnEveryGround) {
     for (const Theme& theme : {Theme::dark(), Theme::light()}) {
         apply_theme(*qApp, theme);
         const QPalette palette = QApplication::palette();
-        const QColor dim[] = {
-            palette.color(QPalette::PlaceholderText), palette.color(QPalette::Disabled, QPalette::Text),
-            palette.color(QPalette::Disabled, QPalette::WindowText),
-            palette.color(QPalette::Disabled, QPalette::ButtonText), theme.neutrals().quiet};
+        const QColor dim[] = {palette.color(QPalette::PlaceholderText),
+                              palette.color(QPalette::Disabled, QPalette::Text),
+                              palette.color(QPalette::Disabled, QPalette::WindowText),
+                              palette.color(QPalette::Disabled, QPalette::ButtonText), theme.tokens().ink2};
         for (const QColor& ink : dim) {
             for (const auto ground :
                  {QPalette::Base, QPalette::AlternateBase, QPalette::Window, QPalette::Button})
                 EXPECT_GE(contrast(ink, palette.color(ground)), 4.5)
                     << theme.is_dark() << ' ' << ink.name().toStdString() << " on " << int(ground);
-            EXPECT_GE(contrast(theme.neutrals().text, ink), 1.5) << "it stands back";
+            EXPECT_GE(contrast(theme.tokens().ink, ink), 1.5) << "it stands back";
         }
         EXPECT_GE(contrast(palette.color(QPalette::Disabled, QPalette::HighlightedText),
                            palette.color(QPalette::Disabled, QPalette::Highlight)),

@@ -9,6 +9,7 @@
 #include "ui/models/roles.h"
 #include "ui/pages/all_results_tab.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/pages/stage.h"
 
 namespace covaria::ui::all_results_session_test {
 namespace {
@@ -41,7 +42,7 @@ TEST_F(AllResultsSession, WhatIsNotMetInAnyAnalysisIsFoundAndGoneTo) {
     open(project_copy());
     trigger(QStringLiteral("Run All"));
     wait_until_idle();
-    window_->results().tabs().setCurrentWidget(&tab());
+    window_->results().stage().show_view(&tab());
     ASSERT_TRUE(wait_for([this] { return table().rowCount() == 2 * 78; })) << table().rowCount();
     EXPECT_GE(column(QStringLiteral("95\u00a0% interval, low")), 0);
     EXPECT_GE(column(QStringLiteral("95\u00a0% interval, high")), 0);
@@ -77,14 +78,14 @@ TEST_F(AllResultsSession, WhatIsNotMetInAnyAnalysisIsFoundAndGoneTo) {
     EXPECT_EQ(window_->selection().analysis(), QStringLiteral("from-artefacts"));
     EXPECT_EQ(window_->selection().group(), to_qt(last.quantity.group));
     EXPECT_EQ(window_->selection().output(), int(result->outputs.size()) - 1);
-    EXPECT_EQ(window_->results().tabs().currentIndex(), 0);
+    EXPECT_TRUE(window_->results().stage().shows(window_->results().result_table()));
 }
 
 TEST_F(AllResultsSession, TheFilterSearchesAnalysesToo) {
     open(project_copy());
     trigger(QStringLiteral("Run All"));
     wait_until_idle();
-    window_->results().tabs().setCurrentWidget(&tab());
+    window_->results().stage().show_view(&tab());
     ASSERT_TRUE(wait_for([this] { return table().rowCount() == 2 * 78; }));
     const QString name = to_qt(window_->document().project().analyses.front().name);
     tab().filter().setFocus();

@@ -10,6 +10,7 @@
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/current_results.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/pages/stage.h"
 #include "ui/scene_view/scene_panel.h"
 #include "ui/scene_view/scene_view.h"
 
@@ -31,7 +32,7 @@ protected:
     void open_platform() {
         open(project_copy());
         select(SetupOwner::analysis, "printed");
-        window_->results().tabs().setCurrentWidget(&tab());
+        window_->results().stage().show_view(&tab());
         run();
     }
     void run() {
@@ -143,7 +144,7 @@ TEST_F(CompareSession, TheReportHasBothWhileTheyAreKept) {
 TEST_F(CompareSession, APreviewIsNotKeptAndWhatIsOutOfDateSaysSo) {
     open(project_copy());
     select(SetupOwner::analysis, "printed");
-    window_->results().tabs().setCurrentWidget(&tab());
+    window_->results().stage().show_view(&tab());
     run();
     press("keep_before");
     if (window_->runner().is_live()) trigger(QStringLiteral("Live"));
@@ -199,7 +200,7 @@ TEST_F(CompareSession, WhatWasKeptIsThereTomorrow) {
     EXPECT_FALSE(enabled("discard_kept"));
     open(file);
     select(SetupOwner::analysis, "printed");
-    window_->results().tabs().setCurrentWidget(&tab());
+    window_->results().stage().show_view(&tab());
     EXPECT_TRUE(enabled("discard_kept"));
     EXPECT_FALSE(window_->document().is_modified());
     run();

@@ -12,6 +12,7 @@
 #include "ui/pages/design_tab.h"
 #include "ui/pages/empty_note.h"
 #include "ui/pages/evaluation_view.h"
+#include "ui/pages/stage.h"
 
 namespace covaria::ui::design_session_test {
 namespace {
@@ -40,7 +41,7 @@ protected:
         select(SetupOwner::analysis, id);
         ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
         show_tab(QStringLiteral("Designs"));
-        window_->results().tabs().setCurrentWidget(&tab());
+        window_->results().stage().show_view(&tab());
     }
 };
 
@@ -51,9 +52,9 @@ TEST_F(DesignSession, ARunIsShownAndSymbolsAreSet) {
     type_into("variable_0_from", QStringLiteral("-1 m"));
     type_into("variable_0_to", QStringLiteral("1"));
     type_into("design_most_evaluations", QStringLiteral("60"));
-    window_->results().tabs().setCurrentIndex(0);
+    window_->results().stage().show_view(window_->results().results_tab());
     press(window_->properties(), "run_design");
-    EXPECT_EQ(window_->results().tabs().currentWidget(), &tab());
+    EXPECT_TRUE(window_->results().stage().shows(tab()));
     ASSERT_TRUE(wait_for([this] { return design_status().is_current(); }));
     DataTable table{
         "outputs", "Uncertainties", {{"output", {}, false, 0}}, {{std::string("alpha_xy (pose 1)")}}, {}};
@@ -172,7 +173,7 @@ TEST_F(DesignSession, TheSceneShowsWhatWasFoundWhileItsTabIsOnTop) {
         const auto scene = window_->scene().view().scene();
         return scene && scene->caption.find("out of date") != std::string::npos;
     }));
-    window_->results().tabs().setCurrentIndex(0);
+    window_->results().stage().show_view(window_->results().results_tab());
     EXPECT_TRUE(wait_for([&] { return map().empty(); }));
 }
 
@@ -229,7 +230,7 @@ TEST_F(DesignSession, AChangedFileOfCandidatesMakesTheResultOld) {
     select(SetupOwner::analysis, "points");
     ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
     show_tab(QStringLiteral("Designs"));
-    window_->results().tabs().setCurrentWidget(&tab());
+    window_->results().stage().show_view(&tab());
     type_into("design_candidates", QStringLiteral("more.csv"));
     type_into("design_starts", QStringLiteral("1"));
     type_into("design_most_evaluations", QStringLiteral("30"));

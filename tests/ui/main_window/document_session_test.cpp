@@ -14,6 +14,7 @@
 #include "ui/main_window/export_actions.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/pages/report_preview.h"
+#include "ui/pages/stage.h"
 
 namespace covaria::ui::document_session_test {
 namespace {
@@ -167,7 +168,7 @@ TEST_F(DocumentSession, TheWindowsCertificateIsThatOfTheCommandLine) {
     expect_same_pdf(ours, theirs);
 
     auto* report = window_->results().findChild<ReportPreview*>();
-    window_->results().tabs().setCurrentWidget(report);
+    window_->results().stage().show_view(report);
     ASSERT_TRUE(wait_for([&] { return report->page_count() > 0; }, 120'000));
     const std::size_t pages_of_report = report->page_count();
     choose_in(*report->findChild<QComboBox*>(QStringLiteral("document_kind")), QStringLiteral("Certificate"));

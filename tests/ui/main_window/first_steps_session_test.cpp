@@ -16,6 +16,7 @@
 #include "ui/pages/highlight_frame.h"
 #include "ui/pages/page_view.h"
 #include "ui/pages/report_preview.h"
+#include "ui/pages/stage.h"
 
 namespace covaria::ui::first_steps_session_test {
 namespace {
@@ -233,9 +234,9 @@ TEST_F(FirstStepsSession, TheKeyboardIsEnough) {
     show->setFocus();
     QTest::keyClick(show, Qt::Key_Space);
     ASSERT_TRUE(wait_for([&] { return frame->isVisible(); }));
-    window_->results().tabs().setCurrentIndex(0);
+    window_->results().stage().show_view(window_->results().results_tab());
     EXPECT_TRUE(wait_for([&] { return !frame->isVisible(); })) << "what it is about is not in view";
-    window_->results().tabs().setCurrentWidget(&window_->results().report());
+    window_->results().stage().show_view(&window_->results().report());
     EXPECT_TRUE(wait_for([&] { return frame->isVisible(); }));
     panel().findChild<QPushButton*>(QStringLiteral("step_close"))->click();
     EXPECT_TRUE(wait_for([&] { return !frame->isVisible(); })) << "no frame without the panel";

@@ -1,6 +1,7 @@
 // Library and templates through the real widgets, and an analysis that lacks something.
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QTextBrowser>
@@ -8,11 +9,15 @@
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/document/project_edits.h"
+#include "ui/pages/answer_strip.h"
 #include "ui/pages/example_card.h"
 #include "ui/pages/library_browser.h"
 #include "ui/pages/project_pane.h"
+#include "ui/pages/question_tile.h"
 #include "ui/pages/results_pane.h"
+#include "ui/pages/start_page.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/typeset_label.h"
 
 namespace covaria::ui::library_session_test {
 namespace {
@@ -115,6 +120,29 @@ TEST_F(LibrarySession, ATemplateFromTheStartPageHasResultsAtOnce) {
     EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
 }
 
+/// Two clicks, or a figure and Return: the tile, and the first entry of its menu.
+TEST_F(LibrarySession, EveryQuestionOfTheStartPageLeadsToAnAnalysisWithAResult) {
+    for (const QuestionTile* tile : window_->findChildren<QuestionTile*>()) {
+        QMenu& menu = const_cast<QuestionTile*>(tile)->menu();
+        ASSERT_GE(menu.actions().size(), 2) << tile->text().toStdString();
+    }
+    for (int question = 0; question < 4; ++question) {
+        make_window();
+        auto* start = window_->findChild<StartPage*>();
+        ASSERT_NE(start, nullptr);
+        QTest::keyClick(start, Qt::Key(Qt::Key_1 + question));
+        QMenu& menu = start->tiles()[question]->menu();
+        ASSERT_TRUE(wait_for([&] { return menu.isVisible(); }, 2000)) << question;
+        QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(menu.actions().front()).center());
+        wait_until_idle();
+        ASSERT_EQ(window_->document().project().analyses.empty(), false) << question;
+        EXPECT_EQ(status().state, RunState::up_to_date) << status().message.toStdString();
+        EXPECT_FALSE(window_->results().answer().value().text().empty());
+        answer_.save = SaveAnswer::discard;
+        window_->close();
+    }
+}
+
 TEST_F(LibrarySession, ANewAnalysisOfTheMenuIsPrefilled) {
     open(project_copy());
     wait_until_idle();
@@ -137,7 +165,7 @@ TEST_F(LibrarySession, WhatIsNotGivenIsIncompleteAndTheNextStepLeadsThere) {
         return window_->scene().view().empty_text().startsWith(
             QStringLiteral("The analysis is not complete yet"));
     })) << to_std(window_->scene().view().empty_text());
-    QPushButton& next = window_->results().next_step();
+    QPushButton& next = window_->results().answer().next_step();
     ASSERT_TRUE(next.isVisibleTo(window_.get()));
     EXPECT_EQ(next.text(), QStringLiteral("Next: Base points"));
     next.click();

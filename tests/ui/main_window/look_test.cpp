@@ -19,7 +19,7 @@
 #include "ui/main_window/help_actions.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/models/roles.h"
-#include "ui/pages/example_card.h"
+#include "ui/pages/question_tile.h"
 #include "ui/pages/field_help.h"
 #include "ui/pages/message_panes.h"
 #include "ui/pages/project_pane.h"
@@ -89,11 +89,11 @@ TEST_F(Look, StartPageIsComposedAtEverySize) {
         for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
             window_->resize(size);
             shoot(QStringLiteral("start-%1-%2").arg(size.width()).arg(QString::fromLatin1(theme)));
-            const auto cards = window_->findChildren<ExampleCard*>();
-            ASSERT_FALSE(cards.isEmpty());
-            for (const ExampleCard* card : cards) {
-                const QRect place(card->mapTo(window_.get(), QPoint()), card->size());
-                EXPECT_GE(card->width(), card->sizeHint().width());
+            const auto tiles = window_->findChildren<QuestionTile*>();
+            ASSERT_EQ(tiles.size(), 5);
+            for (const QuestionTile* tile : tiles) {
+                const QRect place(tile->mapTo(window_.get(), QPoint()), tile->size());
+                EXPECT_GE(tile->width(), tile->sizeHint().width());
                 EXPECT_LE(place.right(), size.width());
             }
         }

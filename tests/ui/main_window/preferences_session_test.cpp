@@ -18,6 +18,7 @@
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/current_results.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/pages/stage.h"
 #include "ui/theme/number_locale.h"
 
 namespace covaria::ui::preferences_session_test {
@@ -30,7 +31,7 @@ protected:
     void run() {
         open(project_copy());
         select(SetupOwner::analysis, "printed");
-        window_->results().tabs().setCurrentIndex(0);
+        window_->results().stage().show_view(window_->results().results_tab());
         trigger(QStringLiteral("Run This Analysis"));
         ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
     }
@@ -81,7 +82,7 @@ TEST_F(PreferencesSession, UnitsAndDigitsShowAtOnceAndChangeNoResult) {
 TEST_F(PreferencesSession, UnitsHoldInEveryTableOfTheWindowAndInNoDocument) {
     run();
     ResultsPane& results = window_->results();
-    results.tabs().setCurrentWidget(&results.compare_tab());
+    results.stage().show_view(&results.compare_tab());
     trigger(QStringLiteral("Keep as Before"));
     show_tab(QStringLiteral("Requirements"));
     auto* form = window_->properties().findChild<RequirementsForm*>();
@@ -109,7 +110,7 @@ TEST_F(PreferencesSession, UnitsHoldInEveryTableOfTheWindowAndInNoDocument) {
         return QString();
     };
     EXPECT_EQ(unit_in(results.compare_tab().results()), QStringLiteral("thou"));
-    results.tabs().setCurrentWidget(&results.all_results_tab());
+    results.stage().show_view(&results.all_results_tab());
     ASSERT_TRUE(wait_for([&] { return results.all_results_tab().table().model()->rowCount() > 0; }));
     EXPECT_EQ(unit_in(results.all_results_tab().table()), QStringLiteral("thou"));
     const std::string report = to_markdown(build_report(

@@ -11,6 +11,7 @@
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/pages/page_view.h"
 #include "ui/pages/report_preview.h"
+#include "ui/pages/stage.h"
 
 namespace covaria::ui::preview_session_test {
 namespace {
@@ -21,7 +22,7 @@ protected:
         open(project_copy(QStringLiteral("stewart-platform")));
         wait_until_idle();
         preview_ = window_->results().findChild<ReportPreview*>();
-        window_->results().tabs().setCurrentWidget(preview_);
+        window_->results().stage().show_view(preview_);
         ASSERT_TRUE(wait_for([this] { return preview_->page_count() > 5; }, 120'000));
         QApplication::setActiveWindow(window_.get());
         view().setFocus();

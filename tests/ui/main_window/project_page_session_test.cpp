@@ -8,6 +8,7 @@
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/models/roles.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/pages/stage.h"
 #include "ui/pages/unit_button.h"
 
 namespace covaria::ui::project_page_session_test {
@@ -30,7 +31,7 @@ TEST_F(ProjectPageSession, WhatTheProjectStatesIsObeyedAndUndone) {
     window_->document().apply(QStringLiteral("k from nu"), [](Project& project) {
         for (AnalysisEntry& analysis : project.analyses) analysis.options.coverage_factor.reset();
     });
-    window_->results().tabs().setCurrentIndex(0);
+    window_->results().stage().show_view(window_->results().results_tab());
     select(SetupOwner::analysis, "printed");
     trigger(QStringLiteral("Run This Analysis"));
     ASSERT_TRUE(wait_for([this] { return status().is_current(); }));

@@ -14,6 +14,7 @@
 #include "ui/main_window/export_actions.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/pages/stage.h"
 
 namespace covaria::ui::report_session_test {
 namespace {
@@ -28,9 +29,8 @@ protected:
         EXPECT_EQ(finished[0][1].toString(), QString());
     }
     const std::vector<QImage>& preview() {
-        QTabWidget& tabs = window_->results().tabs();
         auto* report = window_->results().findChild<ReportPreview*>();
-        tabs.setCurrentWidget(report);
+        window_->results().stage().show_view(report);
         EXPECT_TRUE(wait_for([&] { return report->page_count() > 0; }, 120'000));
         return report->pages();
     }

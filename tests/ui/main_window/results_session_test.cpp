@@ -12,6 +12,7 @@
 #include "ui/document/component_source.h"
 #include "ui/models/roles.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/pages/stage.h"
 #include "ui/scene_view/scene_view.h"
 
 namespace covaria::ui::results_session_test {
@@ -32,8 +33,7 @@ TEST_F(ResultsSession, ABarAndARowOfTheBudgetLeadToTheirSource) {
     open(project_copy(QStringLiteral("tracker-pose")));
     select(SetupOwner::analysis, "tracker-alone");
     ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
-    QTabWidget& tabs = window_->results().tabs();
-    tabs.setCurrentIndex(1);
+    window_->results().stage().show_view(window_->results().budget_tab());
     auto* chart = window_->findChild<ChartView*>(QStringLiteral("contributions_chart"));
     ASSERT_NE(chart, nullptr);
     ASSERT_TRUE(wait_for([&] { return !chart->plot().series.empty(); }));
@@ -60,7 +60,7 @@ TEST_F(ResultsSession, TheBudgetTakesTheRoomThatItsChartCanSpare) {
     open(project_copy(QStringLiteral("ballbar-design")));
     select(SetupOwner::analysis, "points");
     ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
-    window_->results().tabs().setCurrentIndex(1);
+    window_->results().stage().show_view(window_->results().budget_tab());
     SortableTable& budget = window_->results().budget_table();
     ASSERT_TRUE(wait_for([&] { return budget.horizontalScrollBar()->maximum() == 0; }, 3000))
         << budget.horizontalScrollBar()->maximum() << " pixels are missing";
@@ -151,7 +151,7 @@ TEST_F(ResultsSession, ADotOfTheCloudTellsItsInputs) {
 TEST_F(ResultsSession, AllGroupsAreFilteredBySearchAndByWhatIsNotMet) {
     open(project_copy());
     select(SetupOwner::analysis, "printed");
-    window_->results().tabs().setCurrentIndex(0);
+    window_->results().stage().show_view(window_->results().results_tab());
     trigger(QStringLiteral("Run This Analysis"));
     ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
     window_->selection().select_group(QStringLiteral("pose 7"));

@@ -163,7 +163,7 @@ TEST_F(SceneSession, ThePictureIsCopiedAndSaved) {
 TEST_F(SceneSession, ChartsAreSavedAsPictureAndData) {
     QTabWidget& tabs = window_->results().tabs();
     for (int i = 0; i < tabs.count(); ++i)
-        if (tabs.tabText(i) == QStringLiteral("Distributions")) tabs.setCurrentIndex(i);
+        if (tabs.tabText(i) == QStringLiteral("Charts")) tabs.setCurrentIndex(i);
     auto* chart = tabs.currentWidget()->findChild<ChartView*>();
     ASSERT_NE(chart, nullptr);
     ASSERT_TRUE(wait_for([&] { return chart->isVisible(); }));

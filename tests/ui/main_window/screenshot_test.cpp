@@ -29,13 +29,11 @@ protected:
         }
         return image;
     }
-    /// A choice that shows every tab and both themes. Not the start page: it grows with every example.
+    /// The stage with the results below the scene, charts in the dark, a document. Not the start page: it
+    /// grows with every example.
     static bool has_baseline(const QString& name) {
-        static const QStringList compared{
-            QStringLiteral("results-light"),     QStringLiteral("results-dark"),
-            QStringLiteral("budget-light"),      QStringLiteral("distributions-dark"),
-            QStringLiteral("correlation-light"), QStringLiteral("convergence-dark"),
-            QStringLiteral("report-light"),      QStringLiteral("results-light-2x")};
+        static const QStringList compared{QStringLiteral("scene-light"), QStringLiteral("charts-dark"),
+                                          QStringLiteral("document-light"), QStringLiteral("scene-light-2x")};
         return compared.contains(name);
     }
     /// Told apart in file names: "-2x" where a pixel of the window is two of the display.
@@ -84,7 +82,9 @@ TEST_F(Screenshots, EveryTabShowsSomething) {
                 shoot(QStringLiteral("%1-%2").arg(tabs.tabText(tab).toLower(), QString::fromLatin1(theme)));
             EXPECT_GT(busy_part(image, rect_of(*tabs.widget(tab))), 0.01)
                 << tabs.tabText(tab).toStdString() << ' ' << theme;
-            EXPECT_GT(busy_part(image, rect_of(window_->scene().view())), 0.02) << "scene, " << theme;
+            if (window_->scene().view().isVisible()) {
+                EXPECT_GT(busy_part(image, rect_of(window_->scene().view())), 0.02) << "scene, " << theme;
+            }
         }
     }
 }

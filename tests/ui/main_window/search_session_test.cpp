@@ -78,9 +78,9 @@ TEST_F(SearchSession, EntriesFieldsResultsTabsCommandsAndHelpAreGoneTo) {
     QTest::keyClick(&palette().field(), Qt::Key_Return);
     EXPECT_EQ(window_->selection().output(), 1) << output.symbol;
 
-    find(QStringLiteral("Correlation tab"), QStringLiteral("Correlation"));
+    find(QStringLiteral("Charts tab"), QStringLiteral("Charts"));
     EXPECT_EQ(window_->results().tabs().tabText(window_->results().tabs().currentIndex()),
-              QStringLiteral("Correlation"));
+              QStringLiteral("Charts"));
 
     const std::size_t analyses = project.analyses.size();
     window_->selection().select_entry(entry);

@@ -3,6 +3,7 @@
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/target_box.h"
+#include "ui/pages/stage.h"
 #include "ui/pages/study_tab.h"
 
 namespace covaria::ui::study_session_test {
@@ -11,10 +12,7 @@ namespace {
 class StudySession : public Session {
 protected:
     StudyTab& tab() { return window_->results().study_tab(); }
-    void show_study_tab() {
-        QTabWidget& tabs = window_->results().tabs();
-        tabs.setCurrentWidget(&tab());
-    }
+    void show_study_tab() { window_->results().stage().show_view(&tab()); }
     void press(const char* name) {
         auto* button = field<QPushButton>(name);
         ASSERT_NE(button, nullptr);
@@ -78,7 +76,7 @@ TEST_F(StudySession, TheSceneShowsTheMapWhileTheTabIsOnTop) {
     EXPECT_EQ(tab().chart().plot().series[0].kind, SeriesKind::heat_map);
     scene_picture();
     window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/study-map.png"));
-    window_->results().tabs().setCurrentIndex(0);
+    window_->results().stage().show_view(window_->results().results_tab());
     EXPECT_TRUE(wait_for([this] {
         const auto scene = window_->scene().view().scene();
         return scene && !scene->map;

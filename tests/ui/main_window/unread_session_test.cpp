@@ -8,6 +8,7 @@
 #include "ui/main_window/export_actions.h"
 #include "ui/pages/field_help.h"
 #include "ui/pages/report_preview.h"
+#include "ui/pages/stage.h"
 
 namespace covaria::ui::unread_session_test {
 namespace {
@@ -184,7 +185,7 @@ TEST_F(UnreadSession, ANewProjectKeepsNothingOfTheOldOne) {
     scene_picture();
     window_->scene().view().set_view(StandardView::top);
     auto* report = window_->results().findChild<ReportPreview*>();
-    window_->results().tabs().setCurrentWidget(report);
+    window_->results().stage().show_view(report);
     ASSERT_TRUE(wait_for([&] { return report->page_count() > 0; }, 120'000));
     type_into("base_u_y", QStringLiteral("12 kg"));
     trigger(QStringLiteral("New Project"));

@@ -47,14 +47,14 @@ TEST(Icons, EveryDrawingIsValidAndShowsSomething) {
         EXPECT_TRUE(
             QSvgRenderer(QStringLiteral(COVARIA_SOURCE_DIR "/resources/icons/%1.svg").arg(name)).isValid())
             << name.toStdString();
-        const QImage image = own_icon(name).pixmap(24, 24).toImage();
+        const QImage image = icon(name).pixmap(24, 24).toImage();
         EXPECT_GT(inked_pixels(image), 20) << name.toStdString();
     }
 }
 
 TEST(Icons, FollowThePalette) {
     apply_theme(*qApp, Theme::light());
-    const QIcon run = own_icon(QStringLiteral("run"));
+    const QIcon run = icon(QStringLiteral("run"));
     const double on_light = grey_of(run.pixmap(24, 24).toImage());
     const double disabled = grey_of(run.pixmap(QSize(24, 24), QIcon::Disabled).toImage());
     apply_theme(*qApp, Theme::dark());
@@ -66,10 +66,9 @@ TEST(Icons, FollowThePalette) {
 }
 
 TEST(Icons, AreSharpOnDenseScreens) {
-    const QImage dense = own_icon(QStringLiteral("open")).pixmap(QSize(24, 24), 2.0).toImage();
+    const QImage dense = icon(QStringLiteral("open")).pixmap(QSize(24, 24), 2.0).toImage();
     EXPECT_EQ(dense.size(), QSize(48, 48));
-    EXPECT_GT(inked_pixels(dense),
-              3 * inked_pixels(own_icon(QStringLiteral("open")).pixmap(24, 24).toImage()));
+    EXPECT_GT(inked_pixels(dense), 3 * inked_pixels(icon(QStringLiteral("open")).pixmap(24, 24).toImage()));
 }
 
 TEST(Icons, StandInForADesktopWithoutIcons) {

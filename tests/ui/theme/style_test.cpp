@@ -18,7 +18,7 @@ constexpr int side = 17;
 
 /// The check box of a cell in a row that is selected or not.
 QImage check_box(bool ticked, bool selected) {
-    const QPalette palette = QApplication::palette();
+    const QPalette palette = QApplication::palette("QTableView");  // a selected row is tinted
     QImage image(side, side, QImage::Format_RGB32);
     image.fill(palette.color(selected ? QPalette::Highlight : QPalette::Base));
     QStyleOptionViewItem option;
@@ -36,7 +36,7 @@ TEST(Style, ACheckBoxThatIsNotTickedIsEmptyInASelectedRowToo) {
         apply_theme(*qApp, theme);
         for (const bool selected : {false, true}) {
             const QColor ground =
-                QApplication::palette().color(selected ? QPalette::Highlight : QPalette::Base);
+                QApplication::palette("QTableView").color(selected ? QPalette::Highlight : QPalette::Base);
             const QImage empty = check_box(false, selected);
             EXPECT_EQ(empty.pixelColor(side / 2, side / 2), ground) << theme.is_dark() << selected;
             EXPECT_GE(contrast(empty.pixelColor(side / 2, 0), ground), 2.0) << "its outline is seen";

@@ -10,7 +10,9 @@
 
 #include "core/text/symbol.h"
 #include "tests/ui/qt_application.h"
+#include "ui/theme/fonts.h"
 #include "ui/theme/label_text.h"
+#include "ui/theme/quiet_table.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 
@@ -75,7 +77,8 @@ TEST_F(Typeset, ATextWithoutScriptsTakesThePlaceOfTheCellsToo) {
     view.setItemDelegate(&delegate);
     view.setModel(&model);
     QStandardItemModel letter(1, 1);
-    letter.setData(letter.index(0, 0), QStringLiteral("θ"));
+    letter.setData(letter.index(0, 0), QStringLiteral("anything"));
+    letter.setData(letter.index(0, 0), QVariant::fromValue(symbol_text("theta")), typeset_role);
     QTableView plain;
     plain.setItemDelegate(&delegate);
     plain.setModel(&letter);
@@ -113,6 +116,7 @@ TEST_F(Typeset, HeadsLeaveRoomForTheText) {
     model.setHorizontalHeaderItem(0, new QStandardItem(QStringLiteral("u_one,two,three,four")));
     TypesetHeader header(Qt::Horizontal);
     header.setModel(&model);
+    header.ensurePolished();  // heads have letters of their own size
     const double width = text_width(running_text("u_one,two,three,four"), header.font());
     EXPECT_GE(header.sectionSizeHint(0), width);
     EXPECT_LE(header.sectionSizeHint(0), width + 40);
@@ -157,7 +161,7 @@ TEST_F(Typeset, WhatTheEdgeOfAViewCutsIsDrawnAsIfItEndedThere) {
         EXPECT_EQ(cut_column(text, alignment, 400, {}), cut_column(text, alignment, 160, {})) << to_std(text);
     const int margin = qApp->style()->pixelMetric(QStyle::PM_HeaderMargin);
     const Text fits =
-        shortened(running_text(to_std(words)), QHeaderView(Qt::Horizontal).font(), 160 - 2 * margin);
+        shortened(running_text(to_std(words)), QApplication::font("QHeaderView"), 160 - 2 * margin);
     EXPECT_TRUE(fits.letters().find("…") != std::string::npos);
     EXPECT_EQ(cut_column({}, Qt::AlignLeft, 400, words),
               cut_column({}, Qt::AlignLeft, 400, to_qt(to_unicode(fits))));
@@ -193,19 +197,36 @@ TEST_F(Typeset, WhatIsCutAtTheLeftIsNoPartOfANumber) {
     EXPECT_NE(scrolled(digits, 10, 0), scrolled(none, 10, 0)) << "what is left has room for it";
 }
 
-TEST_F(Typeset, GridLinesAreSeenInBothThemes) {
+// Quiet tables have no grid: the line below a row is the style's.
+TEST_F(Typeset, LinesBelowRowsAreSeenInBothThemes) {
     for (const Theme& theme : {Theme::light(), Theme::dark()}) {
         apply_theme(*qApp, theme);
+        QStandardItemModel model(2, 1);
         QTableView view;
-        view.ensurePolished();
-        QStyleOption option;
-        option.initFrom(&view);
-        const QColor line =
-            QColor::fromRgb(QRgb(view.style()->styleHint(QStyle::SH_Table_GridLineColor, &option, &view)));
-        EXPECT_GT(contrast(line, theme.neutrals().ground), 1.25);
-        EXPECT_LT(contrast(line, theme.neutrals().ground), 2.0) << "quieter than the figures";
+        make_quiet(view);
+        view.horizontalHeader()->hide();
+        view.verticalHeader()->hide();
+        view.setModel(&model);
+        const QImage image = picture_of(view, {240, 160});
+        const QColor line = image.pixelColor(20, view.rowHeight(0) - 1);
+        EXPECT_EQ(line, theme.tokens().line);
+        EXPECT_EQ(image.pixelColor(20, view.rowHeight(0) / 2), theme.tokens().stage);
+        EXPECT_GT(contrast(line, theme.tokens().stage), 1.25);
+        EXPECT_LT(contrast(line, theme.tokens().stage), 2.0) << "quieter than the figures";
+        EXPECT_GE(view.rowHeight(0), view.fontMetrics().height() + 12);
     }
     apply_theme(*qApp, Theme::light());
+}
+
+// Where l, I and 1 differ: in the serif of formulae.
+TEST_F(Typeset, SymbolsAreSetInTheFontOfFormulae) {
+    const QFont text = QApplication::font(), symbol = symbol_font(text);
+    EXPECT_TRUE(symbol.italic());
+    EXPECT_NE(symbol.families().value(0), text.families().value(0));
+    EXPECT_NEAR(symbol.pointSizeF(), 1.14 * text.pointSizeF(), 0.02 * text.pointSizeF());
+    EXPECT_EQ(formula_font(symbol).pointSizeF(), symbol.pointSizeF()) << "it grows once";
+    EXPECT_DOUBLE_EQ(text_width(symbol_text("l"), text), QFontMetricsF(symbol).horizontalAdvance(u'l'));
+    EXPECT_DOUBLE_EQ(text_width(Text("l"), text), QFontMetricsF(text).horizontalAdvance(u'l'));
 }
 
 TEST(Shortened, TextFitsAndKeepsItsSubscripts) {

@@ -1,0 +1,114 @@
+#include "ui/pages/answer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/propagation/requirements.h"
+#include "core/report/result_statement.h"
+#include "core/text/numbers.h"
+#include "core/text/symbol.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+const char* const em_space = "\u2003";  // an em, between two answers
+
+bool is_larger(const OutputResult& a, const OutputResult& b) {
+    return a.expanded_uncertainty > b.expanded_uncertainty ||
+           (std::isnan(a.expanded_uncertainty) && !std::isnan(b.expanded_uncertainty));
+}
+
+/// Of outputs of one dimension the one with the largest U, in order of the dimensions.
+std::vector<std::size_t> worst_of_each_kind(const UncertaintyResult& result,
+                                            const std::vector<std::size_t>& outputs) {
+    std::vector<std::size_t> worst;
+    for (const std::size_t output : outputs) {
+        const OutputResult& now = result.outputs[output];
+        const auto same = std::ranges::find_if(worst, [&](std::size_t other) {
+            return result.outputs[other].quantity.unit.dimension() == now.quantity.unit.dimension();
+        });
+        if (same == worst.end())
+            worst.push_back(output);
+        else if (is_larger(now, result.outputs[*same]))
+            *same = output;
+    }
+    return worst;
+}
+
+Text uncertainty_words(const OutputResult& output, const DocumentLanguage& in, const DisplayUnits& units,
+                       int digits) {
+    const Unit& unit = units.of(output.quantity.unit);
+    const double U = unit.interval_from_si(output.expanded_uncertainty);
+    const std::string number =
+        std::isfinite(U) ? grouped_digits(format_decimals(U, decimals_for(U, digits)), in.numbers()) : "∞";
+    return symbol_text("U") + (" = " + number + unit_after_number(unit) + " (") +
+           symbol_text(output.quantity.symbol) + ")";
+}
+
+Text coverage_words(const OutputResult& output, const UncertaintyResult& result, const DocumentLanguage& in) {
+    Text words;
+    if (std::isfinite(output.coverage_factor))
+        words +=
+            symbol_text("k") +
+            (" = " + grouped_digits(format_decimals(output.coverage_factor, 2), in.numbers()) + em_space);
+    return words + symbol_text("p") + (" = " + probability_text(stated_probability(output, result), in));
+}
+
+}  // namespace
+
+Answer answer_of(const UncertaintyResult& result, std::size_t output, const DocumentLanguage& in,
+                 const DisplayUnits& units, int digits) {
+    Answer answer;
+    const OutputResult& looked_at = result.outputs[output];
+    const Name& group = looked_at.quantity.group;
+    for (std::size_t j = 0; j < result.outputs.size(); ++j) {
+        const OutputQuantity& quantity = result.outputs[j].quantity;
+        const bool belongs =
+            group.empty() ? j == output : quantity.group == group && quantity.role == OutputRole::measurand;
+        if (belongs) answer.outputs.push_back(j);
+    }
+    if (answer.outputs.empty()) answer.outputs.push_back(output);
+    for (const std::size_t j : answer.outputs)
+        answer.statements += symbol_to_unicode(result.outputs[j].quantity.symbol) + " = " +
+                             result_statement(result.outputs[j], result, in, units, digits) + "\n";
+    if (answer.outputs.size() == 1) {
+        const OutputResult& only = result.outputs[answer.outputs.front()];
+        answer.value = symbol_text(only.quantity.symbol) + " = ";
+        if (is_stated_by_interval(only, result)) {
+            answer.value += result_statement(only, result, in, units, digits);
+            return answer;
+        }
+        answer.value += value_statement(only, true, in, units, digits);
+        if (only.expanded_uncertainty != 0.0) answer.coverage = coverage_words(only, result, in);
+        return answer;
+    }
+    const std::vector<std::size_t> worst = worst_of_each_kind(result, answer.outputs);
+    for (const std::size_t j : worst) {
+        if (!answer.value.empty()) answer.value += em_space;
+        answer.value += uncertainty_words(result.outputs[j], in, units, digits);
+    }
+    answer.coverage = coverage_words(result.outputs[worst.front()], result, in);
+    return answer;
+}
+
+VerdictWords verdict_words(const UncertaintyResult& result, const Answer& answer,
+                           const std::vector<RequirementResult>& verdicts) {
+    VerdictWords all;
+    Text not_met;
+    std::size_t judged = 0;
+    for (const RequirementResult& verdict : verdicts) {
+        if (!std::ranges::count(answer.outputs, verdict.output)) continue;
+        ++judged;
+        if (is_met(verdict)) continue;
+        if (!not_met.empty()) not_met += ", ";
+        not_met += symbol_text(result.outputs[verdict.output].quantity.symbol);
+    }
+    if (judged == 0) return all;
+    all.met = not_met.empty();
+    all.words = all.met ? Text(to_std(tr("met"))) : Text(to_std(tr("not met")));
+    if (!all.met && answer.outputs.size() > 1) all.words += ": " + not_met;
+    return all;
+}
+
+}  // namespace covaria::ui

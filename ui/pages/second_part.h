@@ -1,0 +1,50 @@
+// The other part of a stage that is split: one of its views, taken out of the tabs, with its name as a list.
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QTabWidget;
+class QVBoxLayout;
+
+namespace covaria::ui {
+
+/// Each view is there once: in its place among the tabs stands nothing while it is here, and a view that is
+/// chosen in one part while the other shows it changes places with what was there.
+class SecondPart : public QWidget {
+    Q_OBJECT
+public:
+    explicit SecondPart(QTabWidget& tabs, QWidget* parent = nullptr);
+
+    /// Null: closed.
+    QWidget* view() const { return view_; }
+    /// Of the tab behind which it stands or stood; null there is none.
+    void show_view(QWidget* view);
+    /// Its view goes back to its tab.
+    void close_part();
+    /// The tab of a view, wherever that is shown; -1: it is none.
+    int tab_of(const QWidget* view) const;
+    /// A tab has another name, or is hidden or shown.
+    void take_names();
+    QComboBox& list() { return *list_; }
+
+signals:
+    /// Which views are seen.
+    void changed();
+
+private:
+    void make_head(QVBoxLayout& column);
+    void take(QWidget* view);
+    void give_back();
+    void follow_tabs();
+    void replace_page(int tab, QWidget* page);
+
+    QTabWidget& tabs_;
+    QWidget* gap_;  ///< in the place of the view that is here
+    QWidget* view_ = nullptr;
+    QWidget* main_ = nullptr;  ///< what the tabs showed last
+    QComboBox* list_;
+    QVBoxLayout* room_;
+};
+
+}  // namespace covaria::ui

@@ -1,0 +1,48 @@
+// The views of an analysis: one of them, or two below or beside each other.
+#pragma once
+
+#include <QSplitter>
+
+class QTabWidget;
+class QToolButton;
+
+namespace covaria::ui {
+
+class SecondPart;
+
+/// Each view is there once. The first of them (scene, or budget that is typed) stays in view as long as the
+/// stage is split; whether it is, and how, is remembered.
+class Stage : public QSplitter {
+    Q_OBJECT
+public:
+    explicit Stage(QTabWidget& tabs, QWidget* parent = nullptr);
+
+    void add_first(QWidget& view, const QString& name);
+    void name_first(const QString& name);
+    /// The first view, and in the second part, if the stage is split, this one.
+    void show_usual(QWidget& second);
+    /// Brings it into view, beside the first one where the stage is split.
+    void show_view(QWidget* view);
+    /// A view or a part of one.
+    bool shows(const QWidget& part) const;
+    int tab_of(const QWidget* view) const;
+    SecondPart& second() { return *second_; }
+    QToolButton& split_button() { return *split_; }
+
+signals:
+    /// Which views are seen.
+    void changed();
+
+private:
+    void make_split_button();
+    void split(bool wanted);
+    void turn(Qt::Orientation orientation);
+
+    QTabWidget& tabs_;
+    SecondPart* second_;
+    QToolButton* split_;
+    QWidget* first_ = nullptr;
+    QWidget* usual_ = nullptr;  ///< of the second part
+};
+
+}  // namespace covaria::ui
