@@ -13,6 +13,7 @@
 #include "core/readers/covariance.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
+#include "core/readers/gama_network.h"
 #include "core/readers/gama_observations.h"
 #include "core/readers/listed_points.h"
 #include "core/readers/xml_text.h"
@@ -31,7 +32,8 @@ struct Determination {
 
 class GamaReader {
 public:
-    GamaReader(const XmlText& xml, const ReadChoice& choice) : xml_(xml), choice_(choice) {
+    GamaReader(const XmlText& xml, const ReadChoice& choice)
+        : xml_(xml), choice_(choice), network_(xml, proposals_) {
         list_.title = without_ending(choice.file_name);
         if (list_.title.empty()) list_.title = "Network";
         list_.unit = Unit::of("m");
@@ -47,6 +49,7 @@ public:
         if (choice_.length_unit)
             proposals_.leave_out(0, tell<"the stated unit of lengths: coordinates of Gama are in metres">());
         say_axes(network);
+        network_.take_axes(network);
         const pugi::xml_node data = child_called(network, "points-observations");
         GamaObservations observations(xml_, data, proposals_);
         for (const pugi::xml_node& node : data.children())
@@ -58,6 +61,10 @@ public:
             proposals_.leave_out(xml_.line(parameters), tell<"<parameters>">());
         for (const auto& [name, lines] : others_)
             proposals_.leave_out(lines.first, tell<"%1 <%2> with observations">(lines.second, name));
+        const std::string source = list_.source, title = list_.title;
+        if (network_.propose(observations.observed(), observations.observed_correlations(), title, source))
+            return std::move(proposals_);
+        for (const auto& [line, words] : unplaced_coordinates_) proposals_.leave_out(line, words);
         if (unplaced_ > 0) proposals_.leave_out(unplaced_line_, tell<"%1 points without x and y">(unplaced_));
         if (planar_ > 0) proposals_.found.push_back(tell<"%1 points have no z: it is taken as 0">(planar_));
         if (list_.points.empty())
@@ -67,7 +74,6 @@ public:
             proposals_.found.push_back(
                 tell<"%1 points are to be adjusted: their coordinates are approximate ones">(approximate_));
         tell_determinations_apart();
-        const std::string source = list_.source, title = list_.title;
         auto proposed = propose_points(std::move(list_), proposals_);
         if (!proposed) return fail(proposed.error());
         observations.propose(title, source);
@@ -117,6 +123,7 @@ private:
     Result<void> read_point(const pugi::xml_node& node) {
         const auto p = coordinates_of(node);
         if (!p) return fail(p.error());
+        network_.take_point(node, *p, false);
         if (!(*p)[0] || !(*p)[1]) {
             if (unplaced_++ == 0) unplaced_line_ = xml_.line(node);
             return {};
@@ -199,6 +206,7 @@ private:
 
     /// Observed coordinates and their covariance: the points get them in place of approximate ones.
     Result<void> read_coordinates(const pugi::xml_node& node) {
+        if (auto done = network_.take_coordinates(node); !done) return done;
         Determination& determination = determination_of(node);
         std::vector<std::size_t> places;  // 3 * point + coordinate, in the order of the matrix
         for (const pugi::xml_node& point : node.children()) {
@@ -209,8 +217,8 @@ private:
             const auto known = index_.find(id);
             const bool whole = (*p)[0] && (*p)[1];
             if (known == index_.end() && !whole) {
-                proposals_.leave_out(xml_.line(node),
-                                     tell<"<coordinates>: point %1 has no x and y">(in_quotes(id)));
+                unplaced_coordinates_.emplace_back(
+                    xml_.line(node), tell<"<coordinates>: point %1 has no x and y">(in_quotes(id)));
                 return {};
             }
             const std::size_t at = place_in(determination, id, xml_.line(point));
@@ -250,6 +258,8 @@ private:
     std::vector<Determination> determinations_;
     std::map<std::string, ListedPoint> begun_;           ///< observed points as they were before
     std::map<std::string, std::pair<int, int>> others_;  ///< element -> first line, how many
+    GamaNetwork network_;
+    std::vector<std::pair<int, Message>> unplaced_coordinates_;  ///< what a list of points cannot hold
     std::size_t unplaced_ = 0, planar_ = 0, approximate_ = 0;
     int unplaced_line_ = 0;
 };

@@ -19,15 +19,17 @@ using pugi::xml_node;
 struct GamaKind {
     const char *element, *title, *deviation;  ///< attribute of <points-observations>; empty: none
     bool angle;
+    const char* reading;  ///< of the network; of a vector its attribute
 };
-constexpr std::array<GamaKind, 8> gama_kinds{{{"direction", "direction", "direction-stdev", true},
-                                              {"angle", "angle", "angle-stdev", true},
-                                              {"z-angle", "zenith angle", "zenith-angle-stdev", true},
-                                              {"azimuth", "azimuth", "azimuth-stdev", true},
-                                              {"distance", "horizontal distance", "distance-stdev", false},
-                                              {"s-distance", "slope distance", "distance-stdev", false},
-                                              {"dh", "height difference", "", false},
-                                              {"vec", "vector", "", false}}};
+constexpr std::array<GamaKind, 8> gama_kinds{
+    {{"direction", "direction", "direction-stdev", true, "direction"},
+     {"angle", "angle", "angle-stdev", true, "angle"},
+     {"z-angle", "zenith angle", "zenith-angle-stdev", true, "zenith-angle"},
+     {"azimuth", "azimuth", "azimuth-stdev", true, "azimuth"},
+     {"distance", "horizontal distance", "distance-stdev", false, "horizontal-distance"},
+     {"s-distance", "slope distance", "distance-stdev", false, "slope-distance"},
+     {"dh", "height difference", "", false, "height-difference"},
+     {"vec", "vector", "", false, ""}}};
 
 const GamaKind* gama_kind_of(std::string_view element) {
     const auto found = std::find_if(gama_kinds.begin(), gama_kinds.end(),
@@ -85,7 +87,9 @@ Result<Eigen::MatrixXd> gama_band(const XmlText& xml, const xml_node& node, std:
 
 Result<void> GamaObservations::read(const xml_node& cluster) {
     const std::string station = text_of(cluster, "from");
-    const std::size_t first = quantities_.size(), beyond = beyond_;
+    const std::size_t first = quantities_.size(), first_observed = observed_.size(), beyond = beyond_;
+    cluster_ = cluster;
+    ++clusters_;
     for (const xml_node& node : cluster.children()) {
         const std::string_view name = local_name(node);
         if (node.type() != pugi::node_element || name == "cov-mat") continue;
@@ -98,6 +102,7 @@ Result<void> GamaObservations::read(const xml_node& cluster) {
     }
     const xml_node matrix = child_called(cluster, "cov-mat");
     if (!matrix) return {};
+    if (auto done = take_observed_matrix(matrix, first_observed); !done) return done;
     if (beyond_ == beyond) return take_matrix(matrix, first);
     proposals_.leave_out(xml_.line(matrix), tell<"a covariance matrix of observations that are left out">());
     return {};
@@ -155,6 +160,7 @@ Result<void> GamaObservations::add(const xml_node& node, const std::string& name
     if (!number) return xml_.refused(node, tell<"%1 = %2 is no number">(std::string(value), in_quotes(text)));
     const auto u = deviation(node, kind, *number);
     if (!u) return fail(u.error());
+    if (auto done = observe(node, value, kind, *number, degrees.has_value(), *u); !done) return done;
     if (quantities_.size() == most_stated_quantities) {
         ++beyond_;
         return {};
@@ -173,6 +179,47 @@ Result<void> GamaObservations::add(const xml_node& node, const std::string& name
         if (const std::string height = text_of(node, attribute); !height.empty())
             q.source += std::string(", ") + words + " " + plain_name(height) + " m above its point";
     quantities_.push_back(std::move(q));
+    return {};
+}
+
+Result<void> GamaObservations::observe(const xml_node& node, const char* value, const char* kind,
+                                       double number, bool degrees, const std::optional<double>& u) {
+    const GamaKind& of = *gama_kind_of(kind);
+    const auto name = [&](const char* attribute) {
+        const std::string own = text_of(node, attribute);
+        return plain_name(own.empty() ? text_of(cluster_, attribute) : own);
+    };
+    const auto height = [&](const char* attribute) {
+        const std::string text = name(attribute);
+        return text.empty() ? std::optional(0.0) : number_in_text(text);
+    };
+    GamaObserved one{.kind = *of.reading ? of.reading : value, .line = xml_.line(node), .is_angle = of.angle};
+    one.from = name("from");
+    one.to = name(of.reading == std::string_view("angle") ? "bs" : "to");
+    one.second = of.reading == std::string_view("angle") ? name("fs") : one.to;
+    if (clusters_ > 1) one.round = std::to_string(clusters_);
+    const auto from_dh = height("from_dh"), to_dh = height("to_dh");
+    if (!from_dh || !to_dh) return xml_.refused(node, tell<"its heights above the points are no numbers">());
+    one.height_from = *from_dh;
+    one.height_to = *to_dh;
+    const double gon_per_degree = 400.0 / 360.0;
+    one.value = degrees ? number * gon_per_degree : number;
+    if (u) one.u = degrees ? *u / 3600.0 * gon_per_degree : *u * (of.angle ? 1e-4 : 1e-3);
+    observed_.push_back(std::move(one));
+    return {};
+}
+
+Result<void> GamaObservations::take_observed_matrix(const xml_node& matrix, std::size_t first) {
+    const std::size_t n = observed_.size() - first;
+    const auto covariance = gama_band(xml_, matrix, n, "observations");
+    if (!covariance) return fail(covariance.error());
+    const auto taken = take_covariance(*covariance);
+    if (!taken) return xml_.refused(matrix, taken.error().message);
+    for (std::size_t i = 0; i < n; ++i)
+        observed_[first + i].u =
+            taken->u[static_cast<Eigen::Index>(i)] * (observed_[first + i].is_angle ? 1e-4 : 1e-3);
+    for (const StatedCorrelation& c : taken->correlations)
+        observed_correlations_.push_back({first + c.first, first + c.second, c.coefficient});
     return {};
 }
 

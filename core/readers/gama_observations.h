@@ -19,6 +19,16 @@ namespace covaria {
 Result<Eigen::MatrixXd> gama_band(const XmlText& xml, const pugi::xml_node& matrix, std::size_t n,
                                   const std::string& what);
 
+/// One observation, for the network: lengths in m, angles in gon.
+struct GamaObserved {
+    std::string kind;  ///< of a reading of the network: "slope-distance", "x"
+    std::string from = {}, to = {}, second = {}, round = {};
+    int line = 0;
+    bool is_angle = false;
+    double value = 0.0, height_from = 0.0, height_to = 0.0;
+    std::optional<double> u = {};
+};
+
 class GamaObservations {
 public:
     /// `defaults`: <points-observations>, whose attributes hold for observations without their own.
@@ -33,13 +43,20 @@ public:
     Result<void> read(const pugi::xml_node& cluster);
     /// All of them as one analysis, in which each is its own result; nothing where there is none.
     void propose(const std::string& title, const std::string& source);
+    /// All of them; correlations by their numbers.
+    const std::vector<GamaObserved>& observed() const { return observed_; }
+    const std::vector<StatedCorrelation>& observed_correlations() const { return observed_correlations_; }
 
 private:
     Result<void> read_observation(const pugi::xml_node& node, const std::string& station);
     Result<void> read_vector(const pugi::xml_node& node);
     Result<void> add(const pugi::xml_node& node, const std::string& name, const char* value,
                      const char* kind);
+    /// The same observation for the network; its u is in the unit of the file.
+    Result<void> observe(const pugi::xml_node& node, const char* value, const char* kind, double number,
+                         bool degrees, const std::optional<double>& u);
     Result<void> take_matrix(const pugi::xml_node& matrix, std::size_t first);
+    Result<void> take_observed_matrix(const pugi::xml_node& matrix, std::size_t first);
     Result<std::optional<double>> deviation(const pugi::xml_node& node, const char* kind, double value) const;
 
     const XmlText& xml_;
@@ -48,7 +65,10 @@ private:
     std::vector<StatedQuantity> quantities_;
     std::vector<double> per_unit_;  ///< of each: units of its standard deviation in the file per its own unit
     std::vector<StatedCorrelation> correlations_;
-    std::size_t beyond_ = 0;
+    std::vector<GamaObserved> observed_;
+    std::vector<StatedCorrelation> observed_correlations_;
+    pugi::xml_node cluster_ = {};  ///< the one that is being read
+    std::size_t clusters_ = 0, beyond_ = 0;
 };
 
 }  // namespace covaria

@@ -1,5 +1,6 @@
 // Points of networks: GNU Gama with its covariance, Comp3D with its codes.
 #include <cmath>
+#include <map>
 
 #include "core/kinds/registries.h"
 #include "tests/core/readers/reading.h"
@@ -148,6 +149,67 @@ TEST(ReadGama, ObservationsKeepUnitsDeviationsAndBands) {
     ASSERT_EQ(analysis.correlations.size(), 2u);
     EXPECT_EQ(analysis.correlations[1].first, "o_6");
     EXPECT_DOUBLE_EQ(analysis.correlations[1].coefficient, -0.25);
+}
+
+// x east, y north, clockwise directions; C has no coordinates, D has no height, E is not asked for.
+TEST(ReadGama, ANetworkIsAnAdjustment) {
+    const auto read = read_with(
+        "gama",
+        "<gama-local><network axes-xy='en' angles='left-handed'>"
+        "<points-observations direction-stdev='10' distance-stdev='2 3 1' azimuth-stdev='20'>"
+        "<point id='A' x='0' y='0' fix='xy'/><point id='B' x='100' y='0' fix='xy'/>"
+        "<point id='C' adj='xy'/><point id='D' x='60.01' y='0.02' adj='XY'/><point id='E' x='1' y='1'/>"
+        "<obs from='A'><direction to='B' val='50'/><direction to='C' val='390.96655'/>"
+        "<distance to='C' val='100.001'/><distance to='E' val='1.4'/></obs>"
+        "<obs from='B'><direction to='A' val='10'/><direction to='C' val='80.48328'/>"
+        "<distance to='C' val='89.4437' from_dh='1.5'/></obs>"
+        "<obs><angle from='C' bs='A' fs='B' val='-70.48328' stdev='10'/>"
+        "<azimuth from='C' to='D' val='200' /><distance from='C' to='D' val='80.001'/></obs>"
+        "</points-observations></network></gama-local>");
+    ASSERT_TRUE(read) << read.error().message.english();
+    EXPECT_EQ(errors_of(*read), "");
+    ASSERT_EQ(read->analyses.size(), 1u);
+    EXPECT_TRUE(read->assets.empty()) << "approximate coordinates are no artefact";
+    const AnalysisEntry& analysis = read->analyses[0];
+    EXPECT_EQ(analysis.model, "network-adjustment");
+    const SetupSchema& schema = find_model(analysis.model)->schema;
+    EXPECT_EQ(cell(schema, analysis.setup, "points", 0, "plane"), SetupCell(std::string("fixed")));
+    EXPECT_EQ(cell(schema, analysis.setup, "points", 3, "plane"), SetupCell(std::string("datum")));
+    EXPECT_EQ(cell(schema, analysis.setup, "points", 3, "height"), SetupCell(std::string("none")));
+    EXPECT_DOUBLE_EQ(std::get<double>(cell(schema, analysis.setup, "readings", 2, "u_length")), 2.300003);
+    EXPECT_DOUBLE_EQ(std::get<double>(cell(schema, analysis.setup, "readings", 0, "u_angle")), 1e-3);
+    EXPECT_NE(all_found(*read).find("an observation of 'E'"), std::string::npos) << all_found(*read);
+    std::map<std::string, double> found;
+    for (const OutputResult& output : first_order(*read).outputs)
+        found[output.quantity.group + output.quantity.symbol] = output.estimate;
+    EXPECT_NEAR(found.at("Cx"), 60.0, 2e-3);
+    EXPECT_NEAR(found.at("Cy"), 80.0, 2e-3);
+    EXPECT_NEAR(found.at("Dx"), 60.0, 4e-3) << "south of C";
+    EXPECT_NEAR(found.at("Dy"), 0.0, 4e-3);
+}
+
+// Heights with a covariance of those that were observed (Krumm's dynamic network is of this kind).
+TEST(ReadGama, ALevellingOnObservedHeightsIsAnAdjustment) {
+    const auto read = read_with(
+        "gama",
+        "<gama-local><network><points-observations><point id='C' adj='z'/>"
+        "<height-differences><dh from='A' to='C' val='1.5' stdev='3'/><dh from='B' to='C' val='0.504' "
+        "stdev='3'/></height-differences>"
+        "<coordinates><point id='A' z='10' adj='z'/><point id='B' z='11' adj='z'/>"
+        "<cov-mat dim='2' band='1'>4 2 "
+        "4</cov-mat></coordinates></points-observations></network></gama-local>");
+    ASSERT_TRUE(read) << read.error().message.english();
+    EXPECT_EQ(errors_of(*read), "");
+    ASSERT_EQ(read->analyses.size(), 1u);
+    const UncertaintyResult result = first_order(*read);
+    // By hand: A and B with variances 4, covariance 2, C by two ways: misclosure 4 mm, its variance
+    // 4 + 4 - 2*2 + 9 + 9 = 22, of which the way by A has 9 + 4 - 2 = 11.
+    for (const OutputResult& output : result.outputs)
+        if (output.quantity.group == "C") {
+            EXPECT_NEAR(output.estimate, 11.502, 1e-9);
+            EXPECT_NEAR(output.standard_uncertainty, std::sqrt(13.0 - 11.0 * 11.0 / 22.0) * 1e-3, 1e-9);
+        }
+    EXPECT_EQ(result.outputs.size(), 3u);
 }
 
 TEST(ReadGama, AdjustedCoordinatesKeepTheirCovariance) {

@@ -1,0 +1,272 @@
+#include "core/adjustment/adjustment.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/decompositions.h"
+
+namespace covaria::adjustment {
+
+namespace {
+
+/// Below this, of columns of length one, a direction counts as not determined: its cofactor would have no
+/// correct digit.
+constexpr double least_determined = 1e-7;
+/// What the datum must move of a direction that it is to determine.
+constexpr double least_datum = 1e-6;
+
+using Triplet = Eigen::Triplet<double>;
+
+/// Independent starting vectors without a generator: values of an irrational rotation.
+Eigen::MatrixXd spread_vectors(Eigen::Index n, Eigen::Index count) {
+    Eigen::MatrixXd V(n, count);
+    double at = 0.5;
+    for (Eigen::Index j = 0; j < count; ++j)
+        for (Eigen::Index i = 0; i < n; ++i) {
+            at += 0.6180339887498949 + 0.0137 * static_cast<double>(j);
+            at -= std::floor(at);
+            V(i, j) = std::sin(37.0 * at * static_cast<double>(i + 1)) + at - 0.5;
+        }
+    return V;
+}
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& V) {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(V);
+    return qr.householderQ() * Eigen::MatrixXd::Identity(V.rows(), V.cols());
+}
+
+SparseColumns lower_of(const SparseColumns& normal, double more) {
+    SparseColumns lower = normal.triangularView<Eigen::Lower>();
+    for (Eigen::Index i = 0; i < lower.cols(); ++i) lower.coeffRef(i, i) += more;
+    return lower;
+}
+
+}  // namespace
+
+SparseRows whitening(const Eigen::VectorXd& u, const std::vector<CovarianceBlock>& blocks) {
+    std::vector<char> in_block(static_cast<std::size_t>(u.size()), 0);
+    std::vector<Triplet> elements;
+    for (const CovarianceBlock& block : blocks) {
+        const Eigen::LLT<Eigen::MatrixXd> factors(block.covariance);
+        if (factors.info() != Eigen::Success) return {};
+        const Eigen::Index n = block.covariance.rows();
+        const Eigen::MatrixXd inverse = factors.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
+        if (!inverse.allFinite()) return {};
+        for (Eigen::Index i = 0; i < n; ++i) {
+            in_block[block.readings[static_cast<std::size_t>(i)]] = 1;
+            for (Eigen::Index j = 0; j <= i; ++j)
+                if (inverse(i, j) != 0.0)
+                    elements.emplace_back(static_cast<int>(block.readings[static_cast<std::size_t>(i)]),
+                                          static_cast<int>(block.readings[static_cast<std::size_t>(j)]),
+                                          inverse(i, j));
+        }
+    }
+    for (Eigen::Index i = 0; i < u.size(); ++i)
+        if (!in_block[static_cast<std::size_t>(i)])
+            elements.emplace_back(static_cast<int>(i), static_cast<int>(i), 1.0 / u[i]);
+    SparseRows W(u.size(), u.size());
+    W.setFromTriplets(elements.begin(), elements.end());
+    return W;
+}
+
+Adjustment::Adjustment(const SparseRows& design, const SparseRows& whitening,
+                       const std::vector<std::size_t>& datum)
+    : whitened_(whitening * design), datum_(datum) {
+    scale_ = Eigen::VectorXd::Zero(design.cols());
+    for (Eigen::Index i = 0; i < whitened_.rows(); ++i)
+        for (SparseRows::InnerIterator it(whitened_, i); it; ++it)
+            scale_[it.col()] += it.value() * it.value();
+    scale_ = scale_.cwiseSqrt();
+    for (double& s : scale_)
+        if (!(s > 0.0)) s = 1.0;
+    const SparseRows scaled = whitened_ * scale_.cwiseInverse().asDiagonal();
+    const SparseColumns normal = SparseColumns(scaled.transpose()) * scaled;
+    find_undetermined(normal);
+    take_to_datum(datum);
+    if (open_.cols() == 0) factorise(normal);
+}
+
+void Adjustment::find_undetermined(const SparseColumns& normal) {
+    const Eigen::Index n = scale_.size();
+    undetermined_.resize(n, 0);
+    if (n == 0) return;
+    // Inverse iteration with a ridge far below what is determined, far above rounding.
+    constexpr double ridge = 1e-11;
+    constexpr int rounds = 6;
+    SparseFactor factor;
+    if (!factor.factorise(lower_of(normal, ridge))) return;
+    const Eigen::VectorXd by_scale = scale_.cwiseInverse();
+    Eigen::VectorXd scratch(n);
+    for (Eigen::Index count = std::min<Eigen::Index>(n, 10);; count = std::min(n, 3 * count)) {
+        Eigen::MatrixXd V = orthonormal(spread_vectors(n, count));
+        for (int round = 0; round < rounds; ++round) {
+            for (Eigen::Index j = 0; j < count; ++j) factor.solve(V.col(j).data(), scratch.data());
+            V = orthonormal(V);
+        }
+        // Of the design itself, not of its square: half of the digits would be lost there.
+        const Eigen::MatrixXd seen = whitened_ * (by_scale.asDiagonal() * V);
+        const auto svd = singular_values(Eigen::MatrixXd(seen.transpose() * seen), Eigen::ComputeFullV);
+        const Eigen::MatrixXd turned = V * svd.matrixV(), turned_seen = seen * svd.matrixV();
+        std::vector<Eigen::Index> unseen;
+        for (Eigen::Index j = 0; j < count; ++j)
+            if (turned_seen.col(j).norm() < least_determined) unseen.push_back(j);
+        if (static_cast<Eigen::Index>(unseen.size()) == count && count < n) continue;
+        undetermined_ = turned(Eigen::all, unseen);
+        return;
+    }
+}
+
+void Adjustment::take_to_datum(const std::vector<std::size_t>& datum) {
+    const Eigen::Index d = undetermined_.cols();
+    open_.resize(scale_.size(), 0);
+    if (d == 0) return;
+    const auto in_datum = static_cast<Eigen::Index>(datum.size());
+    Eigen::MatrixXd of_datum(std::max<Eigen::Index>(in_datum, d), d);
+    of_datum.setZero();
+    for (Eigen::Index i = 0; i < in_datum; ++i)
+        of_datum.row(i) = undetermined_.row(static_cast<Eigen::Index>(datum[static_cast<std::size_t>(i)]));
+    const auto svd = singular_values(of_datum, Eigen::ComputeFullV);
+    std::vector<Eigen::Index> open;
+    for (Eigen::Index j = 0; j < d; ++j)
+        if (svd.singularValues()[j] < least_datum) open.push_back(j);
+    if (!open.empty()) {
+        open_ = undetermined_ * svd.matrixV()(Eigen::all, open);
+        return;
+    }
+    // Those that are held while the others are found: of the datum the ones that the directions move most.
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> pivots(of_datum.transpose());
+    for (Eigen::Index j = 0; j < d; ++j)
+        held_.push_back(datum[static_cast<std::size_t>(pivots.colsPermutation().indices()[j])]);
+    // In the unknowns themselves, orthonormal in the datum.
+    undetermined_ = scale_.cwiseInverse().asDiagonal() * undetermined_;
+    for (Eigen::Index i = 0; i < in_datum; ++i)
+        of_datum.row(i) = undetermined_.row(static_cast<Eigen::Index>(datum[static_cast<std::size_t>(i)]));
+    for (Eigen::Index j = 0; j < d; ++j) {
+        const double length = of_datum.col(j).norm();
+        of_datum.col(j) /= length;
+        undetermined_.col(j) /= length;
+    }
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(of_datum);
+    const Eigen::MatrixXd R = qr.matrixQR().topRows(d).triangularView<Eigen::Upper>();
+    undetermined_ =
+        R.transpose().triangularView<Eigen::Lower>().solve(undetermined_.transpose()).transpose().eval();
+}
+
+void Adjustment::factorise(const SparseColumns& normal) {
+    std::vector<std::size_t> held = held_;
+    std::sort(held.begin(), held.end());
+    reduced_.assign(unknowns(), -1);
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < unknowns(); ++i)
+        if (!std::binary_search(held.begin(), held.end(), i)) reduced_[i] = count++;
+    std::vector<Triplet> elements;
+    for (Eigen::Index j = 0; j < normal.cols(); ++j)
+        for (SparseColumns::InnerIterator it(normal, j); it; ++it) {
+            const std::ptrdiff_t a = reduced_[static_cast<std::size_t>(it.row())],
+                                 b = reduced_[static_cast<std::size_t>(j)];
+            if (a >= b && b >= 0) elements.emplace_back(static_cast<int>(a), static_cast<int>(b), it.value());
+        }
+    SparseColumns lower(count, count);
+    lower.setFromTriplets(elements.begin(), elements.end());
+    const auto factor = std::make_shared<SparseFactor>();
+    if (!factor->factorise(lower)) return;
+    factor_ = factor;
+    if (defect() == 0) return;
+    datum_cofactors_ = Eigen::MatrixXd::Zero(scale_.size(), undetermined_.cols());
+    for (const std::size_t i : datum_)
+        datum_cofactors_.row(static_cast<Eigen::Index>(i)) = undetermined_.row(static_cast<Eigen::Index>(i));
+    const Eigen::MatrixXd BG = datum_cofactors_;
+    std::vector<double> scratch(scratch_size());
+    const std::size_t n = unknowns();
+    for (Eigen::Index j = 0; j < BG.cols(); ++j) {
+        double* x = datum_cofactors_.col(j).data();
+        for (std::size_t i = 0; i < n; ++i)
+            if (reduced_[i] >= 0)
+                scratch[static_cast<std::size_t>(reduced_[i])] = x[i] / scale_[static_cast<Eigen::Index>(i)];
+        factor_->solve(scratch.data(), scratch.data() + n);
+        for (std::size_t i = 0; i < n; ++i)
+            x[i] = reduced_[i] < 0 ? 0.0
+                                   : scratch[static_cast<std::size_t>(reduced_[i])] /
+                                         scale_[static_cast<Eigen::Index>(i)];
+    }
+    of_datum_ = BG.transpose() * datum_cofactors_;
+}
+
+void Adjustment::step(double* x, double* scratch) const {
+    const std::size_t n = unknowns();
+    for (std::size_t i = 0; i < n; ++i)
+        if (reduced_[i] >= 0)
+            scratch[static_cast<std::size_t>(reduced_[i])] = x[i] / scale_[static_cast<Eigen::Index>(i)];
+    factor_->solve(scratch, scratch + n);
+    for (std::size_t i = 0; i < n; ++i)
+        x[i] = reduced_[i] < 0
+                   ? 0.0
+                   : scratch[static_cast<std::size_t>(reduced_[i])] / scale_[static_cast<Eigen::Index>(i)];
+    for (Eigen::Index j = 0; j < undetermined_.cols(); ++j) {
+        double along = 0.0;
+        for (const std::size_t i : datum_) along += undetermined_(static_cast<Eigen::Index>(i), j) * x[i];
+        scratch[2 * n + static_cast<std::size_t>(j)] = along;
+    }
+    for (Eigen::Index j = 0; j < undetermined_.cols(); ++j)
+        for (std::size_t i = 0; i < n; ++i)
+            x[i] -=
+                undetermined_(static_cast<Eigen::Index>(i), j) * scratch[2 * n + static_cast<std::size_t>(j)];
+}
+
+Eigen::VectorXd Adjustment::step(const Eigen::VectorXd& gradient) const {
+    Eigen::VectorXd x = gradient;
+    std::vector<double> scratch(scratch_size());
+    step(x.data(), scratch.data());
+    return x;
+}
+
+void Adjustment::to_datum(Eigen::VectorXd& x) const {
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(undetermined_.cols());
+    for (const std::size_t i : datum_)
+        along +=
+            undetermined_.row(static_cast<Eigen::Index>(i)).transpose() * x[static_cast<Eigen::Index>(i)];
+    x -= undetermined_ * along;
+}
+
+Eigen::VectorXd Adjustment::cofactors(const Eigen::VectorXd& e) const {
+    Eigen::VectorXd x = e;
+    const Eigen::VectorXd along = undetermined_.transpose() * e;
+    for (const std::size_t i : datum_)
+        x[static_cast<Eigen::Index>(i)] -= undetermined_.row(static_cast<Eigen::Index>(i)).dot(along);
+    return step(x);
+}
+
+const SelectedInverse& Adjustment::inverse() const {
+    if (!inverse_) inverse_ = std::make_shared<const SelectedInverse>(factor_->selected_inverse());
+    return *inverse_;
+}
+
+double Adjustment::held_cofactor(std::size_t i, std::size_t j) const {
+    if (reduced_[i] < 0 || reduced_[j] < 0) return 0.0;
+    return inverse().at(static_cast<std::size_t>(reduced_[i]), static_cast<std::size_t>(reduced_[j])) /
+           (scale_[static_cast<Eigen::Index>(i)] * scale_[static_cast<Eigen::Index>(j)]);
+}
+
+double Adjustment::cofactor(std::size_t i, std::size_t j) const {
+    const auto a = static_cast<Eigen::Index>(i), b = static_cast<Eigen::Index>(j);
+    double q = held_cofactor(i, j);
+    if (defect() > 0)
+        q += -undetermined_.row(a).dot(datum_cofactors_.row(b)) -
+             datum_cofactors_.row(a).dot(undetermined_.row(b)) +
+             undetermined_.row(a) * of_datum_ * undetermined_.row(b).transpose();
+    return q;
+}
+
+double Adjustment::cofactor_of_readings(std::size_t a, std::size_t b) const {
+    double sum = 0.0;
+    for (SparseRows::InnerIterator i(whitened_, static_cast<Eigen::Index>(a)); i; ++i)
+        for (SparseRows::InnerIterator j(whitened_, static_cast<Eigen::Index>(b)); j; ++j)
+            sum += i.value() * j.value() *
+                   held_cofactor(static_cast<std::size_t>(i.col()), static_cast<std::size_t>(j.col()));
+    return sum;
+}
+
+}  // namespace covaria::adjustment

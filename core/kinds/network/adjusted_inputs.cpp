@@ -1,0 +1,72 @@
+// Input quantities of "network adjustment": one for each reading, and for each stated coordinate; and where
+// its points and sights are.
+#include "core/base/name.h"
+#include "core/kinds/network/adjusted_setup.h"
+
+namespace covaria::network {
+
+namespace {
+
+constexpr std::size_t most_drawn = 600;  ///< sights that can be told apart in one picture
+
+}  // namespace
+
+InputSet adjustment_inputs(const AdjustedNetwork& network) {
+    InputSet inputs;
+    for (const AdjustedReading& reading : network.readings) {
+        const Unit unit = Unit::of(is_of_angle(reading.kind) ? "gon" : "m");
+        UncertaintyComponent component{.id = reading.symbol,
+                                       .name = words_of(network, reading),
+                                       .unit = Unit::of(is_of_angle(reading.kind) ? "gon" : "mm"),
+                                       .distribution = Distribution::of(Normal{0.0, reading.u}),
+                                       .origin = tell<"as stated">(),
+                                       .source = reading.source};
+        InputQuantity quantity{.symbol = reading.symbol,
+                               .name = words_of(network, reading),
+                               .unit = unit,
+                               .offset = reading.value,
+                               .group = network.points[reading.from].name,
+                               .source = reading.source};
+        quantity.shares.push_back({inputs.add(std::move(component)), 1.0});
+        inputs.quantities.push_back(std::move(quantity));
+    }
+    for (const ReadingCorrelation& c : network.correlations)
+        inputs.correlations.push_back({c.first, c.second, c.coefficient});
+    return inputs;
+}
+
+Layout adjustment_layout(const AdjustedNetwork& network) {
+    Layout layout;
+    std::vector<char> is_station(network.points.size(), 0);
+    for (const AdjustedReading& reading : network.readings)
+        if (reading.from != reading.to) is_station[reading.from] = 1;
+    for (std::size_t p = 0; p < network.points.size(); ++p) {
+        const AdjustedPoint& point = network.points[p];
+        LayoutPoint drawn{.name = point.name,
+                          .kind = is_station[p] ? PointKind::station : PointKind::target,
+                          .p_W = network.position(p),
+                          .source = {adjustment_fields().place(&StatedAdjustment::points, point.row), false}};
+        std::array<std::size_t, 3> outputs{};
+        bool all = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+            outputs[c] = network.unknown_of[network.at(p, c)];
+            all = all && outputs[c] != AdjustedNetwork::known;
+        }
+        if (all) drawn.outputs = outputs;
+        layout.points.push_back(std::move(drawn));
+    }
+    std::size_t sights = 0;
+    for (const AdjustedReading& reading : network.readings) {
+        if (reading.from == reading.to || ++sights > most_drawn) continue;
+        for (const std::size_t to : {reading.to, reading.second})
+            if (to == reading.to || reading.kind == ReadingKind::angle)
+                layout.links.push_back(
+                    {.name = network.points[reading.from].name + " – " + network.points[to].name,
+                     .kind = LinkKind::sight_line,
+                     .from_W = network.position(reading.from),
+                     .to_W = network.position(to)});
+    }
+    return layout;
+}
+
+}  // namespace covaria::network

@@ -1,0 +1,288 @@
+// Measurement model "network adjustment": the model class and its descriptor.
+#include "core/kinds/network/adjusted_model.h"
+
+#include <cmath>
+
+#include "core/base/name.h"
+#include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/points/output_points.h"
+#include "core/model/measurement_model.h"
+
+namespace covaria {
+
+namespace {
+
+using network::AdjustedNetwork;
+
+/// y of x: the unknowns where J₀ᵀ C⁻¹ (x − h(y)) = 0, J₀ the derivatives at the estimates. There it is the
+/// least sum of squares, and its sensitivities are the rows of the gain Q J₀ᵀ C⁻¹; elsewhere it differs from
+/// the least sum by terms of second order times the residuals.
+class NetworkAdjustment : public MeasurementModel {
+public:
+    explicit NetworkAdjustment(AdjustedNetwork made)
+        : network_(std::move(made)),
+          inputs_(network::adjustment_inputs(network_)),
+          tables_(network::adjustment_tables(network_)) {
+        const adjustment::SparseRows weighted =
+            network_.whitening.transpose() * network_.adjusted->whitened();
+        to_gradient_ = adjustment::SparseRows(weighted.transpose());
+        describe_outputs();
+    }
+
+    const InputSet& inputs() const override { return inputs_; }
+    const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
+    Layout layout(std::span<const double>) const override { return network::adjustment_layout(network_); }
+    std::vector<DataTable> evaluation() const override { return tables_; }
+    std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
+        return std::make_shared<OutputPoints>(id, outputs_);
+    }
+
+    bool evaluate(std::span<const double> x, std::span<double> y) const override {
+        Buffers& buffers = buffers_of_thread();
+        if (!solve(x, buffers)) return false;
+        for (std::size_t k = 0; k < network_.place_of.size(); ++k) y[k] = buffers.state[network_.place_of[k]];
+        for (std::size_t i = 0; i < network_.distances.size(); ++i) {
+            const auto& [from, to] = network_.distances[i];
+            y[network_.place_of.size() + i] = along(from, to, buffers.state.data()).norm();
+        }
+        return true;
+    }
+
+    bool sensitivities(std::span<const double> x, SensitivityRows& rows) const override {
+        Buffers& buffers = buffers_of_thread();
+        if (!solve(x, buffers)) return false;
+        const adjustment::SparseRows J = network::design_of(network_, buffers.state.data());
+        rows.assign(outputs_.size(), {});
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const Eigen::VectorXd by_reading =
+                to_gradient_.transpose() * implied(J, wanted(k, buffers.state.data()));
+            if (!by_reading.allFinite()) return false;
+            for (Eigen::Index i = 0; i < by_reading.size(); ++i)
+                if (by_reading[i] != 0.0) rows[k].push_back({static_cast<std::size_t>(i), by_reading[i]});
+        }
+        return true;
+    }
+
+    bool jacobian(std::span<const double> x, Eigen::MatrixXd& jacobian) const override {
+        SensitivityRows rows;
+        if (!sensitivities(x, rows)) return false;
+        jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()),
+                                         static_cast<Eigen::Index>(x.size()));
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            for (const Sensitivity& s : rows[k])
+                jacobian(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(s.input)) = s.coefficient;
+        return true;
+    }
+
+private:
+    struct Buffers {
+        std::vector<double> state, residuals, change, scratch;
+    };
+    static Buffers& buffers_of_thread() {
+        static thread_local Buffers buffers;
+        return buffers;
+    }
+
+    bool solve(std::span<const double> x, Buffers& b) const {
+        constexpr int most_steps = 60;
+        constexpr double enough = 1e-11;  // of what a reading's u is
+        const std::size_t n = network_.place_of.size();
+        b.state.assign(network_.state.data(), network_.state.data() + network_.state.size());
+        b.residuals.resize(network_.readings.size());
+        b.change.resize(n);
+        b.scratch.resize(network_.adjusted->scratch_size());
+        double before = std::numeric_limits<double>::infinity();
+        for (int k = 0; k < most_steps; ++k) {
+            for (std::size_t i = 0; i < b.residuals.size(); ++i)
+                b.residuals[i] = residual_of(network_, network_.readings[i], x[i], b.state.data());
+            multiply(b.residuals.data(), b.change.data());
+            network_.adjusted->step(b.change.data(), b.scratch.data());
+            double length = 0.0;
+            for (std::size_t i = 0; i < n; ++i) {
+                b.state[network_.place_of[i]] += b.change[i];
+                length = std::max(
+                    length, std::abs(b.change[i]) * network_.adjusted->scale()[static_cast<Eigen::Index>(i)]);
+            }
+            if (!std::isfinite(length)) return false;
+            // Of large coordinates the last digit may be more than that of a reading's u.
+            if (length < enough || (length < 1e-5 && length > 0.5 * before)) return true;
+            before = length;
+        }
+        return false;
+    }
+
+    void multiply(const double* r, double* g) const {
+        const int *starts = to_gradient_.outerIndexPtr(), *columns = to_gradient_.innerIndexPtr();
+        const double* values = to_gradient_.valuePtr();
+        for (Eigen::Index k = 0; k < to_gradient_.rows(); ++k) {
+            double sum = 0.0;
+            for (int e = starts[k]; e < starts[k + 1]; ++e) sum += values[e] * r[columns[e]];
+            g[k] = sum;
+        }
+    }
+
+    Eigen::Vector3d along(std::size_t from, std::size_t to, const double* state) const {
+        return Eigen::Map<const Eigen::Vector3d>(state + 3 * to) -
+               Eigen::Map<const Eigen::Vector3d>(state + 3 * from);
+    }
+
+    /// Gradient of an output by the unknowns.
+    Eigen::VectorXd wanted(std::size_t output, const double* state) const {
+        const auto n = static_cast<Eigen::Index>(network_.place_of.size());
+        Eigen::VectorXd e = Eigen::VectorXd::Zero(n);
+        if (output < network_.place_of.size()) {
+            e[static_cast<Eigen::Index>(output)] = 1.0;
+            return e;
+        }
+        const auto& [from, to] = network_.distances[output - network_.place_of.size()];
+        const Eigen::Vector3d unit = along(from, to, state).normalized();
+        for (std::size_t c = 0; c < 3; ++c)
+            for (const auto& [point, sign] : {std::pair(to, 1.0), std::pair(from, -1.0)})
+                if (const std::size_t k = network_.unknown_of[network_.at(point, c)];
+                    k != AdjustedNetwork::known)
+                    e[static_cast<Eigen::Index>(k)] += sign * unit[static_cast<Eigen::Index>(c)];
+        return e;
+    }
+
+    /// (J₀ᵀ C⁻¹ J)⁻ᵀ e, in steps with the factor at the estimates: where J is J₀ the first is the last.
+    Eigen::VectorXd implied(const adjustment::SparseRows& J, const Eigen::VectorXd& e) const {
+        constexpr int most_steps = 30;
+        Eigen::VectorXd z = network_.adjusted->cofactors(e);
+        for (int k = 0; k < most_steps; ++k) {
+            const Eigen::VectorXd forward = to_gradient_.transpose() * z;
+            const Eigen::VectorXd left = e - J.transpose() * forward;
+            const Eigen::VectorXd change = network_.adjusted->cofactors(left);
+            z += change;
+            if (change.norm() <= 1e-13 * z.norm()) break;
+        }
+        return z;
+    }
+
+    void describe_outputs() {
+        const Unit unit = Unit::of(is_large() ? "m" : "mm");
+        for (const std::size_t place : network_.place_of) {
+            if (place >= network_.tilt(0, 0)) {
+                const std::size_t k = (place - network_.tilt(0, 0)) / 2,
+                                  axis = (place - network_.tilt(0, 0)) % 2;
+                const std::string& station = network_.points[network_.leaning[k]].name;
+                const std::string along(along_axes[axis]);
+                outputs_.push_back({.symbol = "tilt_" + along + "_" + station,
+                                    .name = tell<"tilt at %1 about %2">(station, along),
+                                    .unit = Unit::of("gon"),
+                                    .group = own_name<"orientations">(),
+                                    .role = OutputRole::intermediate});
+                continue;
+            }
+            if (place >= 3 * network_.points.size()) {
+                const network::Round& round = network_.rounds[place - 3 * network_.points.size()];
+                const std::string& station = network_.points[round.station].name;
+                outputs_.push_back(
+                    {.symbol = round.name.empty() ? "o_" + station : "o_" + station + "_" + round.name,
+                     .name = round.name.empty() ? tell<"orientation at %1">(station)
+                                                : tell<"orientation at %1, round %2">(station, round.name),
+                     .unit = Unit::of("gon"),
+                     .group = own_name<"orientations">(),
+                     .role = OutputRole::intermediate,
+                     .periodic = true});
+                continue;
+            }
+            const std::string& name = network_.points[place / 3].name;
+            const std::string axis(along_axes[place % 3]);
+            outputs_.push_back(
+                {.symbol = axis, .name = tell<"%1, coordinate %2">(name, axis), .unit = unit, .group = name});
+        }
+        for (const auto& [from, to] : network_.distances)
+            outputs_.push_back(
+                {.symbol = network_.points[from].name + "–" + network_.points[to].name,
+                 .name = tell<"distance from %1 to %2">(network_.points[from].name, network_.points[to].name),
+                 .unit = unit,
+                 .group = own_name<"distances">()});
+    }
+
+    /// Coordinates as surveyors have them, in metres.
+    bool is_large() const {
+        constexpr double machine_hall = 100.0;  // m
+        return network_.state.head(static_cast<Eigen::Index>(3 * network_.points.size()))
+                   .cwiseAbs()
+                   .maxCoeff() > machine_hall;
+    }
+
+    AdjustedNetwork network_;
+    InputSet inputs_;
+    std::vector<DataTable> tables_;
+    adjustment::SparseRows to_gradient_;  ///< J₀ᵀ C⁻¹
+    std::vector<OutputQuantity> outputs_;
+};
+
+std::unique_ptr<MeasurementModel> create_adjustment(const SetupReader& reader, const AssetLibrary& assets,
+                                                    Problems& problems) {
+    const network::StatedAdjustment stated = network::adjustment_fields().read(reader, assets, problems);
+    if (problems.has_errors()) return nullptr;
+    std::optional<AdjustedNetwork> made = network::adjusted_network(stated, problems);
+    if (!made) return nullptr;
+    network::find_start(*made, problems);
+    if (problems.has_errors()) return nullptr;
+    network::adjust(*made, problems);
+    if (problems.has_errors()) return nullptr;
+    network::check_adjustment(*made, problems);
+    return std::make_unique<NetworkAdjustment>(std::move(*made));
+}
+
+std::vector<ModelEquation> adjustment_equations() {
+    return {
+        {"l + v = h(x)", tell<"readings l, their residuals v, unknowns x">()},
+        {"min vᵀ C⁻¹ v", tell<"least squares, Gauss-Newton method">()},
+        {"Q = (Jᵀ C⁻¹ J)⁻,  u² = diag Q", tell<"law of propagation; generalised inverse of the datum">()},
+        {"Q_S = S Q Sᵀ,  S = I − G (GᵀBG)⁻¹ GᵀB", tell<"free network: W. Baarda, S-transformations, 1973">()},
+        {"r_i = (Q_vv C⁻¹)_ii,  w_i = (C⁻¹ v)_i / √(C⁻¹ Q_vv C⁻¹)_ii",
+         tell<"redundancy and test of a reading: W. Baarda, A testing procedure, 1968">()},
+        {"∇l_i = δ₀ / √(C⁻¹ Q_vv C⁻¹)_ii", tell<"smallest error of a reading that the test finds">()},
+        {"s₀² = vᵀ C⁻¹ v / f",
+         tell<"a posteriori; uncertainties are those that were stated, not times s₀">()}};
+}
+
+}  // namespace
+
+ModelDescriptor network_adjustment_model() {
+    ModelDescriptor d;
+    d.id = "network-adjustment";
+    d.title = "Network adjustment";
+    d.summary =
+        "Coordinates of stations and targets from the distances, directions, angles and height differences "
+        "that were "
+        "read between them: heights, plane or space, free or held by known points, with the reliability of "
+        "each "
+        "reading.";
+    d.references = {{"W. Baarda: A testing procedure for use in geodetic networks, 1968"},
+                    {"W. Baarda: S-transformations and criterion matrices, 1973"},
+                    {"JCGM 100:2008 (GUM), JCGM 101:2008, JCGM 102:2011"}};
+    d.equations = adjustment_equations();
+    d.notes = {
+        "Uncertainties follow from those that were stated for the readings; they are not multiplied by s_0, "
+        "which "
+        "is a test of them.",
+        "In a free network what no reading tells is taken from the approximate coordinates of the points of "
+        "the "
+        "datum: the sum of squares of their changes is least. Residuals, s_0 and redundancies do not depend "
+        "on the "
+        "datum.",
+        "Each round of directions has an orientation that is not known. Instruments are levelled "
+        "unless the set-up says how they lean: zenith angles count from the vertical, the z-axis at all "
+        "points.",
+        "Smallest detectable errors are those of a test at 0.1 % with a power of 80 % (delta_0 = 4.132), "
+        "with the "
+        "uncertainties that were stated.",
+        "In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it "
+        "stands "
+        "still.",
+        "Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings "
+        "before."};
+    d.help_page = "network-adjustment.md";
+    d.example = "levelled-network.covaria";
+    d.capabilities = {"point-uncertainty"};
+    d.schema = network::adjustment_fields().schema();
+    d.create = create_adjustment;
+    return d;
+}
+
+}  // namespace covaria

@@ -1,0 +1,228 @@
+// What readings of a network adjustment are of its points, and their derivatives.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "core/kinds/network/adjusted_setup.h"
+
+namespace covaria::network {
+
+namespace {
+
+Eigen::Vector3d between(const AdjustedReading& reading, std::size_t to, const double* state) {
+    const double *a = state + 3 * reading.from, *b = state + 3 * to;
+    return {b[0] - a[0], b[1] - a[1], b[2] - a[2] + reading.height_to - reading.height_from};
+}
+
+/// Axes of an instrument that leans, by columns.
+Eigen::Matrix3d leaning_axes(const AdjustedNetwork& network, const AdjustedReading& reading,
+                             const double* state) {
+    return (Eigen::AngleAxisd(state[network.tilt(reading.tilt, 0)], Eigen::Vector3d::UnitX()) *
+            Eigen::AngleAxisd(state[network.tilt(reading.tilt, 1)], Eigen::Vector3d::UnitY()))
+        .toRotationMatrix();
+}
+
+/// What the instrument sees in its axes, but for the orientation of its circle.
+Eigen::Vector3d seen(const AdjustedNetwork& network, const AdjustedReading& reading, std::size_t to,
+                     const double* state) {
+    const Eigen::Vector3d v = between(reading, to, state);
+    if (reading.tilt == AdjustedReading::no_tilt) return v;
+    return leaning_axes(network, reading, state).transpose() * v;
+}
+
+double bearing(const AdjustedNetwork& network, const Eigen::Vector3d& v) {
+    return network.clockwise ? std::atan2(v.x(), v.y()) : std::atan2(v.y(), v.x());
+}
+
+Eigen::Vector3d bearing_gradient(const AdjustedNetwork& network, const Eigen::Vector3d& v) {
+    const double by = (network.clockwise ? -1.0 : 1.0) / v.head<2>().squaredNorm();
+    return {-v.y() * by, v.x() * by, 0.0};
+}
+
+std::size_t axis_of(ReadingKind kind) {
+    switch (kind) {
+        case ReadingKind::y:
+        case ReadingKind::dy:
+            return 1;
+        case ReadingKind::z:
+        case ReadingKind::dz:
+        case ReadingKind::height_difference:
+            return 2;
+        default:
+            return 0;
+    }
+}
+
+Eigen::Vector3d gradient(const AdjustedNetwork& network, ReadingKind kind, const Eigen::Vector3d& v) {
+    const double rho = v.head<2>().norm();
+    switch (kind) {
+        case ReadingKind::slope_distance:
+            return v.normalized();
+        case ReadingKind::horizontal_distance:
+            return {v.x() / rho, v.y() / rho, 0.0};
+        case ReadingKind::zenith_angle: {
+            const double by = 1.0 / (rho * v.squaredNorm());
+            return {v.x() * v.z() * by, v.y() * v.z() * by, -rho * rho * by};
+        }
+        case ReadingKind::direction:
+        case ReadingKind::angle:
+        case ReadingKind::azimuth:
+            return bearing_gradient(network, v);
+        default:
+            return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis_of(kind)));
+    }
+}
+
+/// The gradient of one leg by the points, and by how the instrument leans.
+void add_leg(const AdjustedNetwork& network, const AdjustedReading& reading, std::size_t to, double sign,
+             const double* state, StateTerms& terms) {
+    Eigen::Vector3d g = sign * gradient(network, reading.kind, seen(network, reading, to, state));
+    if (reading.tilt != AdjustedReading::no_tilt) {
+        g = leaning_axes(network, reading, state) * g;
+        const Eigen::Vector3d turned = g.cross(between(reading, to, state));
+        const double a = state[network.tilt(reading.tilt, 0)];
+        terms.push_back({network.tilt(reading.tilt, 0), turned.x()});
+        terms.push_back({network.tilt(reading.tilt, 1), std::cos(a) * turned.y() + std::sin(a) * turned.z()});
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double by = g[static_cast<Eigen::Index>(c)];
+        if (by == 0.0) continue;
+        terms.push_back({3 * to + c, by});
+        terms.push_back({3 * reading.from + c, -by});
+    }
+}
+
+}  // namespace
+
+bool is_of_angle(ReadingKind kind) {
+    return kind == ReadingKind::direction || kind == ReadingKind::angle || kind == ReadingKind::azimuth ||
+           kind == ReadingKind::zenith_angle || kind == ReadingKind::tilt_x || kind == ReadingKind::tilt_y;
+}
+
+bool needs_heights(ReadingKind kind) {
+    return kind == ReadingKind::slope_distance || kind == ReadingKind::zenith_angle ||
+           kind == ReadingKind::height_difference || kind == ReadingKind::z || kind == ReadingKind::dz;
+}
+
+bool needs_plane(ReadingKind kind) {
+    return kind != ReadingKind::height_difference && kind != ReadingKind::z && kind != ReadingKind::dz;
+}
+
+double predicted(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state) {
+    const Eigen::Vector3d v = seen(network, reading, reading.to, state);
+    switch (reading.kind) {
+        case ReadingKind::slope_distance:
+            return v.norm();
+        case ReadingKind::horizontal_distance:
+            return v.head<2>().norm();
+        case ReadingKind::zenith_angle:
+            return std::atan2(v.head<2>().norm(), v.z());
+        case ReadingKind::direction:
+            return bearing(network, v) - state[network.orientation(reading.round)];
+        case ReadingKind::azimuth:
+            return bearing(network, v);
+        case ReadingKind::angle:
+            return bearing(network, seen(network, reading, reading.second, state)) - bearing(network, v);
+        case ReadingKind::tilt_x:
+            return state[network.tilt(reading.tilt, 0)];
+        case ReadingKind::tilt_y:
+            return state[network.tilt(reading.tilt, 1)];
+        case ReadingKind::x:
+        case ReadingKind::y:
+        case ReadingKind::z:
+            return state[3 * reading.from + axis_of(reading.kind)];
+        default:
+            return v[static_cast<Eigen::Index>(axis_of(reading.kind))];
+    }
+}
+
+double residual_of(const AdjustedNetwork& network, const AdjustedReading& reading, double value,
+                   const double* state) {
+    const double r = value - predicted(network, reading, state);
+    return is_of_angle(reading.kind) ? std::remainder(r, 2.0 * std::numbers::pi) : r;
+}
+
+void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state,
+                 StateTerms& terms) {
+    terms.clear();
+    switch (reading.kind) {
+        case ReadingKind::tilt_x:
+            return terms.push_back({network.tilt(reading.tilt, 0), 1.0});
+        case ReadingKind::tilt_y:
+            return terms.push_back({network.tilt(reading.tilt, 1), 1.0});
+        case ReadingKind::x:
+        case ReadingKind::y:
+        case ReadingKind::z:
+            return terms.push_back({3 * reading.from + axis_of(reading.kind), 1.0});
+        case ReadingKind::angle:
+            add_leg(network, reading, reading.to, -1.0, state, terms);
+            return add_leg(network, reading, reading.second, 1.0, state, terms);
+        default:
+            break;
+    }
+    add_leg(network, reading, reading.to, 1.0, state, terms);
+    if (reading.kind == ReadingKind::direction) terms.push_back({network.orientation(reading.round), -1.0});
+}
+
+adjustment::SparseRows design_of(const AdjustedNetwork& network, const double* state) {
+    std::vector<Eigen::Triplet<double>> elements;
+    StateTerms terms;
+    for (std::size_t i = 0; i < network.readings.size(); ++i) {
+        derivatives(network, network.readings[i], state, terms);
+        for (const StateTerm& term : terms)
+            if (const std::size_t k = network.unknown_of[term.place]; k != AdjustedNetwork::known)
+                elements.emplace_back(static_cast<int>(i), static_cast<int>(k), term.coefficient);
+    }
+    adjustment::SparseRows design(static_cast<Eigen::Index>(network.readings.size()),
+                                  static_cast<Eigen::Index>(network.place_of.size()));
+    design.setFromTriplets(elements.begin(), elements.end());
+    return design;
+}
+
+Eigen::VectorXd residuals_of(const AdjustedNetwork& network, const double* state) {
+    Eigen::VectorXd r(static_cast<Eigen::Index>(network.readings.size()));
+    for (std::size_t i = 0; i < network.readings.size(); ++i)
+        r[static_cast<Eigen::Index>(i)] =
+            residual_of(network, network.readings[i], network.readings[i].value, state);
+    return r;
+}
+
+Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading) {
+    const std::string& from = network.points[reading.from].name;
+    const std::string& to = network.points[reading.to].name;
+    switch (reading.kind) {
+        case ReadingKind::slope_distance:
+            return tell<"slope distance %1 – %2">(from, to);
+        case ReadingKind::horizontal_distance:
+            return tell<"horizontal distance %1 – %2">(from, to);
+        case ReadingKind::direction:
+            return tell<"direction %1 – %2">(from, to);
+        case ReadingKind::azimuth:
+            return tell<"azimuth %1 – %2">(from, to);
+        case ReadingKind::zenith_angle:
+            return tell<"zenith angle %1 – %2">(from, to);
+        case ReadingKind::height_difference:
+            return tell<"height difference %1 – %2">(from, to);
+        case ReadingKind::angle:
+            return tell<"angle at %1 from %2 to %3">(from, to, network.points[reading.second].name);
+        case ReadingKind::tilt_x:
+            return tell<"tilt about x of the instrument at %1">(from);
+        case ReadingKind::tilt_y:
+            return tell<"tilt about y of the instrument at %1">(from);
+        case ReadingKind::x:
+            return tell<"x of %1">(from);
+        case ReadingKind::y:
+            return tell<"y of %1">(from);
+        case ReadingKind::z:
+            return tell<"z of %1">(from);
+        case ReadingKind::dx:
+            return tell<"difference of x, %1 – %2">(from, to);
+        case ReadingKind::dy:
+            return tell<"difference of y, %1 – %2">(from, to);
+        case ReadingKind::dz:
+            return tell<"difference of z, %1 – %2">(from, to);
+    }
+    return {};
+}
+
+}  // namespace covaria::network

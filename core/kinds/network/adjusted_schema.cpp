@@ -1,0 +1,143 @@
+// Fields of "network adjustment".
+#include "core/kinds/network/adjusted_setup.h"
+
+namespace covaria::network {
+
+namespace {
+
+using Stated = StatedAdjustment;
+
+std::vector<ChoiceOf<CoordinateRole>> roles() {
+    return {{CoordinateRole::unknown, "unknown", "unknown"},
+            {CoordinateRole::datum, "datum", "unknown, of the datum"},
+            {CoordinateRole::fixed, "fixed", "fixed"},
+            {CoordinateRole::stated, "stated", "stated with u"},
+            {CoordinateRole::none, "none", "not part of the network"}};
+}
+
+Columns<Stated::Point> point_columns() {
+    using Row = Stated::Point;
+    const Unit m = Unit::of("m"), mm = Unit::of("mm");
+    const std::array<const char*, 3> u{"u_x", "u_y", "u_z"};
+    Columns<Row> columns;
+    columns.add(&Row::name, "name", "name", "Name of the point, unique.")
+        .each(
+            &Row::p,
+            by_axis(along_axes,
+                    "Coordinate *; of an unknown point an approximate one, or empty: the readings place it.",
+                    {.unit = m, .optional = true}))
+        .choice(&Row::plane, "plane", "plane",
+                "What is known of x and y: unknown; unknown, and what no reading tells is taken from this "
+                "point and "
+                "others like it (free network); fixed without uncertainty; stated with u.",
+                roles())
+        .choice(&Row::height, "height", "height", "What is known of z, likewise.", roles());
+    return columns.each(&Row::u,
+                        by_axis({u[0], u[1], u[2]}, "Standard uncertainty of a stated coordinate.",
+                                {.unit = mm, .range = {.low = 0.0, .low_open = true}, .optional = true}));
+}
+
+std::vector<ChoiceOf<ReadingKind>> kinds() {
+    return {{ReadingKind::slope_distance, "slope-distance", "slope distance"},
+            {ReadingKind::horizontal_distance, "horizontal-distance", "horizontal distance"},
+            {ReadingKind::direction, "direction", "direction"},
+            {ReadingKind::angle, "angle", "angle"},
+            {ReadingKind::azimuth, "azimuth", "azimuth"},
+            {ReadingKind::zenith_angle, "zenith-angle", "zenith angle"},
+            {ReadingKind::height_difference, "height-difference", "height difference"},
+            {ReadingKind::x, "x", "x of a point"},
+            {ReadingKind::y, "y", "y of a point"},
+            {ReadingKind::z, "z", "z of a point"},
+            {ReadingKind::dx, "dx", "difference of x"},
+            {ReadingKind::dy, "dy", "difference of y"},
+            {ReadingKind::dz, "dz", "difference of z"}};
+}
+
+Columns<Stated::Reading> reading_columns() {
+    using Row = Stated::Reading;
+    const Unit m = Unit::of("m"), mm = Unit::of("mm"), rad = Unit::of("rad");
+    const Range positive{.low = 0.0, .low_open = true};
+    return Columns<Row>()
+        .add(&Row::label, "label", "label", "By which a correlation calls it.", {.optional = true})
+        .choice(&Row::kind, "kind", "kind", "What was read.", kinds())
+        .add(&Row::from, "from", "from", "The point where it was read; of a coordinate its point.")
+        .add(&Row::to, "to", "to", "The point that was sighted.", {.optional = true})
+        .add(&Row::second, "second", "second", "Of an angle the point at its second leg.", {.optional = true})
+        .add(&Row::round, "round", "round",
+             "Of a direction: rounds of one station between which its circle was turned have names; each has "
+             "an "
+             "orientation of its own.",
+             {.optional = true})
+        .add(&Row::length, "length", "length", "A length or coordinate as read.",
+             {.unit = m, .optional = true})
+        .add(&Row::angle, "angle", "angle", "An angle as read.", {.unit = rad, .optional = true})
+        .add(&Row::u_length, "u_length", "u of length", "Standard uncertainty of the length.",
+             {.unit = mm, .range = positive, .optional = true})
+        .add(&Row::u_angle, "u_angle", "u of angle", "Standard uncertainty of the angle.",
+             {.unit = rad, .range = positive, .optional = true})
+        .add(&Row::height_from, "height_from", "height from", "Height of the instrument above its point.",
+             {.unit = m, .optional = true})
+        .add(&Row::height_to, "height_to", "height to", "Height of the target above its point.",
+             {.unit = m, .optional = true});
+}
+
+Columns<Stated::Correlation> correlation_columns() {
+    using Row = Stated::Correlation;
+    return Columns<Row>()
+        .add(&Row::first, "first", "first", "Label of a reading.")
+        .add(&Row::second, "second", "second", "Label of another reading.")
+        .add(&Row::coefficient, "coefficient", "coefficient", "Correlation coefficient of the two.",
+             {.range = {.low = -1.0, .high = 1.0}});
+}
+
+Columns<Stated::Station> station_columns() {
+    using Row = Stated::Station;
+    return Columns<Row>()
+        .add(&Row::point, "point", "point", "The point where the instrument stands.")
+        .choice(
+            &Row::stated, "tilt", "tilt",
+            "How it leans: unknown, so that the readings tell it; or levelled within u, about x and about y.",
+            {{false, "unknown", "unknown"}, {true, "levelled", "levelled within u"}})
+        .add(&Row::u, "u_tilt", "u of tilt", "Standard uncertainty of each tilt of a levelled instrument.",
+             {.unit = Unit::of("rad"), .range = {.low = 0.0, .low_open = true}, .optional = true});
+}
+
+Columns<Stated::Distance> distance_columns() {
+    using Row = Stated::Distance;
+    return Columns<Row>()
+        .add(&Row::from, "from", "from", "Name of a point.")
+        .add(&Row::to, "to", "to", "Name of another point.");
+}
+
+}  // namespace
+
+const Fields<StatedAdjustment>& adjustment_fields() {
+    static const auto fields =
+        Fields<Stated>()
+            .section("Network")
+            .table(&Stated::points, "points", "Points",
+                   "Stations and targets alike, with what is known of them beforehand.", point_columns(),
+                   {.min_rows = 1})
+            .table(&Stated::distances, "distances", "Distances",
+                   "Distances between points that are measurands too.", distance_columns(),
+                   {.optional = true})
+            .section("Readings")
+            .choice(
+                &Stated::clockwise, "sense", "Directions grow",
+                "In which sense directions, angles and azimuths grow, and from which axis azimuths count.",
+                {{false, "x-to-y", "from x towards y; azimuths count from x"},
+                 {true, "y-to-x", "from y towards x; azimuths count from y"}},
+                false)
+            .table(&Stated::readings, "readings", "Readings",
+                   "What was read between the points, one row for each figure, typed or from a CSV file.",
+                   reading_columns(), {.min_rows = 1, .measured = true})
+            .table(&Stated::stations, "stations", "Instruments that are not levelled",
+                   "Where an instrument stands that is not levelled, or not exactly; all others are.",
+                   station_columns(), {.optional = true})
+            .table(&Stated::correlations, "correlations", "Correlations of readings",
+                   "Correlation coefficients of readings: they change the weights and the uncertainty.",
+                   correlation_columns(), {.optional = true});
+    return fields;
+}
+
+}  // namespace covaria::network

@@ -1,0 +1,98 @@
+// The least sum of squares of a network adjustment, by Gauss-Newton steps with the factor of each place.
+#include <cmath>
+
+#include "core/kinds/network/adjusted_setup.h"
+
+namespace covaria::network {
+
+namespace {
+
+class AdjustmentSearch {
+public:
+    AdjustmentSearch(AdjustedNetwork& network, Problems& problems) : network_(network), problems_(problems) {}
+
+    void run() {
+        constexpr int most_steps = 60;
+        for (int k = 0; k < most_steps; ++k) {
+            const auto adjusted = std::make_shared<const adjustment::Adjustment>(
+                design_of(network_, network_.state.data()), network_.whitening, network_.datum);
+            if (adjusted->open().cols() > 0) return refuse(*adjusted);
+            if (!adjusted->is_solved()) break;
+            network_.adjusted = adjusted;
+            if (!step(*adjusted)) break;
+            if (settled_) return;
+        }
+        network_.adjusted = nullptr;
+        problems_.error(
+            adjustment_fields().place(&StatedAdjustment::readings),
+            tell<"the readings do not lead to a place of every point: the adjustment does not converge; "
+                 "look for exchanged or mistyped readings, for a unit that was mixed up (gon and degrees, "
+                 "m and mm), and for coordinates that are far off">());
+    }
+
+private:
+    void refuse(const adjustment::Adjustment& adjusted) {
+        constexpr std::size_t most_said = 10;
+        const std::vector<Message> open = open_directions(network_, adjusted);
+        const std::string place = adjustment_fields().place(&StatedAdjustment::points);
+        for (std::size_t i = 0; i < std::min(open.size(), most_said); ++i) problems_.error(place, open[i]);
+        if (open.size() > most_said)
+            problems_.error(
+                place, tell<"and %1 further ways in which the points can move">(open.size() - most_said));
+    }
+
+    double sum_at(const Eigen::VectorXd& state) const {
+        return (network_.whitening * residuals_of(network_, state.data())).squaredNorm();
+    }
+
+    /// The whole step, or the half of it that lets the sum fall; false: none does.
+    bool step(const adjustment::Adjustment& adjusted) {
+        const Eigen::VectorXd r = network_.whitening * residuals_of(network_, network_.state.data());
+        const Eigen::VectorXd change = adjusted.step(adjusted.whitened().transpose() * r);
+        if (!change.allFinite()) return false;
+        const double length = change.cwiseProduct(adjusted.scale()).lpNorm<Eigen::Infinity>();
+        const double before = r.squaredNorm();
+        for (double part = 1.0; part > 1e-6; part *= 0.5) {
+            const Eigen::VectorXd moved = moved_by(adjusted, part * change);
+            const double sum = sum_at(moved);
+            // Near the end the sum only rounds; the datum's own part may raise it a little.
+            if (!(sum <= before * (1.0 + 1e-9) + 1e-9) && length > 1e-3) continue;
+            network_.state = moved;
+            constexpr double enough = 1e-9;  // of what a reading's u is
+            const bool at_rounding = length < 1e-5 && length > 0.5 * last_;
+            settled_ = part == 1.0 && (length < enough || at_rounding);
+            last_ = length;
+            return true;
+        }
+        return false;
+    }
+
+    /// What no reading determines stays where the points of the datum were said to be.
+    Eigen::VectorXd moved_by(const adjustment::Adjustment& adjusted, const Eigen::VectorXd& change) const {
+        Eigen::VectorXd from_stated = change;
+        for (std::size_t k = 0; k < network_.place_of.size(); ++k) {
+            const auto place = static_cast<Eigen::Index>(network_.place_of[k]);
+            from_stated[static_cast<Eigen::Index>(k)] += network_.state[place] - network_.stated[place];
+        }
+        adjusted.to_datum(from_stated);
+        Eigen::VectorXd state = network_.state;
+        for (std::size_t k = 0; k < network_.place_of.size(); ++k) {
+            const auto place = static_cast<Eigen::Index>(network_.place_of[k]);
+            state[place] = network_.stated[place] + from_stated[static_cast<Eigen::Index>(k)];
+        }
+        return state;
+    }
+
+    AdjustedNetwork& network_;
+    Problems& problems_;
+    bool settled_ = false;
+    double last_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+void adjust(AdjustedNetwork& network, Problems& problems) {
+    AdjustmentSearch(network, problems).run();
+}
+
+}  // namespace covaria::network

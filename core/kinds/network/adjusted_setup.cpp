@@ -1,0 +1,306 @@
+// Checks the set-up of "network adjustment".
+#include "core/kinds/network/adjusted_setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+namespace covaria::network {
+
+namespace {
+
+using Typed = StatedAdjustment;
+
+class AdjustmentReading {
+public:
+    AdjustmentReading(const Typed& stated, Problems& problems) : stated_(stated), problems_(problems) {}
+
+    std::optional<AdjustedNetwork> read() {
+        made_.clockwise = stated_.clockwise;
+        for (std::size_t row = 0; row < stated_.points.size(); ++row) take_point(row);
+        if (problems_.has_errors()) return {};
+        for (std::size_t row = 0; row < stated_.stations.size(); ++row) take_station(row);
+        for (std::size_t row = 0; row < stated_.readings.size(); ++row) take_reading(row);
+        for (std::size_t row = 0; row < stated_.distances.size(); ++row) take_distance(row);
+        if (problems_.has_errors()) return {};
+        for (std::size_t row = 0; row < stated_.points.size(); ++row) add_stated_coordinates(row);
+        add_stated_tilts();
+        number();
+        take_correlations();
+        weigh();
+        if (problems_.has_errors()) return {};
+        return std::move(made_);
+    }
+
+private:
+    static std::string point_place(std::size_t row) { return adjustment_fields().place(&Typed::points, row); }
+    static std::string reading_place(std::size_t row) {
+        return adjustment_fields().place(&Typed::readings, row);
+    }
+
+    void take_point(std::size_t row) {
+        const Typed::Point& typed = stated_.points[row];
+        const std::string path = point_place(row);
+        if (!names_.try_emplace(typed.name, row).second)
+            problems_.error(path, tell<"two points are called %1">(typed.name));
+        AdjustedPoint point{.name = typed.name, .row = row};
+        for (std::size_t c = 0; c < 3; ++c) {
+            point.role[c] = c < 2 ? typed.plane : typed.height;
+            point.placed[c] = typed.p[c].has_value();
+            const bool needs =
+                point.role[c] == CoordinateRole::fixed || point.role[c] == CoordinateRole::stated;
+            const std::string axis(along_axes[c]);
+            if (needs && !typed.p[c])
+                problems_.error(
+                    path, tell<"point %1: its %2 is said to be known, and is missing">(typed.name, axis));
+            if (point.role[c] == CoordinateRole::stated && !typed.u[c])
+                problems_.error(path, tell<"point %1: the u of its stated %2 is missing">(typed.name, axis));
+        }
+        made_.points.push_back(std::move(point));
+    }
+
+    std::optional<std::size_t> called(const std::string& name, const std::string& path) {
+        const auto found = names_.find(name);
+        if (found != names_.end()) return found->second;
+        problems_.error(path, name.empty() ? tell<"the name of a point is missing">()
+                                           : tell<"there is no point %1">(name));
+        return {};
+    }
+
+    void take_station(std::size_t row) {
+        const Typed::Station& typed = stated_.stations[row];
+        const std::string path = adjustment_fields().place(&Typed::stations, row);
+        const auto point = called(typed.point, path);
+        if (!point) return;
+        if (typed.stated && !typed.u)
+            problems_.error(path, tell<"the instrument at %1: the u of its tilt is missing">(typed.point));
+        if (!leaning_.try_emplace(*point, made_.leaning.size()).second)
+            return problems_.error(path, tell<"two instruments stand at %1">(typed.point));
+        made_.leaning.push_back(*point);
+    }
+
+    /// What an instrument that leans reads by its own axes.
+    static bool is_by_axes(ReadingKind kind) {
+        return kind == ReadingKind::direction || kind == ReadingKind::angle ||
+               kind == ReadingKind::zenith_angle;
+    }
+
+    void add_stated_tilts() {
+        for (std::size_t row = 0; row < stated_.stations.size(); ++row) {
+            const Typed::Station& typed = stated_.stations[row];
+            if (!typed.stated) continue;
+            for (const ReadingKind kind : {ReadingKind::tilt_x, ReadingKind::tilt_y}) {
+                AdjustedReading reading{.kind = kind, .tilt = row, .u = *typed.u};
+                reading.from = reading.to = reading.second = made_.leaning[row];
+                reading.source = adjustment_fields().place(&Typed::stations, row);
+                made_.readings.push_back(std::move(reading));
+            }
+        }
+    }
+
+    static bool is_of_one_point(ReadingKind kind) {
+        return kind == ReadingKind::x || kind == ReadingKind::y || kind == ReadingKind::z;
+    }
+
+    void take_reading(std::size_t row) {
+        const Typed::Reading& typed = stated_.readings[row];
+        const std::string path = reading_place(row);
+        AdjustedReading reading{.kind = typed.kind, .label = typed.label, .source = path};
+        const auto from = called(typed.from, path);
+        const auto to = is_of_one_point(typed.kind) ? from : called(typed.to, path);
+        const auto second = typed.kind == ReadingKind::angle ? called(typed.second, path) : to;
+        if (!from || !to || !second) return;
+        reading.from = *from;
+        reading.to = *to;
+        reading.second = *second;
+        reading.height_from = typed.height_from;
+        reading.height_to = typed.height_to;
+        if (!is_of_one_point(typed.kind) && (*from == *to || *from == *second))
+            return problems_.error(path, tell<"a reading from %1 to itself">(typed.from));
+        if (typed.kind == ReadingKind::angle && *to == *second)
+            return problems_.error(path, tell<"both legs of the angle at %1 go to %2">(typed.from, typed.to));
+        take_value(typed, reading);
+        if (typed.kind == ReadingKind::direction) reading.round = round_of(*from, typed.round);
+        if (const auto leaning = leaning_.find(*from); leaning != leaning_.end() && is_by_axes(typed.kind))
+            reading.tilt = leaning->second;
+        check_parts(reading);
+        made_.readings.push_back(std::move(reading));
+    }
+
+    void take_value(const Typed::Reading& typed, AdjustedReading& reading) {
+        const bool angle = is_of_angle(typed.kind);
+        const auto& value = angle ? typed.angle : typed.length;
+        const auto& u = angle ? typed.u_angle : typed.u_length;
+        const Message words = words_of(made_, reading);
+        if (!value || !u)
+            return problems_.error(reading.source,
+                                   !value ? tell<"%1: its value is missing">(words)
+                                          : tell<"%1: its standard uncertainty is missing">(words));
+        if (angle ? typed.length.has_value() : typed.angle.has_value())
+            problems_.error(reading.source, angle ? tell<"%1 is an angle and has a length">(words)
+                                                  : tell<"%1 is a length and has an angle">(words));
+        reading.value = *value;
+        reading.u = *u;
+        const bool distance =
+            typed.kind == ReadingKind::slope_distance || typed.kind == ReadingKind::horizontal_distance;
+        if (distance && !(*value > 0.0)) problems_.error(reading.source, tell<"%1 is not positive">(words));
+        if (typed.kind == ReadingKind::zenith_angle && !(*value > 0.0 && *value < std::numbers::pi))
+            problems_.error(reading.source,
+                            tell<"%1 is not between 0 and half a turn: state the mean of both faces">(words));
+    }
+
+    std::size_t round_of(std::size_t station, const std::string& name) {
+        const auto [known, added] = rounds_.try_emplace({station, name}, made_.rounds.size());
+        if (added) made_.rounds.push_back({station, name});
+        return known->second;
+    }
+
+    void check_parts(const AdjustedReading& reading) {
+        for (const std::size_t p : {reading.from, reading.to, reading.second}) {
+            const AdjustedPoint& point = made_.points[p];
+            const bool by_all = reading.tilt != AdjustedReading::no_tilt;
+            if ((by_all || needs_heights(reading.kind)) && !point.has(2))
+                return problems_.error(reading.source,
+                                       tell<"%1 needs the height of %2, which is not part of the network">(
+                                           words_of(made_, reading), point.name));
+            if (needs_plane(reading.kind) && !point.has(0))
+                return problems_.error(reading.source,
+                                       tell<"%1 needs x and y of %2, which are not part of the network">(
+                                           words_of(made_, reading), point.name));
+        }
+    }
+
+    void take_distance(std::size_t row) {
+        const std::string path = adjustment_fields().place(&Typed::distances, row);
+        const auto from = called(stated_.distances[row].from, path),
+                   to = called(stated_.distances[row].to, path);
+        if (!from || !to) return;
+        if (*from == *to) return problems_.error(path, tell<"a distance needs two points">());
+        made_.distances.push_back({*from, *to});
+    }
+
+    void add_stated_coordinates(std::size_t row) {
+        constexpr std::array<ReadingKind, 3> of_axis{ReadingKind::x, ReadingKind::y, ReadingKind::z};
+        const Typed::Point& typed = stated_.points[row];
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (made_.points[row].role[c] != CoordinateRole::stated) continue;
+            AdjustedReading reading{.kind = of_axis[c], .from = row, .to = row, .second = row};
+            reading.value = *typed.p[c];
+            reading.u = *typed.u[c];
+            reading.source = point_place(row);
+            made_.readings.push_back(std::move(reading));
+        }
+    }
+
+    void number() {
+        const std::size_t coordinates = 3 * made_.points.size(),
+                          places = coordinates + made_.rounds.size() + 2 * made_.leaning.size();
+        made_.state = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(places));
+        made_.unknown_of.assign(places, AdjustedNetwork::known);
+        for (std::size_t p = 0; p < made_.points.size(); ++p)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::size_t place = made_.at(p, c);
+                made_.state[static_cast<Eigen::Index>(place)] = stated_.points[p].p[c].value_or(0.0);
+                if (!made_.points[p].is_found(c)) continue;
+                if (made_.points[p].role[c] == CoordinateRole::datum)
+                    made_.datum.push_back(made_.place_of.size());
+                add_unknown(place);
+            }
+        const bool finds = !made_.place_of.empty();
+        for (std::size_t place = coordinates; place < places; ++place) add_unknown(place);
+        if (!finds)
+            problems_.error(adjustment_fields().place(&Typed::points),
+                            tell<"all points are fixed: there is nothing to be found">());
+        static constexpr std::array<const char*, reading_kinds> letters{
+            "s", "d", "r", "a", "t", "v", "h", "x", "y", "z", "dx", "dy", "dz", "lx", "ly"};
+        for (std::size_t i = 0; i < made_.readings.size(); ++i)
+            made_.readings[i].symbol =
+                letters[static_cast<std::size_t>(made_.readings[i].kind)] + ("_" + std::to_string(i + 1));
+    }
+
+    void add_unknown(std::size_t place) {
+        made_.unknown_of[place] = made_.place_of.size();
+        made_.place_of.push_back(place);
+    }
+
+    void take_correlations() {
+        std::map<std::string, std::size_t> labels;
+        for (std::size_t i = 0; i < made_.readings.size(); ++i)
+            if (const AdjustedReading& reading = made_.readings[i];
+                !reading.label.empty() && !labels.try_emplace(reading.label, i).second)
+                problems_.error(reading.source, tell<"two readings have the label %1">(reading.label));
+        for (std::size_t row = 0; row < stated_.correlations.size(); ++row) {
+            const Typed::Correlation& typed = stated_.correlations[row];
+            const std::string path = adjustment_fields().place(&Typed::correlations, row);
+            const auto first = labels.find(typed.first), second = labels.find(typed.second);
+            for (const auto& [found, name] : {std::pair(first, typed.first), std::pair(second, typed.second)})
+                if (found == labels.end())
+                    problems_.error(path, tell<"there is no reading with the label %1">(name));
+            if (first == labels.end() || second == labels.end()) continue;
+            if (first->second == second->second)
+                problems_.error(path, tell<"reading %1 with itself">(typed.first));
+            else
+                made_.correlations.push_back({first->second, second->second, typed.coefficient});
+        }
+    }
+
+    /// Readings that are correlated, directly or through others, have one covariance matrix.
+    void weigh() {
+        std::vector<std::size_t> leader(made_.readings.size());
+        std::iota(leader.begin(), leader.end(), 0);
+        const auto leader_of = [&](std::size_t i) {
+            while (leader[i] != i) i = leader[i] = leader[leader[i]];
+            return i;
+        };
+        for (const ReadingCorrelation& c : made_.correlations)
+            leader[leader_of(c.second)] = leader_of(c.first);
+        std::map<std::size_t, std::size_t> blocks;
+        std::vector<std::pair<std::size_t, Eigen::Index>> where(made_.readings.size());
+        for (const ReadingCorrelation& c : made_.correlations) blocks.try_emplace(leader_of(c.first), 0);
+        for (auto& [first, number] : blocks) {
+            number = made_.blocks.size();
+            made_.blocks.emplace_back();
+        }
+        for (std::size_t i = 0; i < made_.readings.size(); ++i) {
+            const auto block = blocks.find(leader_of(i));
+            if (block == blocks.end()) continue;
+            auto& readings = made_.blocks[block->second].readings;
+            where[i] = {block->second, static_cast<Eigen::Index>(readings.size())};
+            readings.push_back(i);
+        }
+        Eigen::VectorXd u(static_cast<Eigen::Index>(made_.readings.size()));
+        for (std::size_t i = 0; i < made_.readings.size(); ++i)
+            u[static_cast<Eigen::Index>(i)] = made_.readings[i].u;
+        for (adjustment::CovarianceBlock& block : made_.blocks) {
+            const Eigen::VectorXd own = u(block.readings);
+            block.covariance = own.cwiseAbs2().asDiagonal();
+        }
+        for (const ReadingCorrelation& c : made_.correlations) {
+            Eigen::MatrixXd& covariance = made_.blocks[where[c.first].first].covariance;
+            const Eigen::Index i = where[c.first].second, j = where[c.second].second;
+            covariance(i, j) = covariance(j, i) =
+                c.coefficient * made_.readings[c.first].u * made_.readings[c.second].u;
+        }
+        made_.whitening = adjustment::whitening(u, made_.blocks);
+        if (made_.whitening.rows() == 0 && !problems_.has_errors())
+            problems_.error(adjustment_fields().place(&Typed::correlations),
+                            tell<"the correlation coefficients are not possible together">());
+    }
+
+    const Typed& stated_;
+    Problems& problems_;
+    AdjustedNetwork made_;
+    std::map<std::string, std::size_t> names_;
+    std::map<std::size_t, std::size_t> leaning_;  ///< point -> number of its instrument
+    std::map<std::pair<std::size_t, std::string>, std::size_t> rounds_;
+};
+
+}  // namespace
+
+std::optional<AdjustedNetwork> adjusted_network(const StatedAdjustment& stated, Problems& problems) {
+    return AdjustmentReading(stated, problems).read();
+}
+
+}  // namespace covaria::network

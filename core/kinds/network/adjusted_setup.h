@@ -1,0 +1,192 @@
+// The set-up of "network adjustment": points and readings as typed, and as they are adjusted.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/adjustment/adjustment.h"
+#include "core/adjustment/reliability.h"
+#include "core/base/data_table.h"
+#include "core/model/layout.h"
+#include "core/quantity/input_quantity.h"
+#include "core/setup/fields.h"
+
+namespace covaria::network {
+
+/// What is known of a coordinate beforehand.
+enum class CoordinateRole {
+    unknown,  ///< nothing: it follows from the readings
+    datum,    ///< nothing, and what no reading tells is taken from it and its like (free network)
+    fixed,    ///< it has no uncertainty
+    stated,   ///< its value with a standard uncertainty: one more reading
+    none,     ///< it is not part of the network: a height in a plane network
+};
+
+enum class ReadingKind {
+    slope_distance,
+    horizontal_distance,
+    direction,  ///< with the unknown orientation of its round
+    angle,
+    azimuth,
+    zenith_angle,
+    height_difference,
+    x,
+    y,
+    z,
+    dx,
+    dy,
+    dz,
+    tilt_x,  ///< how an instrument leans about x, then about y: stated, not read
+    tilt_y,
+};
+inline constexpr std::size_t reading_kinds = 15;
+bool is_of_angle(ReadingKind kind);
+/// It needs the heights of its points.
+bool needs_heights(ReadingKind kind);
+/// It needs their places in the plane.
+bool needs_plane(ReadingKind kind);
+
+/// As typed, SI.
+struct StatedAdjustment {
+    struct Point {
+        std::string name;
+        std::array<std::optional<double>, 3> p;
+        CoordinateRole plane = CoordinateRole::unknown, height = CoordinateRole::unknown;
+        std::array<std::optional<double>, 3> u;
+    };
+    struct Reading {
+        std::string label;
+        ReadingKind kind = ReadingKind::slope_distance;
+        std::string from, to, second, round;
+        std::optional<double> length, angle, u_length, u_angle;
+        double height_from = 0.0, height_to = 0.0;
+    };
+    struct Correlation {
+        std::string first, second;
+        double coefficient = 0.0;
+    };
+    struct Distance {
+        std::string from, to;
+    };
+    struct Station {
+        std::string point;
+        bool stated = false;
+        std::optional<double> u;
+    };
+    std::vector<Point> points;
+    std::vector<Reading> readings;
+    std::vector<Correlation> correlations;
+    std::vector<Station> stations;
+    std::vector<Distance> distances;
+    bool clockwise = false;
+};
+const Fields<StatedAdjustment>& adjustment_fields();
+
+struct AdjustedPoint {
+    std::string name;
+    std::array<CoordinateRole, 3> role{};
+    std::array<bool, 3> placed{};  ///< its coordinate was given
+    std::size_t row = 0;           ///< of the table of points
+    bool has(std::size_t axis) const { return role[axis] != CoordinateRole::none; }
+    bool is_found(std::size_t axis) const { return has(axis) && role[axis] != CoordinateRole::fixed; }
+};
+
+struct AdjustedReading {
+    static constexpr std::size_t no_round = static_cast<std::size_t>(-1), no_tilt = no_round;
+    ReadingKind kind = ReadingKind::slope_distance;
+    std::size_t from = 0, to = 0, second = 0;  ///< points
+    std::size_t round = no_round;              ///< of a direction
+    std::size_t tilt = no_tilt;                ///< of an instrument that is not levelled
+    double value = 0.0, u = 0.0;               ///< SI
+    double height_from = 0.0, height_to = 0.0;
+    std::string label = {};
+    std::string source = {};  ///< place in the set-up
+    std::string symbol = {};  ///< of its input quantity
+};
+
+/// Directions that were read without the circle being turned.
+struct Round {
+    std::size_t station = 0;
+    std::string name = {};
+};
+
+struct ReadingCorrelation {
+    std::size_t first = 0, second = 0;
+    double coefficient = 0.0;
+};
+
+/// The network is what its state says: coordinates of all points, then orientations of the rounds, then how
+/// instruments lean that are not levelled: about x and, in its axes then, about y.
+struct AdjustedNetwork {
+    static constexpr std::size_t known = static_cast<std::size_t>(-1);
+    std::vector<AdjustedPoint> points;
+    std::vector<AdjustedReading> readings;  ///< those stated of coordinates last
+    std::vector<Round> rounds;
+    std::vector<std::size_t> leaning;  ///< points of instruments that are not levelled
+    std::vector<ReadingCorrelation> correlations;
+    std::vector<std::array<std::size_t, 2>> distances;
+    bool clockwise = false;  ///< directions grow from y towards x, azimuths count from y
+
+    Eigen::VectorXd state;                ///< at the estimates; before them where the search begins
+    Eigen::VectorXd stated;               ///< as `state`, as typed: what the datum keeps
+    std::vector<std::size_t> unknown_of;  ///< number of the unknown, or `known`
+    std::vector<std::size_t> place_of;    ///< of each unknown in the state
+    std::vector<std::size_t> datum;       ///< unknowns
+    std::vector<adjustment::CovarianceBlock> blocks;
+    adjustment::SparseRows whitening;
+    std::shared_ptr<const adjustment::Adjustment> adjusted;  ///< at the estimates
+
+    std::size_t at(std::size_t point, std::size_t axis) const { return 3 * point + axis; }
+    std::size_t orientation(std::size_t round) const { return 3 * points.size() + round; }
+    std::size_t tilt(std::size_t number, std::size_t axis) const {
+        return 3 * points.size() + rounds.size() + 2 * number + axis;
+    }
+    Eigen::Vector3d position(std::size_t point) const {
+        return state.segment<3>(static_cast<Eigen::Index>(3 * point));
+    }
+    /// Output quantities: coordinates that are found, orientations and tilts, distances.
+    std::size_t outputs() const { return place_of.size() + distances.size(); }
+};
+
+/// "slope distance A – B".
+Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading);
+
+/// Checked; nothing is adjusted yet. Empty if `problems` got an error.
+std::optional<AdjustedNetwork> adjusted_network(const StatedAdjustment& stated, Problems& problems);
+/// Places what has no coordinates by the readings; errors name the points that cannot be.
+void find_start(AdjustedNetwork& network, Problems& problems);
+/// The least sum of squares: `state` and `adjusted`. Errors say what the readings leave open, by name.
+void adjust(AdjustedNetwork& network, Problems& problems);
+/// What of an adjustment no reading and no datum tells, in sentences.
+std::vector<Message> open_directions(const AdjustedNetwork& network, const adjustment::Adjustment& adjusted);
+
+/// What changes by the state, of one reading.
+struct StateTerm {
+    std::size_t place = 0;
+    double coefficient = 0.0;
+};
+using StateTerms = std::vector<StateTerm>;
+/// The reading at that state; orientations and coordinates as in `AdjustedNetwork::state`.
+double predicted(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state);
+/// Value less that; angles on the circle.
+double residual_of(const AdjustedNetwork& network, const AdjustedReading& reading, double value,
+                   const double* state);
+void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state,
+                 StateTerms& terms);
+/// Of all readings by the unknowns.
+adjustment::SparseRows design_of(const AdjustedNetwork& network, const double* state);
+Eigen::VectorXd residuals_of(const AdjustedNetwork& network, const double* state);
+
+InputSet adjustment_inputs(const AdjustedNetwork& network);
+Layout adjustment_layout(const AdjustedNetwork& network);
+adjustment::Reliability reliability_of(const AdjustedNetwork& network);
+/// The adjustment in figures, residuals with their reliability.
+std::vector<DataTable> adjustment_tables(const AdjustedNetwork& network);
+/// Warns where residuals are larger than the uncertainties allow.
+void check_adjustment(const AdjustedNetwork& network, Problems& problems);
+
+}  // namespace covaria::network

@@ -1,0 +1,487 @@
+// Where the search of a network adjustment begins: points without coordinates are placed by the readings, in
+// whatever order these stand; local frames are laid onto what is placed already.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/kinds/network/adjusted_setup.h"
+
+namespace covaria::network {
+
+namespace {
+
+using Vector2 = Eigen::Vector2d;
+
+/// What stands in one frame.
+struct PlaneFrame {
+    std::vector<std::optional<Vector2>> places;
+    std::vector<std::optional<double>> orientations;  ///< of rounds
+};
+
+struct Sighting {
+    std::size_t from = 0, to = 0, round = 0;
+    double angle = 0.0;
+};
+
+/// What the readings say of the plane: directions in rounds (an angle is a round of two), azimuths in a round
+/// whose orientation is 0, horizontal distances, differences of coordinates.
+class PlaneReadings {
+public:
+    explicit PlaneReadings(const AdjustedNetwork& network)
+        : network_(network), rounds_(network.rounds.size()) {
+        std::map<std::pair<std::size_t, std::size_t>, double> zenith;
+        for (const AdjustedReading& r : network.readings)
+            if (r.kind == ReadingKind::zenith_angle) zenith.try_emplace({r.from, r.to}, r.value);
+        std::map<std::pair<std::size_t, std::size_t>, Vector2> differences;
+        std::map<std::pair<std::size_t, std::size_t>, int> halves;
+        for (const AdjustedReading& r : network.readings) {
+            take_angles(r);
+            if (r.kind == ReadingKind::horizontal_distance) keep_distance(r.from, r.to, r.value);
+            if (r.kind == ReadingKind::slope_distance) {
+                const auto there = zenith.find({r.from, r.to}), back = zenith.find({r.to, r.from});
+                const double sine = there != zenith.end()  ? std::sin(there->second)
+                                    : back != zenith.end() ? std::sin(back->second)
+                                                           : 1.0;
+                keep_distance(r.from, r.to, r.value * sine);
+            }
+            if (r.kind != ReadingKind::dx && r.kind != ReadingKind::dy) continue;
+            const std::pair pair(r.from, r.to);
+            differences.try_emplace(pair, Vector2::Zero()).first->second[r.kind == ReadingKind::dx ? 0 : 1] =
+                r.value;
+            halves[pair] |= r.kind == ReadingKind::dx ? 1 : 2;
+        }
+        for (const auto& [pair, v] : differences)
+            if (halves[pair] == 3) vectors_.push_back({pair.first, pair.second, v});
+    }
+
+    Vector2 along(double bearing) const {
+        return network_.clockwise ? Vector2(std::sin(bearing), std::cos(bearing))
+                                  : Vector2(std::cos(bearing), std::sin(bearing));
+    }
+    double bearing(const Vector2& v) const {
+        return network_.clockwise ? std::atan2(v.x(), v.y()) : std::atan2(v.y(), v.x());
+    }
+
+    PlaneFrame empty_frame() const {
+        PlaneFrame frame{std::vector<std::optional<Vector2>>(network_.points.size()),
+                         std::vector<std::optional<double>>(rounds_)};
+        return frame;
+    }
+    std::size_t azimuths() const { return azimuth_round_; }
+    const std::vector<Sighting>& sightings() const { return sightings_; }
+
+    /// Places in the frame what follows from what is there.
+    void propagate(PlaneFrame& frame) const {
+        for (bool more = true; more;) {
+            more = orient(frame);
+            for (const auto& [from, to, v] : vectors_) {
+                more = put(frame, to, from, v) || more;
+                more = put(frame, from, to, Vector2(-v)) || more;
+            }
+            for (std::size_t p = 0; p < frame.places.size(); ++p)
+                if (!frame.places[p]) more = place(frame, p) || more;
+        }
+    }
+
+private:
+    struct Difference {
+        std::size_t from, to;
+        Vector2 v;
+    };
+
+    void take_angles(const AdjustedReading& r) {
+        if (r.kind == ReadingKind::direction) sightings_.push_back({r.from, r.to, r.round, r.value});
+        if (r.kind == ReadingKind::azimuth) {
+            if (azimuth_round_ == none) azimuth_round_ = rounds_++;
+            sightings_.push_back({r.from, r.to, azimuth_round_, r.value});
+        }
+        if (r.kind != ReadingKind::angle) return;
+        sightings_.push_back({r.from, r.to, rounds_, 0.0});
+        sightings_.push_back({r.from, r.second, rounds_++, r.value});
+    }
+
+    void keep_distance(std::size_t a, std::size_t b, double d) {
+        distances_.try_emplace({std::min(a, b), std::max(a, b)}, d);
+    }
+    std::optional<double> distance(std::size_t a, std::size_t b) const {
+        const auto found = distances_.find({std::min(a, b), std::max(a, b)});
+        return found == distances_.end() ? std::nullopt : std::optional(found->second);
+    }
+
+    static bool put(PlaneFrame& frame, std::size_t point, std::size_t from, const Vector2& v) {
+        if (frame.places[point] || !frame.places[from]) return false;
+        frame.places[point] = *frame.places[from] + v;
+        return true;
+    }
+
+    /// Rounds by the farthest target that is placed.
+    bool orient(PlaneFrame& frame) const {
+        bool more = false;
+        std::map<std::size_t, std::pair<double, double>> best;
+        for (const Sighting& s : sightings_) {
+            if (frame.orientations[s.round] || !frame.places[s.from] || !frame.places[s.to]) continue;
+            const Vector2 v = *frame.places[s.to] - *frame.places[s.from];
+            auto& [length, orientation] = best[s.round];
+            if (v.norm() <= length) continue;
+            length = v.norm();
+            orientation = bearing(v) - s.angle;
+        }
+        for (const auto& [round, found] : best) {
+            if (!(found.first > 0.0)) continue;
+            frame.orientations[round] = found.second;
+            more = true;
+        }
+        return more;
+    }
+
+    struct Ray {
+        Vector2 from, along;
+        std::size_t point;
+    };
+
+    bool place(PlaneFrame& frame, std::size_t p) const {
+        std::vector<Ray> rays;
+        for (const Sighting& s : sightings_) {
+            if (!frame.orientations[s.round]) continue;
+            const Vector2 along = this->along(s.angle + *frame.orientations[s.round]);
+            if (s.to == p && frame.places[s.from]) rays.push_back({*frame.places[s.from], along, s.from});
+            if (s.from == p && frame.places[s.to]) rays.push_back({*frame.places[s.to], -along, s.to});
+        }
+        for (const Ray& ray : rays)
+            if (const auto d = distance(ray.point, p)) {
+                frame.places[p] = ray.from + *d * ray.along;
+                return true;
+            }
+        return intersect(frame, p, rays) || stand_freely(frame, p) || by_distances(frame, p);
+    }
+
+    static bool intersect(PlaneFrame& frame, std::size_t p, const std::vector<Ray>& rays) {
+        constexpr double least_sine = 0.02;
+        double best = least_sine;
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            for (std::size_t k = i + 1; k < rays.size(); ++k) {
+                const Vector2 &a = rays[i].along, &b = rays[k].along;
+                const double sine = a.x() * b.y() - a.y() * b.x();
+                if (rays[i].point == rays[k].point || std::abs(sine) <= best) continue;
+                const Vector2 v = rays[k].from - rays[i].from;
+                best = std::abs(sine);
+                frame.places[p] = rays[i].from + (v.x() * b.y() - v.y() * b.x()) / sine * a;
+            }
+        return frame.places[p].has_value();
+    }
+
+    struct Sighted {
+        Vector2 at;
+        double angle;
+        std::optional<double> distance;
+    };
+    struct Standing {
+        double misfit = std::numeric_limits<double>::infinity(), orientation = 0.0;
+        Vector2 at = Vector2::Zero();
+    };
+
+    /// Where it stands if its circle points to `orientation`: linear least squares.
+    Standing standing(const std::vector<Sighted>& targets, double orientation) const {
+        Eigen::Matrix2d N = Eigen::Matrix2d::Zero();
+        Vector2 g = Vector2::Zero();
+        const Vector2& origin = targets.front().at;
+        const auto rows = [&](const auto& take) {
+            for (const Sighted& t : targets) {
+                const Vector2 e = along(orientation + t.angle), across(-e.y(), e.x());
+                take(across, across.dot(t.at - origin));
+                if (t.distance) take(e, e.dot(t.at - origin) - *t.distance);
+            }
+        };
+        rows([&](const Vector2& a, double b) {
+            N += a * a.transpose();
+            g += b * a;
+        });
+        Standing found{.orientation = orientation};
+        const double determinant = N(0, 0) * N(1, 1) - N(0, 1) * N(1, 0);
+        if (!(determinant > 1e-9)) return found;
+        const Vector2 p((N(1, 1) * g[0] - N(0, 1) * g[1]) / determinant,
+                        (N(0, 0) * g[1] - N(1, 0) * g[0]) / determinant);
+        found.at = origin + p;
+        for (const Sighted& t : targets)
+            if (along(orientation + t.angle).dot(t.at - found.at) < 0.0) return found;
+        found.misfit = 0.0;
+        rows([&](const Vector2& a, double b) { found.misfit += std::pow(a.dot(p) - b, 2); });
+        return found;
+    }
+
+    /// Resection, with distances where there are some: of all orientations the one that fits best.
+    bool stand_freely(PlaneFrame& frame, std::size_t p) const {
+        std::map<std::size_t, std::vector<Sighted>> targets;
+        std::map<std::size_t, std::size_t> rows;
+        for (const Sighting& s : sightings_) {
+            if (s.from != p || !frame.places[s.to] || frame.orientations[s.round]) continue;
+            const auto d = distance(p, s.to);
+            targets[s.round].push_back({*frame.places[s.to], s.angle, d});
+            rows[s.round] += d ? 2 : 1;
+        }
+        for (const auto& [round, seen] : targets) {
+            if (seen.size() < 2 || rows[round] < 3) continue;
+            constexpr int steps = 720;
+            Standing best;
+            for (int k = 0; k < steps; ++k)
+                if (const Standing s = standing(seen, 2.0 * std::numbers::pi * k / steps);
+                    s.misfit < best.misfit)
+                    best = s;
+            if (!std::isfinite(best.misfit)) continue;
+            for (double width = 2.0 * std::numbers::pi / steps; width > 1e-8; width *= 0.25) {
+                const double middle = best.orientation;
+                for (int k = -4; k <= 4; ++k)
+                    if (const Standing s = standing(seen, middle + 0.25 * k * width); s.misfit < best.misfit)
+                        best = s;
+            }
+            frame.places[p] = best.at;
+            frame.orientations[round] = best.orientation;
+            return true;
+        }
+        return false;
+    }
+
+    /// Two circles, and a third distance that tells their two meeting points apart; in a frame of two points
+    /// either will do.
+    bool by_distances(PlaneFrame& frame, std::size_t p) const {
+        std::vector<std::pair<Vector2, double>> circles;
+        std::size_t placed = 0;
+        for (std::size_t q = 0; q < frame.places.size(); ++q) {
+            if (!frame.places[q]) continue;
+            ++placed;
+            if (const auto d = distance(p, q)) circles.push_back({*frame.places[q], *d});
+        }
+        if (circles.size() < 2 || (circles.size() < 3 && placed > 2)) return false;
+        const auto& [a, da] = circles[0];
+        const auto& [b, db] = circles[1];
+        const Vector2 base = b - a;
+        const double length = base.norm();
+        if (!(length > 0.0)) return false;
+        const double along = (da * da - db * db + length * length) / (2.0 * length);
+        const double height = std::sqrt(std::max(0.0, da * da - along * along));
+        const Vector2 e = base / length, across(-e.y(), e.x());
+        const Vector2 left = a + along * e + height * across, right = a + along * e - height * across;
+        double misfit = 0.0;
+        for (std::size_t i = 2; i < circles.size(); ++i)
+            misfit += std::abs((left - circles[i].first).norm() - circles[i].second) -
+                      std::abs((right - circles[i].first).norm() - circles[i].second);
+        frame.places[p] = misfit <= 0.0 ? left : right;
+        return true;
+    }
+
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    const AdjustedNetwork& network_;
+    std::size_t rounds_, azimuth_round_ = none;
+    std::vector<Sighting> sightings_;
+    std::vector<Difference> vectors_;
+    std::map<std::pair<std::size_t, std::size_t>, double> distances_;
+};
+
+class Start {
+public:
+    Start(AdjustedNetwork& network, Problems& problems)
+        : network_(network), problems_(problems), readings_(network), whole_(readings_.empty_frame()) {}
+
+    void find() {
+        for (std::size_t p = 0; p < network_.points.size(); ++p)
+            if (const AdjustedPoint& point = network_.points[p]; point.placed[0] && point.placed[1])
+                whole_.places[p] = network_.position(p).head<2>();
+        for (const AdjustedReading& r : network_.readings) take_coordinate(r);
+        if (readings_.azimuths() != none) whole_.orientations[readings_.azimuths()] = 0.0;
+        readings_.propagate(whole_);
+        lay_frames();
+        keep_plane();
+        if (problems_.has_errors()) return;
+        place_heights();
+        orient_rounds();
+        network_.stated = network_.state;
+    }
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    /// A point whose coordinates were read.
+    void take_coordinate(const AdjustedReading& r) {
+        if (r.kind != ReadingKind::x && r.kind != ReadingKind::y) return;
+        AdjustedPoint& point = network_.points[r.from];
+        const std::size_t c = r.kind == ReadingKind::x ? 0 : 1;
+        if (!point.placed[c]) network_.state[static_cast<Eigen::Index>(network_.at(r.from, c))] = r.value;
+        point.placed[c] = true;
+        if (point.placed[0] && point.placed[1]) whole_.places[r.from] = network_.position(r.from).head<2>();
+    }
+
+    bool wants(std::size_t p) const { return network_.points[p].has(0) && !whole_.places[p]; }
+
+    /// Frames of single stations, each grown as far as it goes, and laid onto the whole where they meet it.
+    void lay_frames() {
+        for (bool more = true; more;) {
+            more = false;
+            for (const Sighting& seed : readings_.sightings()) {
+                if (!wants(seed.from) && !wants(seed.to)) continue;
+                PlaneFrame frame = readings_.empty_frame();
+                frame.places[seed.from] = Vector2::Zero();
+                frame.orientations[seed.round] = 0.0;
+                readings_.propagate(frame);
+                if (!lay(frame)) continue;
+                readings_.propagate(whole_);
+                more = true;
+            }
+        }
+        if (std::ranges::none_of(whole_.places, [](const auto& p) { return p.has_value(); }))
+            seed_by_distance();
+    }
+
+    bool lay(const PlaneFrame& frame) {
+        std::vector<std::size_t> common;
+        bool nothing_placed = true, brings = false;
+        for (std::size_t p = 0; p < frame.places.size(); ++p) {
+            nothing_placed = nothing_placed && !whole_.places[p];
+            brings = brings || (frame.places[p] && wants(p));
+            if (frame.places[p] && whole_.places[p]) common.push_back(p);
+        }
+        if (!brings) return false;
+        const bool by_azimuth = readings_.azimuths() != none && frame.orientations[readings_.azimuths()];
+        double turn =
+            !by_azimuth ? 0.0 : (network_.clockwise ? 1.0 : -1.0) * *frame.orientations[readings_.azimuths()];
+        if (nothing_placed) {
+            take(frame, turn, Vector2::Zero(), Vector2::Zero());
+            return true;
+        }
+        if (common.empty() || (common.size() == 1 && !by_azimuth)) return false;
+        Vector2 here = Vector2::Zero(), there = Vector2::Zero();
+        for (const std::size_t p : common) {
+            here += *frame.places[p] / double(common.size());
+            there += *whole_.places[p] / double(common.size());
+        }
+        if (common.size() > 1) {
+            double sine = 0.0, cosine = 0.0;
+            for (const std::size_t p : common) {
+                const Vector2 a = *frame.places[p] - here, b = *whole_.places[p] - there;
+                cosine += a.dot(b);
+                sine += a.x() * b.y() - a.y() * b.x();
+            }
+            if (std::hypot(sine, cosine) == 0.0) return false;
+            turn = std::atan2(sine, cosine);
+        }
+        take(frame, turn, here, there);
+        return true;
+    }
+
+    void take(const PlaneFrame& frame, double turn, const Vector2& here, const Vector2& there) {
+        const Eigen::Rotation2Dd R(turn);
+        for (std::size_t p = 0; p < frame.places.size(); ++p)
+            if (frame.places[p] && !whole_.places[p])
+                whole_.places[p] = there + R * (*frame.places[p] - here);
+    }
+
+    /// A network of distances alone, with nothing placed.
+    void seed_by_distance() {
+        for (const AdjustedReading& r : network_.readings) {
+            if (r.kind != ReadingKind::horizontal_distance && r.kind != ReadingKind::slope_distance) continue;
+            whole_.places[r.from] = Vector2::Zero();
+            whole_.places[r.to] = Vector2(r.value, 0.0);
+            return readings_.propagate(whole_);
+        }
+    }
+
+    void keep_plane() {
+        std::string names;
+        std::size_t missing = 0, first = 0;
+        for (std::size_t p = 0; p < network_.points.size(); ++p) {
+            if (whole_.places[p]) {
+                if (!network_.points[p].placed[0] || !network_.points[p].placed[1])
+                    network_.state.segment<2>(static_cast<Eigen::Index>(3 * p)) = *whole_.places[p];
+                continue;
+            }
+            if (!network_.points[p].has(0)) continue;
+            constexpr std::size_t most_named = 10;
+            if (missing == 0) first = p;
+            if (missing++ < most_named) names += (names.empty() ? "" : ", ") + network_.points[p].name;
+        }
+        if (missing == 0) return;
+        problems_.error(
+            adjustment_fields().place(&StatedAdjustment::points, network_.points[first].row),
+            missing == 1
+                ? tell<"the readings do not place point %1: too few of them tie it to the others; "
+                       "add readings, or state approximate coordinates">(names)
+                : tell<"the readings do not place %1 points (%2): too few tie them to the others; add "
+                       "readings, or state approximate coordinates">(missing, names));
+    }
+
+    /// Height of `to` above `from` that the reading tells where the plane is placed.
+    std::optional<double> rise(const AdjustedReading& r) const {
+        const double raised = r.height_from - r.height_to;
+        if (r.kind == ReadingKind::height_difference || r.kind == ReadingKind::dz) return r.value + raised;
+        if (r.kind != ReadingKind::zenith_angle) return {};
+        const double rho = (network_.position(r.to) - network_.position(r.from)).head<2>().norm();
+        return rho / std::tan(r.value) + raised;
+    }
+
+    void place_heights() {
+        std::vector<char> placed;
+        for (const AdjustedPoint& point : network_.points) placed.push_back(point.placed[2] || !point.has(2));
+        const auto height = [&](std::size_t p) -> double& {
+            return network_.state[static_cast<Eigen::Index>(network_.at(p, 2))];
+        };
+        for (const AdjustedReading& r : network_.readings)
+            if (r.kind == ReadingKind::z && !placed[r.from]) {
+                height(r.from) = r.value;
+                placed[r.from] = 1;
+            }
+        for (;;) {
+            bool more = false;
+            for (const AdjustedReading& r : network_.readings) {
+                const auto up = rise(r);
+                if (!up || placed[r.from] == placed[r.to]) continue;
+                if (!network_.points[r.from].has(2) || !network_.points[r.to].has(2)) continue;
+                placed[r.to] ? height(r.from) = height(r.to) - *up : height(r.to) = height(r.from) + *up;
+                placed[r.from] = placed[r.to] = 1;
+                more = true;
+            }
+            if (more) continue;
+            // Heights that hang on nothing begin at that of the others.
+            const auto first = std::ranges::find(placed, 0);
+            if (first == placed.end()) return;
+            const auto p = static_cast<std::size_t>(first - placed.begin());
+            height(p) = mean_height(placed);
+            *first = 1;
+        }
+    }
+
+    double mean_height(const std::vector<char>& placed) const {
+        double sum = 0.0, count = 0.0;
+        for (std::size_t p = 0; p < placed.size(); ++p)
+            if (placed[p] && network_.points[p].has(2)) {
+                sum += network_.position(p).z();
+                ++count;
+            }
+        return count > 0.0 ? sum / count : 0.0;
+    }
+
+    void orient_rounds() {
+        std::vector<Vector2> sums(network_.rounds.size(), Vector2::Zero());
+        for (const AdjustedReading& r : network_.readings) {
+            if (r.kind != ReadingKind::direction) continue;
+            const Vector2 v = (network_.position(r.to) - network_.position(r.from)).head<2>();
+            const double turn = readings_.bearing(v) - r.value;
+            sums[r.round] += Vector2(std::cos(turn), std::sin(turn));
+        }
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            network_.state[static_cast<Eigen::Index>(network_.orientation(k))] =
+                std::atan2(sums[k].y(), sums[k].x());
+    }
+
+    AdjustedNetwork& network_;
+    Problems& problems_;
+    PlaneReadings readings_;
+    PlaneFrame whole_;
+};
+
+}  // namespace
+
+void find_start(AdjustedNetwork& network, Problems& problems) {
+    Start(network, problems).find();
+}
+
+}  // namespace covaria::network

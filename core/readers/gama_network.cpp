@@ -1,0 +1,206 @@
+#include "core/readers/gama_network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/base/in_quotes.h"
+#include "core/readers/entry_texts.h"
+
+namespace covaria {
+
+namespace {
+
+constexpr const char* adjustment_model = "network-adjustment";
+
+bool contains_any(const std::string& text, const char* letters) {
+    return text.find_first_of(letters) != std::string::npos;
+}
+
+/// Of the two attributes of a point; capital letters are points of the datum.
+std::string role_of(const std::string& fix, const std::string& adj, const char* small, const char* capital) {
+    if (contains_any(fix, small) || contains_any(fix, capital)) return "fixed";
+    if (contains_any(adj, capital)) return "datum";
+    return contains_any(adj, small) ? "unknown" : "none";
+}
+
+bool of_plane(const std::string& kind) {
+    return kind != "height-difference" && kind != "dz" && kind != "z";
+}
+bool of_height(const std::string& kind) {
+    return kind == "height-difference" || kind == "dz" || kind == "z" || kind == "slope-distance" ||
+           kind == "zenith-angle";
+}
+
+}  // namespace
+
+void GamaNetwork::take_axes(const pugi::xml_node& network) {
+    if (const std::string axes = plain_name(network.attribute("axes-xy").value()); axes.size() == 2)
+        axes_ = axes;
+    const bool axes_turn_left = axes_ == "en" || axes_ == "nw" || axes_ == "se" || axes_ == "ws",
+               angles_turn_left = plain_name(network.attribute("angles").value()) == "right-handed";
+    clockwise_ = axes_turn_left != angles_turn_left;
+}
+
+void GamaNetwork::take_point(const pugi::xml_node& node, const std::array<std::optional<double>, 3>& p,
+                             bool observed) {
+    const std::string id = plain_name(node.attribute("id").value()), fix = node.attribute("fix").value(),
+                      adj = node.attribute("adj").value();
+    const auto [known, added] = index_.try_emplace(id, points_.size());
+    if (added) points_.push_back({.name = id});
+    GamaPoint& point = points_[known->second];
+    const std::string plane = role_of(fix, adj, "xy", "XY"), height = role_of(fix, adj, "z", "Z");
+    if (plane != "none") point.plane = plane;
+    if (height != "none") point.height = height;
+    for (std::size_t i = 0; i < 3 && !observed; ++i)
+        if (p[i]) point.p[i] = p[i];
+}
+
+Result<void> GamaNetwork::take_coordinates(const pugi::xml_node& cluster) {
+    static constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+    const std::size_t first = coordinates_.size();
+    for (const pugi::xml_node& node : cluster.children()) {
+        if (local_name(node) != "point") continue;
+        take_point(node, {}, true);
+        for (const char* axis : axes) {
+            const auto value = number_in_text(plain_line(node.attribute(axis).value()));
+            if (!value) continue;
+            GamaObserved one{.kind = axis, .line = xml_.line(node), .value = *value};
+            one.from = one.to = one.second = plain_name(node.attribute("id").value());
+            coordinates_.push_back(std::move(one));
+        }
+    }
+    const pugi::xml_node matrix = child_called(cluster, "cov-mat");
+    if (!matrix) return {};
+    const auto covariance = gama_band(xml_, matrix, coordinates_.size() - first, "observed coordinates");
+    if (!covariance) return fail(covariance.error());
+    for (std::size_t i = first; i < coordinates_.size(); ++i) {
+        const auto a = static_cast<Eigen::Index>(i - first);
+        if ((*covariance)(a, a) > 0.0) coordinates_[i].u = std::sqrt((*covariance)(a, a)) * 1e-3;
+        for (std::size_t j = i + 1; j < coordinates_.size(); ++j) {
+            const auto b = static_cast<Eigen::Index>(j - first);
+            const double scale = std::sqrt((*covariance)(a, a) * (*covariance)(b, b));
+            if (scale > 0.0 && (*covariance)(a, b) != 0.0)
+                of_coordinates_.push_back({i, j, (*covariance)(a, b) / scale});
+        }
+    }
+    return {};
+}
+
+std::optional<std::string> GamaNetwork::objection(const GamaObserved& observed) const {
+    for (const std::string& name : {observed.from, observed.to, observed.second}) {
+        const auto found = index_.find(name);
+        if (found == index_.end()) return name;
+        const GamaPoint& point = points_[found->second];
+        if ((of_plane(observed.kind) && !point.has(0)) || (of_height(observed.kind) && !point.has(2)))
+            return name;
+    }
+    return {};
+}
+
+/// The bearing of north, as directions count.
+double GamaNetwork::north() const {
+    const auto along = [&](std::size_t i) { return axes_[i] == 'n' ? 1.0 : axes_[i] == 's' ? -1.0 : 0.0; };
+    return clockwise_ ? std::atan2(along(0), along(1)) : std::atan2(along(1), along(0));
+}
+
+SetupTable GamaNetwork::points_table() const {
+    TableRows rows(table_of(adjustment_model, "points"));
+    std::set<std::string> used;
+    for (const Row& row : rows_) used.insert({row.observed.from, row.observed.to, row.observed.second});
+    const auto cell = [](const std::optional<double>& value) {
+        return value ? SetupCell(*value) : SetupCell();
+    };
+    for (const GamaPoint& point : points_)
+        if (used.contains(point.name))
+            rows.add({{"name", point.name},
+                      {"x", cell(point.p[0])},
+                      {"y", cell(point.p[1])},
+                      {"z", cell(point.p[2])},
+                      {"plane", point.plane},
+                      {"height", point.height}});
+    return rows.table();
+}
+
+SetupTable GamaNetwork::readings_table() const {
+    TableRows rows(table_of(adjustment_model, "readings"));
+    const Unit gon = Unit::of("gon");
+    for (const char* column : {"angle", "u_angle"}) rows.set_unit(column, gon);
+    const auto text = [](const std::string& words) { return words.empty() ? SetupCell() : SetupCell(words); };
+    const auto height = [](double h) { return h == 0.0 ? SetupCell() : SetupCell(h); };
+    for (const Row& row : rows_) {
+        const GamaObserved& o = row.observed;
+        const bool single = o.kind == "x" || o.kind == "y" || o.kind == "z", angle = o.is_angle;
+        double value = o.value;
+        if (o.kind == "azimuth") value = Unit::of("gon").from_si(Unit::of("gon").to_si(value) + north());
+        rows.add({{"label", text(row.label)},
+                  {"kind", o.kind},
+                  {"from", o.from},
+                  {"to", single ? SetupCell() : SetupCell(o.to)},
+                  {"second", o.kind == "angle" ? SetupCell(o.second) : SetupCell()},
+                  {"round", o.kind == "direction" ? text(o.round) : SetupCell()},
+                  {angle ? "angle" : "length", value},
+                  {angle ? "u_angle" : "u_length", angle ? *o.u : 1e3 * *o.u},
+                  {"height_from", height(o.height_from)},
+                  {"height_to", height(o.height_to)}});
+    }
+    return rows.table();
+}
+
+bool GamaNetwork::propose(const std::vector<GamaObserved>& observed,
+                          const std::vector<StatedCorrelation>& correlations, const std::string& title,
+                          const std::string& source) {
+    std::vector<std::pair<int, Message>> left_out;
+    const auto take = [&](const std::vector<GamaObserved>& all, const std::vector<StatedCorrelation>& between,
+                          const std::string& prefix) {
+        std::vector<std::string> labels(all.size());
+        for (const StatedCorrelation& c : between)
+            for (const std::size_t i : {c.first, c.second}) labels[i] = prefix + std::to_string(i + 1);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const auto refused = objection(all[i]);
+            if (!refused && all[i].u && *all[i].u > 0.0) {
+                rows_.push_back({all[i], labels[i]});
+                continue;
+            }
+            left_out.emplace_back(
+                all[i].line,
+                refused
+                    ? tell<"an observation of %1, which the file neither fixes nor adjusts in what it needs">(
+                          in_quotes(*refused))
+                    : tell<"an observation of %1 without a standard deviation">(in_quotes(all[i].from)));
+            labels[i].clear();
+        }
+        return labels;
+    };
+    const auto of_observed = take(observed, correlations, "o");
+    const bool reads = !rows_.empty();
+    const auto of_coordinates = take(coordinates_, of_coordinates_, "c");
+    const bool finds = std::ranges::any_of(points_, [](const GamaPoint& p) {
+        return p.plane == "unknown" || p.plane == "datum" || p.height == "unknown" || p.height == "datum";
+    });
+    if (!reads || !finds) return false;
+    for (const auto& [line, words] : left_out) proposals_.leave_out(line, words);
+    TableRows between(table_of(adjustment_model, "correlations"));
+    const auto add = [&](const std::vector<StatedCorrelation>& all, const std::vector<std::string>& labels) {
+        for (const StatedCorrelation& c : all)
+            if (!labels[c.first].empty() && !labels[c.second].empty())
+                between.add({{"first", labels[c.first]},
+                             {"second", labels[c.second]},
+                             {"coefficient", c.coefficient}});
+    };
+    add(correlations, of_observed);
+    add(of_coordinates_, of_coordinates);
+    AnalysisEntry analysis{.id = "network", .model = adjustment_model, .name = title};
+    analysis.notes = "From " + source + ". Standard deviations as stated for the adjustment.";
+    analysis.setup.values["points"] = points_table();
+    analysis.setup.values["readings"] = readings_table();
+    analysis.setup.values["sense"] = std::string(clockwise_ ? "y-to-x" : "x-to-y");
+    if (!between.table().rows.empty()) analysis.setup.values["correlations"] = between.table();
+    proposals_.found.push_back(tell<"a network of %1 points with %2 readings, which is adjusted">(
+        std::get<SetupTable>(analysis.setup.values["points"]).rows.size(), rows_.size()));
+    proposals_.analyses.push_back(std::move(analysis));
+    return true;
+}
+
+}  // namespace covaria
