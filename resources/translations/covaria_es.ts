@@ -8815,10 +8815,6 @@
         <translation>un objetivo se escribe como &quot;/setup/KEY&quot;, &quot;/setup/KEY/rows/0/COLUMN&quot;, &quot;/inputs/SYMBOL/estimate&quot; o &quot;/inputs/SYMBOL/components&quot;</translation>
     </message>
     <message>
-        <source>%1 cannot be varied: %2</source>
-        <translation>%1 no se puede variar: %2</translation>
-    </message>
-    <message>
         <source>the set-up has no schema</source>
         <translation>la configuración no tiene esquema</translation>
     </message>
@@ -11539,10 +11535,6 @@
         <translation>peor</translation>
     </message>
     <message>
-        <source>coverage ellipsoids, p = %1</source>
-        <translation>elipsoides de cobertura, p = %1</translation>
-    </message>
-    <message>
         <source>iso-surfaces at %1</source>
         <translation>isosuperficies en %1</translation>
     </message>
@@ -11557,46 +11549,6 @@
     <message>
         <source>the point %1 does not move in this study</source>
         <translation>el punto %1 no se mueve en este estudio</translation>
-    </message>
-    <message>
-        <source>outputs</source>
-        <translation>salidas</translation>
-    </message>
-    <message>
-        <source>inputs</source>
-        <translation>entradas</translation>
-    </message>
-    <message>
-        <source>%1: coverage ellipsoids, p = %2</source>
-        <translation>%1: elipsoides de cobertura, p = %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 trials per point</source>
-        <translation>%1: %2 pruebas por punto</translation>
-    </message>
-    <message>
-        <source>before: coverage ellipsoids, p = %1</source>
-        <translation>antes: elipsoides de cobertura, p = %1</translation>
-    </message>
-    <message>
-        <source>line of sight</source>
-        <translation>línea de visión</translation>
-    </message>
-    <message>
-        <source>forces, to a scale of their own</source>
-        <translation>fuerzas, a su propia escala</translation>
-    </message>
-    <message>
-        <source>moments, to a scale of their own</source>
-        <translation>momentos, a su propia escala</translation>
-    </message>
-    <message>
-        <source>uncertainty × %1</source>
-        <translation>incertidumbre × %1</translation>
-    </message>
-    <message>
-        <source>uncertainty × %1, ellipsoids p = %2</source>
-        <translation>incertidumbre × %1, elipsoides p = %2</translation>
     </message>
     <message>
         <source>best: %1</source>
@@ -13219,10 +13171,6 @@
         <translation>%1: incertidumbre demasiado pequeña para verse</translation>
     </message>
     <message>
-        <source>%1 (automatic)</source>
-        <translation>%1 (automático)</translation>
-    </message>
-    <message>
         <source>uncertainty drawn at %1 of %2 points</source>
         <translation>incertidumbre dibujada en %1 de %2 puntos</translation>
     </message>
@@ -13413,10 +13361,6 @@
     <message>
         <source>Sensor layout, points and pose in one chain: a laser tracker and a total station measure six nests of a platform.</source>
         <translation>Disposición de sensores, puntos y pose en una cadena: un láser tracker y una estación total miden seis alojamientos de una plataforma.</translation>
-    </message>
-    <message>
-        <source>requirement not met</source>
-        <translation>requisito no cumplido</translation>
     </message>
     <message>
         <source>%1 in line %2</source>
@@ -14279,10 +14223,6 @@
         <translation>%1 no es un número: escriba %2, con punto</translation>
     </message>
     <message>
-        <source>column %1%2 of sheet %3 is filled, and what it is is not understood: state the columns, %4, with one of %5 in place of ? (- leaves the column out)</source>
-        <translation>la columna %1%2 de la hoja %3 está llena, y no se entiende qué es: indique las columnas, %4, con uno de %5 en lugar de ? (- omite la columna)</translation>
-    </message>
-    <message>
         <source>the name of the result %1 of %2</source>
         <translation>el nombre del resultado %1 de %2</translation>
     </message>
@@ -14415,6 +14355,710 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>weights</source>
         <translation>pesos</translation>
+    </message>
+    <message>
+        <source>Network adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates of stations and targets from the distances, directions, angles and height differences that were read between them: heights, plane or space, free or held by known points, with the reliability of each reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainties follow from those that were stated for the readings; they are not multiplied by s_0, which is a test of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a free network what no reading tells is taken from the approximate coordinates of the points of the datum: the sum of squares of their changes is least. Residuals, s_0 and redundancies do not depend on the datum.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each round of directions has an orientation that is not known. Instruments are levelled unless the set-up says how they lean: zenith angles count from the vertical, the z-axis at all points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest detectable errors are those of a test at 0.1 % with a power of 80 % (delta_0 = 4.132), with the uncertainties that were stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it stands still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stations and targets alike, with what is known of them beforehand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate x; of an unknown point an approximate one, or empty: the readings place it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate y; of an unknown point an approximate one, or empty: the readings place it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate z; of an unknown point an approximate one, or empty: the readings place it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown, of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stated with u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not part of the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is known of z, likewise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a stated coordinate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances between points that are measurands too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of a point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of another point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Directions grow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which sense directions, angles and azimuths grow, and from which axis azimuths count.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from x towards y; azimuths count from x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from y towards x; azimuths count from y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was read between the points, one row for each figure, typed or from a CSV file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By which a correlation calls it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slope distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>horizontal distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zenith angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x of a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y of a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z of a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point where it was read; of a coordinate its point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point that was sighted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of an angle the point at its second leg.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a direction: rounds of one station between which its circle was turned have names; each has an orientation of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A length or coordinate as read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An angle as read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the instrument above its point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the target above its point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Instruments that are not levelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where an instrument stands that is not levelled, or not exactly; all others are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point where the instrument stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it leans: unknown, so that the readings tell it; or levelled within u, about x and about y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>levelled within u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of tilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of each tilt of a levelled instrument.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correlations of readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correlation coefficients of readings: they change the weights and the uncertainty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label of a reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label of another reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correlation coefficient of the two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two targets from two stations that nobody measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A total station stood at S1 and S2, whose places are not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The law of propagation of uncertainty says nothing of %1 at these estimates: Monte Carlo answers alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The standard uncertainty by Monte Carlo of %1 is not known from these trials, and may not exist: the tails of its distribution are too heavy. Use the coverage interval.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt at %1 about %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orientation at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orientation at %1, round %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings l, their residuals v, unknowns x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>least squares, Gauss-Newton method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>law of propagation; generalised inverse of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free network: W. Baarda, S-transformations, 1973</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>redundancy and test of a reading: W. Baarda, A testing procedure, 1968</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest error of a reading that the test finds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a posteriori; uncertainties are those that were stated, not times s₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slope distance %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>horizontal distance %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direction %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>azimuth %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zenith angle %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height difference %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt about x of the instrument at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt about y of the instrument at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of x, %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of y, %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of z, %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings do not lead to a place of every point: the adjustment does not converge; look for exchanged or mistyped readings, for a unit that was mixed up (gon and degrees, m and mm), and for coordinates that are far off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and %1 further ways in which the points can move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1: its %2 is said to be known, and is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1: the u of its stated %2 is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of a point is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no point %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the instrument at %1: the u of its tilt is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two instruments stand at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a reading from %1 to itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both legs of the angle at %1 go to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its value is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its standard uncertainty is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is an angle and has a length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a length and has an angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 needs the height of %2, which is not part of the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 needs x and y of %2, which are not part of the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a distance needs two points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all points are fixed: there is nothing to be found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two readings have the label %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reading with the label %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading %1 with itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the correlation coefficients are not possible together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings do not place point %1: too few of them tie it to the others; add readings, or state approximate coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings do not place %1 points (%2): too few tie them to the others; add readings, or state approximate coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknowns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what no reading tells (datum defect)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees of freedom f</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sum of squares vᵀ C⁻¹ v</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s₀ a posteriori</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>δ₀ of smallest detectable errors (0.1 %, 80 %)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest detectable error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its largest effect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or uncertainties that are too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was read of point %1: add readings to it, or take it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells how the instrument at %1 stood: add directions or angles from there to places that are known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells the height of %1: state it, or add a height difference, or a zenith angle with a distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells where %1 is: add readings to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 can move along %2 without changing a reading: add one that sees this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the direction (%1, %2, %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the whole network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part with %1 and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells where %1 is along %2: fix or state a point, or let points be of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells the height of %1: fix or state the height of a point, or let heights be of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 may tilt about %2: add zenith angles or height differences, or fix a third point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 may turn about the vertical: add an azimuth, fix a second point, or let points be of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells the scale of %1: add a distance, fix a second point, or let points be of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings leave open a common movement of %1: add readings that tie them to the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orientations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moving platform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured orientations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings of the joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>regression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be varied: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no more than %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an observation of %1, which the file neither fixes nor adjusts in what it needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an observation of %1 without a standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a network of %1 points with %2 readings, which is adjusted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its heights above the points are no numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column %1%2 of sheet %3 is filled but not understood: state what each column is, %4, with one of %5 in place of ? (- leaves the column out)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no budget of %1: the law of propagation of uncertainty says nothing of it at the estimates of its input quantities.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation type="unfinished">%1 pruebas</translation>
+    </message>
+    <message>
+        <source>sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force, own scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moment, own scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainty %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ellipsoids %1, %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14756,10 +15400,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>Ver el resultado</translation>
     </message>
     <message>
-        <source>The result is there when every quantity has its uncertainty, below the budget and in the tab Results. It follows every change at once.</source>
-        <translation>El resultado aparece cuando cada magnitud tiene su incertidumbre, debajo del balance y en la pestaña Resultados. Sigue cada cambio al instante.</translation>
-    </message>
-    <message>
         <source>Correlate two quantities</source>
         <translation>Correlacionar dos magnitudes</translation>
     </message>
@@ -14780,10 +15420,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>Ver qué contribuye más</translation>
     </message>
     <message>
-        <source>The tab Budget has the contributions as a table and as a chart, the largest first. What is at the top is worth improving.</source>
-        <translation>La pestaña Balance muestra las contribuciones en una tabla y un gráfico, la mayor primero. Lo que está arriba merece mejorarse.</translation>
-    </message>
-    <message>
         <source>Keep and compare</source>
         <translation>Conservar y comparar</translation>
     </message>
@@ -14794,10 +15430,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>Look at the report</source>
         <translation>Mirar el informe</translation>
-    </message>
-    <message>
-        <source>The tab Report shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
-        <translation>La pestaña Informe muestra las páginas tal como se imprimen, del informe o del certificado. Solo tiene resultados actualizados: ejecute antes el análisis (F5).</translation>
     </message>
     <message>
         <source>Save it as PDF</source>
@@ -14866,10 +15498,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>El análisis tiene problemas; figuran en Problemas.</translation>
     </message>
     <message>
-        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
-        <translation>Informe en PDF en la barra de herramientas (Ctrl+P) escribe el informe con el proyecto dentro, de modo que Covaria puede abrirlo de nuevo. Mientras la pestaña Informe muestra el certificado, el botón escribe este; también está en el menú Archivo, en Exportar.</translation>
-    </message>
-    <message>
         <source>Adaptive Monte Carlo, %1 trials</source>
         <translation>Monte Carlo adaptativo, %1 pruebas</translation>
     </message>
@@ -14912,6 +15540,30 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>Type it as %1, or as %2.</source>
         <translation>Escríbalo como %1, o como %2.</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation type="unfinished">cumplido</translation>
+    </message>
+    <message>
+        <source>not met</source>
+        <translation type="unfinished">no cumplido</translation>
+    </message>
+    <message>
+        <source>The result is there when every quantity has its uncertainty, above the budget and in the tab Results. It follows every change at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tab Contributions has them as a table and as a chart, the largest first. What is at the top is worth improving.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tab Document shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Document shows the certificate, the button writes that; it is also in the menu File under Export.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14977,6 +15629,109 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::AnswerStrip</name>
+    <message>
+        <source>Answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output quantity of the budget and the charts</source>
+        <translation type="unfinished">Magnitud de salida del balance y de los gráficos</translation>
+    </message>
+    <message>
+        <source>Output quantity</source>
+        <translation type="unfinished">Magnitud de salida</translation>
+    </message>
+    <message>
+        <source>Copy the result, as it stands in a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation type="unfinished">Próximo paso</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished">fallido</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation type="unfinished">incompleto</translation>
+    </message>
+    <message>
+        <source>has problems</source>
+        <translation type="unfinished">tiene problemas</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation type="unfinished">desactualizado</translation>
+    </message>
+    <message>
+        <source>not evaluated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select an analysis to see its results.</source>
+        <translation type="unfinished">Seleccione un análisis para ver sus resultados.</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation type="unfinished">Fallido: %1</translation>
+    </message>
+    <message>
+        <source>Not complete yet: nothing is wrong.</source>
+        <translation type="unfinished">Aún incompleto: no hay nada mal.</translation>
+    </message>
+    <message>
+        <source>Not complete yet, but not wrong; to give next: %1</source>
+        <translation type="unfinished">Aún incompleto, pero no hay nada mal; lo siguiente por indicar: %1</translation>
+    </message>
+    <message>
+        <source>Not evaluated yet: press F5.</source>
+        <translation type="unfinished">Aún no evaluado: pulse F5.</translation>
+    </message>
+    <message>
+        <source>The analysis has problems.</source>
+        <translation type="unfinished">El análisis tiene problemas.</translation>
+    </message>
+    <message>
+        <source>; running</source>
+        <translation type="unfinished">; en ejecución</translation>
+    </message>
+    <message>
+        <source>; press F5 for the result</source>
+        <translation type="unfinished">; pulse F5 para el resultado</translation>
+    </message>
+    <message>
+        <source>; %1 trials without a value</source>
+        <translation type="unfinished">; %1 pruebas sin valor</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
+        <translation type="unfinished">&lt;b&gt;No representa el mensurando&lt;/b&gt; (se pierde más del 1 % de las pruebas). </translation>
+    </message>
+    <message>
+        <source>; not stabilised</source>
+        <translation type="unfinished">; no estabilizado</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
+        <translation type="unfinished">&lt;b&gt;Desactualizado&lt;/b&gt;: se muestra para el proyecto tal como era. </translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation type="unfinished">Próximo: %1</translation>
+    </message>
+    <message>
+        <source>Goes to the field that must be given next</source>
+        <translation type="unfinished">Va al campo que debe indicarse a continuación</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::AssetEvaluation</name>
     <message>
         <source>The asset has problems; they are listed below the scene.</source>
@@ -14993,10 +15748,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
 </context>
 <context>
     <name>covaria::ui::BudgetPage</name>
-    <message>
-        <source>Results</source>
-        <translation>Resultados</translation>
-    </message>
     <message>
         <source>Correlation coefficient</source>
         <translation>Coeficiente de correlación</translation>
@@ -15026,8 +15777,8 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>Ambas magnitudes necesitan una incertidumbre antes de poder correlacionarse</translation>
     </message>
     <message>
-        <source>; c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation>; c y parte por la ley de propagación, cuya u es el %1 de la de Monte Carlo</translation>
+        <source>c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -17013,10 +17764,6 @@ Elegido: %2</translation>
         <translation>Propiedades</translation>
     </message>
     <message>
-        <source>Analysis</source>
-        <translation>Análisis</translation>
-    </message>
-    <message>
         <source>Problems</source>
         <translation>Problemas</translation>
     </message>
@@ -17166,8 +17913,8 @@ Elegido: %2</translation>
         <translation>Solo el &amp;centro</translation>
     </message>
     <message>
-        <source>The budget or the scene alone; once more, and the panes stand as they did</source>
-        <translation>Solo el balance o la escena; otra vez, y los paneles quedan como estaban</translation>
+        <source>The stage alone; once more, and the panes stand as they did</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18088,18 +18835,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Comparar</translation>
     </message>
     <message>
-        <source>Report</source>
-        <translation>Informe</translation>
-    </message>
-    <message>
-        <source>Output quantity of the budget and the charts</source>
-        <translation>Magnitud de salida del balance y de los gráficos</translation>
-    </message>
-    <message>
-        <source>Output quantity</source>
-        <translation>Magnitud de salida</translation>
-    </message>
-    <message>
         <source>digits of U: </source>
         <translation>cifras de U: </translation>
     </message>
@@ -18110,10 +18845,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Significant digits of uncertainties in the window; estimates are rounded to match. Documents have those of the project page.</source>
         <translation>Cifras significativas de las incertidumbres en la ventana; las estimaciones se redondean en consecuencia. Los documentos tienen las de la página del proyecto.</translation>
-    </message>
-    <message>
-        <source>Next step</source>
-        <translation>Próximo paso</translation>
     </message>
     <message>
         <source>Filter: symbol, name, group</source>
@@ -18160,58 +18891,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>correlación</translation>
     </message>
     <message>
-        <source>Select an analysis to see its results.</source>
-        <translation>Seleccione un análisis para ver sus resultados.</translation>
-    </message>
-    <message>
-        <source>Failed: %1</source>
-        <translation>Fallido: %1</translation>
-    </message>
-    <message>
-        <source>Not complete yet: nothing is wrong.</source>
-        <translation>Aún incompleto: no hay nada mal.</translation>
-    </message>
-    <message>
-        <source>Not evaluated yet: press F5.</source>
-        <translation>Aún no evaluado: pulse F5.</translation>
-    </message>
-    <message>
-        <source>The analysis has problems.</source>
-        <translation>El análisis tiene problemas.</translation>
-    </message>
-    <message>
-        <source>; running</source>
-        <translation>; en ejecución</translation>
-    </message>
-    <message>
-        <source>; press F5 for the result</source>
-        <translation>; pulse F5 para el resultado</translation>
-    </message>
-    <message>
-        <source>; %1 trials without a value</source>
-        <translation>; %1 pruebas sin valor</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation>&lt;b&gt;No representa el mensurando&lt;/b&gt; (se pierde más del 1 % de las pruebas). </translation>
-    </message>
-    <message>
-        <source>; not stabilised</source>
-        <translation>; no estabilizado</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation>&lt;b&gt;Desactualizado&lt;/b&gt;: se muestra para el proyecto tal como era. </translation>
-    </message>
-    <message>
-        <source>Next: %1</source>
-        <translation>Próximo: %1</translation>
-    </message>
-    <message>
-        <source>Goes to the field that must be given next</source>
-        <translation>Va al campo que debe indicarse a continuación</translation>
-    </message>
-    <message>
         <source>All Results</source>
         <translation>Todos los resultados</translation>
     </message>
@@ -18220,8 +18899,28 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Ir al origen</translation>
     </message>
     <message>
-        <source>Not complete yet, but not wrong; to give next: %1</source>
-        <translation>Aún incompleto, pero no hay nada mal; lo siguiente por indicar: %1</translation>
+        <source>Charts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation type="unfinished">Documento</translation>
+    </message>
+    <message>
+        <source>Kind of chart</source>
+        <translation type="unfinished">Clase de gráfico</translation>
+    </message>
+    <message>
+        <source>Which charts of the result are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18559,6 +19258,21 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::SecondPart</name>
+    <message>
+        <source>View of the second part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the second part of the stage shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close this part</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::SetupForm</name>
     <message>
         <source>Change %1</source>
@@ -18710,20 +19424,25 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::Stage</name>
+    <message>
+        <source>Two views at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Below Each Other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beside Each Other</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::StartPage</name>
     <message>
         <source>Start page</source>
         <translation>Página de inicio</translation>
-    </message>
-    <message>
-        <source>Covaria</source>
-        <translation>Covaria</translation>
-    </message>
-    <message>
-        <source>Measurement uncertainty of robots
-and large-scale metrology</source>
-        <translation>Incertidumbre de medida de robots
-y metrología de grandes dimensiones</translation>
     </message>
     <message>
         <source>New Project</source>
@@ -18732,10 +19451,6 @@ y metrología de grandes dimensiones</translation>
     <message>
         <source>Open …</source>
         <translation>Abrir …</translation>
-    </message>
-    <message>
-        <source>Library and Examples …</source>
-        <translation>Biblioteca y ejemplos …</translation>
     </message>
     <message>
         <source>Recent</source>
@@ -18750,10 +19465,6 @@ y metrología de grandes dimensiones</translation>
         <translation>Se abren como proyectos nuevos; los archivos suministrados quedan como están.</translation>
     </message>
     <message>
-        <source>Worked examples of the GUM and its supplements</source>
-        <translation>Ejemplos resueltos de la GUM y sus suplementos</translation>
-    </message>
-    <message>
         <source>Projects that you open are listed here.</source>
         <translation>Aquí figuran los proyectos que abra.</translation>
     </message>
@@ -18764,6 +19475,66 @@ y metrología de grandes dimensiones</translation>
     <message>
         <source>A budget from nothing to a PDF, in ten steps beside the window</source>
         <translation>Un balance desde cero hasta el PDF, en diez pasos junto a la ventana</translation>
+    </message>
+    <message>
+        <source>What do you want to know?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Library …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A quantity by an equation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type y = f(x), state each input, get the budget.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points by instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracker, total station, camera; one or many.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pose of an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame from its points, in the frame of another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where its tool is, and what its parameters are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file I have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Excel budget, points, measurement report.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Budget, Points or Report …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot (URDF) …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project …</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -8814,10 +8814,6 @@
         <translation>대상은 &quot;/setup/KEY&quot;, &quot;/setup/KEY/rows/0/COLUMN&quot;, &quot;/inputs/SYMBOL/estimate&quot; 또는 &quot;/inputs/SYMBOL/components&quot;로 씁니다</translation>
     </message>
     <message>
-        <source>%1 cannot be varied: %2</source>
-        <translation>%1을(를) 바꿀 수 없습니다: %2</translation>
-    </message>
-    <message>
         <source>the set-up has no schema</source>
         <translation>측정 구성에 스키마가 없습니다</translation>
     </message>
@@ -11538,10 +11534,6 @@
         <translation>최악</translation>
     </message>
     <message>
-        <source>coverage ellipsoids, p = %1</source>
-        <translation>포함 타원체, p = %1</translation>
-    </message>
-    <message>
         <source>iso-surfaces at %1</source>
         <translation>등값면 %1</translation>
     </message>
@@ -11556,46 +11548,6 @@
     <message>
         <source>the point %1 does not move in this study</source>
         <translation>점 %1은(는) 이 스터디에서 움직이지 않습니다</translation>
-    </message>
-    <message>
-        <source>outputs</source>
-        <translation>출력</translation>
-    </message>
-    <message>
-        <source>inputs</source>
-        <translation>입력</translation>
-    </message>
-    <message>
-        <source>%1: coverage ellipsoids, p = %2</source>
-        <translation>%1: 포함 타원체, p = %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 trials per point</source>
-        <translation>%1: 점당 시행 %2회</translation>
-    </message>
-    <message>
-        <source>before: coverage ellipsoids, p = %1</source>
-        <translation>이전: 포함 타원체, p = %1</translation>
-    </message>
-    <message>
-        <source>line of sight</source>
-        <translation>시준선</translation>
-    </message>
-    <message>
-        <source>forces, to a scale of their own</source>
-        <translation>힘, 고유한 배율</translation>
-    </message>
-    <message>
-        <source>moments, to a scale of their own</source>
-        <translation>모멘트, 고유한 배율</translation>
-    </message>
-    <message>
-        <source>uncertainty × %1</source>
-        <translation>불확도 × %1</translation>
-    </message>
-    <message>
-        <source>uncertainty × %1, ellipsoids p = %2</source>
-        <translation>불확도 × %1, 타원체 p = %2</translation>
     </message>
     <message>
         <source>best: %1</source>
@@ -13218,10 +13170,6 @@
         <translation>%1: 불확도가 너무 작아 보이지 않음</translation>
     </message>
     <message>
-        <source>%1 (automatic)</source>
-        <translation>%1 (자동)</translation>
-    </message>
-    <message>
         <source>uncertainty drawn at %1 of %2 points</source>
         <translation>%2개 점 중 %1개에 불확도를 표시함</translation>
     </message>
@@ -13412,10 +13360,6 @@
     <message>
         <source>Sensor layout, points and pose in one chain: a laser tracker and a total station measure six nests of a platform.</source>
         <translation>센서 배치, 점, 포즈를 하나의 사슬로: 레이저 트래커와 토털 스테이션이 플랫폼의 네스트 여섯 개를 측정한다.</translation>
-    </message>
-    <message>
-        <source>requirement not met</source>
-        <translation>요구 사항 미충족</translation>
     </message>
     <message>
         <source>%1 in line %2</source>
@@ -14278,10 +14222,6 @@
         <translation>%1은(는) 수가 아닙니다: 소수점을 써서 %2로 쓰십시오</translation>
     </message>
     <message>
-        <source>column %1%2 of sheet %3 is filled, and what it is is not understood: state the columns, %4, with one of %5 in place of ? (- leaves the column out)</source>
-        <translation>시트 %3의 열 %1%2은(는) 채워져 있으나 무엇인지 알 수 없습니다: 열 %4을(를) 명시하고 ? 자리에 %5 중 하나를 쓰십시오(-는 열을 뺍니다)</translation>
-    </message>
-    <message>
         <source>the name of the result %1 of %2</source>
         <translation>%2의 결과 %1의 이름</translation>
     </message>
@@ -14414,6 +14354,710 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>weights</source>
         <translation>가중치</translation>
+    </message>
+    <message>
+        <source>Network adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates of stations and targets from the distances, directions, angles and height differences that were read between them: heights, plane or space, free or held by known points, with the reliability of each reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainties follow from those that were stated for the readings; they are not multiplied by s_0, which is a test of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a free network what no reading tells is taken from the approximate coordinates of the points of the datum: the sum of squares of their changes is least. Residuals, s_0 and redundancies do not depend on the datum.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each round of directions has an orientation that is not known. Instruments are levelled unless the set-up says how they lean: zenith angles count from the vertical, the z-axis at all points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest detectable errors are those of a test at 0.1 % with a power of 80 % (delta_0 = 4.132), with the uncertainties that were stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it stands still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stations and targets alike, with what is known of them beforehand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate x; of an unknown point an approximate one, or empty: the readings place it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate y; of an unknown point an approximate one, or empty: the readings place it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate z; of an unknown point an approximate one, or empty: the readings place it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown, of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stated with u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not part of the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is known of z, likewise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a stated coordinate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances between points that are measurands too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of a point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of another point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Directions grow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which sense directions, angles and azimuths grow, and from which axis azimuths count.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from x towards y; azimuths count from x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from y towards x; azimuths count from y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was read between the points, one row for each figure, typed or from a CSV file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By which a correlation calls it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slope distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>horizontal distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zenith angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x of a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y of a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z of a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point where it was read; of a coordinate its point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point that was sighted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of an angle the point at its second leg.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a direction: rounds of one station between which its circle was turned have names; each has an orientation of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A length or coordinate as read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An angle as read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the instrument above its point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the target above its point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Instruments that are not levelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where an instrument stands that is not levelled, or not exactly; all others are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point where the instrument stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it leans: unknown, so that the readings tell it; or levelled within u, about x and about y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>levelled within u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of tilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of each tilt of a levelled instrument.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correlations of readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correlation coefficients of readings: they change the weights and the uncertainty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label of a reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label of another reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correlation coefficient of the two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two targets from two stations that nobody measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A total station stood at S1 and S2, whose places are not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The law of propagation of uncertainty says nothing of %1 at these estimates: Monte Carlo answers alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The standard uncertainty by Monte Carlo of %1 is not known from these trials, and may not exist: the tails of its distribution are too heavy. Use the coverage interval.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt at %1 about %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orientation at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orientation at %1, round %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings l, their residuals v, unknowns x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>least squares, Gauss-Newton method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>law of propagation; generalised inverse of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free network: W. Baarda, S-transformations, 1973</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>redundancy and test of a reading: W. Baarda, A testing procedure, 1968</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest error of a reading that the test finds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a posteriori; uncertainties are those that were stated, not times s₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slope distance %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>horizontal distance %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direction %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>azimuth %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zenith angle %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height difference %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt about x of the instrument at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt about y of the instrument at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of x, %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of y, %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of z, %1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings do not lead to a place of every point: the adjustment does not converge; look for exchanged or mistyped readings, for a unit that was mixed up (gon and degrees, m and mm), and for coordinates that are far off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and %1 further ways in which the points can move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1: its %2 is said to be known, and is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1: the u of its stated %2 is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of a point is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no point %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the instrument at %1: the u of its tilt is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two instruments stand at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a reading from %1 to itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both legs of the angle at %1 go to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its value is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its standard uncertainty is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is an angle and has a length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a length and has an angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 needs the height of %2, which is not part of the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 needs x and y of %2, which are not part of the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a distance needs two points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all points are fixed: there is nothing to be found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two readings have the label %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reading with the label %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading %1 with itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the correlation coefficients are not possible together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings do not place point %1: too few of them tie it to the others; add readings, or state approximate coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings do not place %1 points (%2): too few tie them to the others; add readings, or state approximate coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknowns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what no reading tells (datum defect)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees of freedom f</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sum of squares vᵀ C⁻¹ v</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s₀ a posteriori</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>δ₀ of smallest detectable errors (0.1 %, 80 %)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest detectable error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its largest effect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or uncertainties that are too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was read of point %1: add readings to it, or take it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells how the instrument at %1 stood: add directions or angles from there to places that are known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells the height of %1: state it, or add a height difference, or a zenith angle with a distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells where %1 is: add readings to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 can move along %2 without changing a reading: add one that sees this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the direction (%1, %2, %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the whole network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part with %1 and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells where %1 is along %2: fix or state a point, or let points be of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells the height of %1: fix or state the height of a point, or let heights be of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 may tilt about %2: add zenith angles or height differences, or fix a third point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 may turn about the vertical: add an azimuth, fix a second point, or let points be of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells the scale of %1: add a distance, fix a second point, or let points be of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings leave open a common movement of %1: add readings that tie them to the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orientations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moving platform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured orientations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings of the joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>regression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be varied: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no more than %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an observation of %1, which the file neither fixes nor adjusts in what it needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an observation of %1 without a standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a network of %1 points with %2 readings, which is adjusted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its heights above the points are no numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column %1%2 of sheet %3 is filled but not understood: state what each column is, %4, with one of %5 in place of ? (- leaves the column out)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no budget of %1: the law of propagation of uncertainty says nothing of it at the estimates of its input quantities.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation type="unfinished">시행 %1회</translation>
+    </message>
+    <message>
+        <source>sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force, own scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moment, own scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainty %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ellipsoids %1, %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14755,10 +15399,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>결과 보기</translation>
     </message>
     <message>
-        <source>The result is there when every quantity has its uncertainty, below the budget and in the tab Results. It follows every change at once.</source>
-        <translation>모든 양에 불확도가 있으면 총괄표 아래와 결과 탭에 결과가 나타납니다. 결과는 바꿀 때마다 바로 따라옵니다.</translation>
-    </message>
-    <message>
         <source>Correlate two quantities</source>
         <translation>두 양의 상관</translation>
     </message>
@@ -14779,10 +15419,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>가장 크게 기여하는 것 보기</translation>
     </message>
     <message>
-        <source>The tab Budget has the contributions as a table and as a chart, the largest first. What is at the top is worth improving.</source>
-        <translation>총괄표 탭은 기여를 큰 것부터 표와 차트로 보여 줍니다. 맨 위의 것이 개선할 만한 것입니다.</translation>
-    </message>
-    <message>
         <source>Keep and compare</source>
         <translation>보관하고 비교하기</translation>
     </message>
@@ -14793,10 +15429,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>Look at the report</source>
         <translation>보고서 보기</translation>
-    </message>
-    <message>
-        <source>The tab Report shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
-        <translation>보고서 탭은 보고서나 성적서의 쪽을 인쇄될 모습으로 보여 줍니다. 최신 결과만 들어 있으므로 먼저 분석을 실행하십시오(F5).</translation>
     </message>
     <message>
         <source>Save it as PDF</source>
@@ -14865,10 +15497,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>분석에 문제가 있습니다. ‘문제’에 나열되어 있습니다.</translation>
     </message>
     <message>
-        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Report shows the certificate, the button writes that; it is also in the menu File under Export.</source>
-        <translation>도구 모음의 PDF 보고서(Ctrl+P)는 프로젝트를 담은 보고서를 써서 Covaria가 다시 열 수 있게 합니다. 보고서 탭이 성적서를 보여 주는 동안에는 그 단추가 성적서를 씁니다. 성적서는 파일 메뉴의 내보내기에도 있습니다.</translation>
-    </message>
-    <message>
         <source>Adaptive Monte Carlo, %1 trials</source>
         <translation>적응 몬테카를로, 시행 %1회</translation>
     </message>
@@ -14911,6 +15539,30 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>Type it as %1, or as %2.</source>
         <translation>%1 또는 %2(으)로 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation type="unfinished">충족</translation>
+    </message>
+    <message>
+        <source>not met</source>
+        <translation type="unfinished">미충족</translation>
+    </message>
+    <message>
+        <source>The result is there when every quantity has its uncertainty, above the budget and in the tab Results. It follows every change at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tab Contributions has them as a table and as a chart, the largest first. What is at the top is worth improving.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tab Document shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Document shows the certificate, the button writes that; it is also in the menu File under Export.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14976,6 +15628,109 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
 </context>
 <context>
+    <name>covaria::ui::AnswerStrip</name>
+    <message>
+        <source>Answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output quantity of the budget and the charts</source>
+        <translation type="unfinished">총괄표와 차트의 출력량</translation>
+    </message>
+    <message>
+        <source>Output quantity</source>
+        <translation type="unfinished">출력량</translation>
+    </message>
+    <message>
+        <source>Copy the result, as it stands in a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation type="unfinished">다음 단계</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished">실패</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation type="unfinished">미완성</translation>
+    </message>
+    <message>
+        <source>has problems</source>
+        <translation type="unfinished">문제 있음</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation type="unfinished">갱신 필요</translation>
+    </message>
+    <message>
+        <source>not evaluated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select an analysis to see its results.</source>
+        <translation type="unfinished">결과를 보려면 분석을 선택하세요.</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation type="unfinished">실패: %1</translation>
+    </message>
+    <message>
+        <source>Not complete yet: nothing is wrong.</source>
+        <translation type="unfinished">아직 미완성: 잘못된 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>Not complete yet, but not wrong; to give next: %1</source>
+        <translation type="unfinished">아직 미완성이지만 잘못된 것은 없습니다. 다음으로 입력할 것: %1</translation>
+    </message>
+    <message>
+        <source>Not evaluated yet: press F5.</source>
+        <translation type="unfinished">아직 평가하지 않음: F5를 누르세요.</translation>
+    </message>
+    <message>
+        <source>The analysis has problems.</source>
+        <translation type="unfinished">분석에 문제가 있습니다.</translation>
+    </message>
+    <message>
+        <source>; running</source>
+        <translation type="unfinished">; 실행 중</translation>
+    </message>
+    <message>
+        <source>; press F5 for the result</source>
+        <translation type="unfinished">; 결과를 보려면 F5를 누르세요</translation>
+    </message>
+    <message>
+        <source>; %1 trials without a value</source>
+        <translation type="unfinished">; 값이 없는 시행 %1회</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
+        <translation type="unfinished">&lt;b&gt;측정량을 나타내지 않습니다&lt;/b&gt;(시행의 1 % 넘게 손실됨). </translation>
+    </message>
+    <message>
+        <source>; not stabilised</source>
+        <translation type="unfinished">; 안정되지 않음</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
+        <translation type="unfinished">&lt;b&gt;갱신 필요&lt;/b&gt;: 이전 상태의 프로젝트를 표시합니다. </translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation type="unfinished">다음: %1</translation>
+    </message>
+    <message>
+        <source>Goes to the field that must be given next</source>
+        <translation type="unfinished">다음에 입력해야 할 필드로 이동합니다</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::AssetEvaluation</name>
     <message>
         <source>The asset has problems; they are listed below the scene.</source>
@@ -14992,10 +15747,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
 </context>
 <context>
     <name>covaria::ui::BudgetPage</name>
-    <message>
-        <source>Results</source>
-        <translation>결과</translation>
-    </message>
     <message>
         <source>Correlation coefficient</source>
         <translation>상관계수</translation>
@@ -15025,8 +15776,8 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>두 양 모두 불확도가 있어야 상관을 줄 수 있습니다</translation>
     </message>
     <message>
-        <source>; c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation>; c와 비율은 전파 법칙에 따른 것이며, 그 u는 몬테카를로 값의 %1임</translation>
+        <source>c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -17009,10 +17760,6 @@ Chosen: %2</source>
         <translation>속성</translation>
     </message>
     <message>
-        <source>Analysis</source>
-        <translation>분석</translation>
-    </message>
-    <message>
         <source>Problems</source>
         <translation>문제</translation>
     </message>
@@ -17162,8 +17909,8 @@ Chosen: %2</source>
         <translation>가운데만(&amp;M)</translation>
     </message>
     <message>
-        <source>The budget or the scene alone; once more, and the panes stand as they did</source>
-        <translation>불확도 총괄표 또는 장면만; 다시 누르면 창들이 이전대로 돌아옴</translation>
+        <source>The stage alone; once more, and the panes stand as they did</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18084,18 +18831,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>비교</translation>
     </message>
     <message>
-        <source>Report</source>
-        <translation>보고서</translation>
-    </message>
-    <message>
-        <source>Output quantity of the budget and the charts</source>
-        <translation>총괄표와 차트의 출력량</translation>
-    </message>
-    <message>
-        <source>Output quantity</source>
-        <translation>출력량</translation>
-    </message>
-    <message>
         <source>digits of U: </source>
         <translation>U의 자릿수: </translation>
     </message>
@@ -18106,10 +18841,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Significant digits of uncertainties in the window; estimates are rounded to match. Documents have those of the project page.</source>
         <translation>창에 표시되는 불확도의 유효숫자 자릿수. 추정값은 그에 맞춰 반올림됩니다. 문서에는 프로젝트 페이지의 자릿수가 쓰입니다.</translation>
-    </message>
-    <message>
-        <source>Next step</source>
-        <translation>다음 단계</translation>
     </message>
     <message>
         <source>Filter: symbol, name, group</source>
@@ -18156,58 +18887,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>상관</translation>
     </message>
     <message>
-        <source>Select an analysis to see its results.</source>
-        <translation>결과를 보려면 분석을 선택하세요.</translation>
-    </message>
-    <message>
-        <source>Failed: %1</source>
-        <translation>실패: %1</translation>
-    </message>
-    <message>
-        <source>Not complete yet: nothing is wrong.</source>
-        <translation>아직 미완성: 잘못된 것은 없습니다.</translation>
-    </message>
-    <message>
-        <source>Not evaluated yet: press F5.</source>
-        <translation>아직 평가하지 않음: F5를 누르세요.</translation>
-    </message>
-    <message>
-        <source>The analysis has problems.</source>
-        <translation>분석에 문제가 있습니다.</translation>
-    </message>
-    <message>
-        <source>; running</source>
-        <translation>; 실행 중</translation>
-    </message>
-    <message>
-        <source>; press F5 for the result</source>
-        <translation>; 결과를 보려면 F5를 누르세요</translation>
-    </message>
-    <message>
-        <source>; %1 trials without a value</source>
-        <translation>; 값이 없는 시행 %1회</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation>&lt;b&gt;측정량을 나타내지 않습니다&lt;/b&gt;(시행의 1 % 넘게 손실됨). </translation>
-    </message>
-    <message>
-        <source>; not stabilised</source>
-        <translation>; 안정되지 않음</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation>&lt;b&gt;갱신 필요&lt;/b&gt;: 이전 상태의 프로젝트를 표시합니다. </translation>
-    </message>
-    <message>
-        <source>Next: %1</source>
-        <translation>다음: %1</translation>
-    </message>
-    <message>
-        <source>Goes to the field that must be given next</source>
-        <translation>다음에 입력해야 할 필드로 이동합니다</translation>
-    </message>
-    <message>
         <source>All Results</source>
         <translation>모든 결과</translation>
     </message>
@@ -18216,8 +18895,28 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>출처로 이동</translation>
     </message>
     <message>
-        <source>Not complete yet, but not wrong; to give next: %1</source>
-        <translation>아직 미완성이지만 잘못된 것은 없습니다. 다음으로 입력할 것: %1</translation>
+        <source>Charts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation type="unfinished">문서</translation>
+    </message>
+    <message>
+        <source>Kind of chart</source>
+        <translation type="unfinished">차트의 종류</translation>
+    </message>
+    <message>
+        <source>Which charts of the result are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18555,6 +19254,21 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::SecondPart</name>
+    <message>
+        <source>View of the second part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the second part of the stage shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close this part</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::SetupForm</name>
     <message>
         <source>Change %1</source>
@@ -18705,20 +19419,25 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::Stage</name>
+    <message>
+        <source>Two views at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Below Each Other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beside Each Other</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::StartPage</name>
     <message>
         <source>Start page</source>
         <translation>시작 페이지</translation>
-    </message>
-    <message>
-        <source>Covaria</source>
-        <translation>Covaria</translation>
-    </message>
-    <message>
-        <source>Measurement uncertainty of robots
-and large-scale metrology</source>
-        <translation>로봇과 대형 측정의
-측정불확도</translation>
     </message>
     <message>
         <source>New Project</source>
@@ -18727,10 +19446,6 @@ and large-scale metrology</source>
     <message>
         <source>Open …</source>
         <translation>열기 …</translation>
-    </message>
-    <message>
-        <source>Library and Examples …</source>
-        <translation>라이브러리와 예제 …</translation>
     </message>
     <message>
         <source>Recent</source>
@@ -18745,10 +19460,6 @@ and large-scale metrology</source>
         <translation>새 프로젝트로 열립니다. 제공된 파일은 그대로 유지됩니다.</translation>
     </message>
     <message>
-        <source>Worked examples of the GUM and its supplements</source>
-        <translation>GUM과 그 보충서의 풀이 예제</translation>
-    </message>
-    <message>
         <source>Projects that you open are listed here.</source>
         <translation>연 프로젝트가 여기에 나열됩니다.</translation>
     </message>
@@ -18759,6 +19470,66 @@ and large-scale metrology</source>
     <message>
         <source>A budget from nothing to a PDF, in ten steps beside the window</source>
         <translation>창 옆의 열 단계로 빈 상태에서 PDF까지 총괄표 하나</translation>
+    </message>
+    <message>
+        <source>What do you want to know?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Library …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A quantity by an equation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type y = f(x), state each input, get the budget.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points by instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracker, total station, camera; one or many.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pose of an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame from its points, in the frame of another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where its tool is, and what its parameters are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file I have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Excel budget, points, measurement report.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Budget, Points or Report …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot (URDF) …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project …</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
