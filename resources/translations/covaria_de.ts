@@ -14358,707 +14358,707 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Network adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>Netzausgleichung</translation>
     </message>
     <message>
         <source>Coordinates of stations and targets from the distances, directions, angles and height differences that were read between them: heights, plane or space, free or held by known points, with the reliability of each reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten von Standpunkten und Zielpunkten aus den Distanzen, Richtungen, Winkeln und Höhenunterschieden, die zwischen ihnen abgelesen wurden: Höhen, Lage oder Raum, frei oder von bekannten Punkten gehalten, mit der Zuverlässigkeit jeder Ablesung.</translation>
     </message>
     <message>
         <source>Uncertainties follow from those that were stated for the readings; they are not multiplied by s_0, which is a test of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Unsicherheiten folgen aus denen, die für die Ablesungen angegeben wurden; sie werden nicht mit s_0 multipliziert, das eine Prüfung von ihnen ist.</translation>
     </message>
     <message>
         <source>In a free network what no reading tells is taken from the approximate coordinates of the points of the datum: the sum of squares of their changes is least. Residuals, s_0 and redundancies do not depend on the datum.</source>
-        <translation type="unfinished"></translation>
+        <translation>In einem freien Netz wird das, worüber keine Ablesung etwas sagt, aus den Näherungskoordinaten der Datumspunkte genommen: Die Quadratsumme ihrer Änderungen ist am kleinsten. Residuen, s_0 und Redundanzen hängen nicht vom Datum ab.</translation>
     </message>
     <message>
         <source>Each round of directions has an orientation that is not known. Instruments are levelled unless the set-up says how they lean: zenith angles count from the vertical, the z-axis at all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Richtungssatz hat eine Orientierung, die nicht bekannt ist. Messgeräte sind horizontiert, wenn der Aufbau nicht sagt, wie sie geneigt sind: Zenitwinkel zählen von der Lotrichtung, in allen Punkten die z-Achse.</translation>
     </message>
     <message>
         <source>Smallest detectable errors are those of a test at 0.1 % with a power of 80 % (delta_0 = 4.132), with the uncertainties that were stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die kleinsten aufdeckbaren Fehler sind die einer Prüfung auf 0.1 % mit einer Testgüte von 80 % (delta_0 = 4.132), mit den angegebenen Unsicherheiten.</translation>
     </message>
     <message>
         <source>In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it stands still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Monte Carlo ist jeder Versuch eine Lösung mit den Ableitungen bei den Schätzwerten, wiederholt, bis sie sich nicht mehr ändert.</translation>
     </message>
     <message>
         <source>Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kartenprojektionen, Refraktion und Erdkrümmung gehören nicht dazu: Reduzieren Sie die Ablesungen vorher.</translation>
     </message>
     <message>
         <source>Stations and targets alike, with what is known of them beforehand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standpunkte und Zielpunkte gleichermaßen, mit dem, was vorab über sie bekannt ist.</translation>
     </message>
     <message>
         <source>Coordinate x; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate x; bei einem unbekannten Punkt eine Näherung oder leer: die Ablesungen bestimmen seinen Ort.</translation>
     </message>
     <message>
         <source>Coordinate y; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate y; bei einem unbekannten Punkt eine Näherung oder leer: die Ablesungen bestimmen seinen Ort.</translation>
     </message>
     <message>
         <source>Coordinate z; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate z; bei einem unbekannten Punkt eine Näherung oder leer: die Ablesungen bestimmen seinen Ort.</translation>
     </message>
     <message>
         <source>plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was über x und y bekannt ist: unbekannt; unbekannt, und was keine Ablesung sagt, wird aus diesem Punkt und anderen wie ihm genommen (freies Netz); fest ohne Unsicherheit; angegeben mit u.</translation>
     </message>
     <message>
         <source>unknown, of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannt, Datumspunkt</translation>
     </message>
     <message>
         <source>stated with u</source>
-        <translation type="unfinished"></translation>
+        <translation>angegeben mit u</translation>
     </message>
     <message>
         <source>not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht Teil des Netzes</translation>
     </message>
     <message>
         <source>height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>What is known of z, likewise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was über z bekannt ist, ebenso.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated coordinate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit einer angegebenen Koordinate.</translation>
     </message>
     <message>
         <source>Distances between points that are measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände zwischen Punkten, die ebenfalls Messgrößen sind.</translation>
     </message>
     <message>
         <source>Name of a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name eines Punktes.</translation>
     </message>
     <message>
         <source>Name of another point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name eines anderen Punktes.</translation>
     </message>
     <message>
         <source>Directions grow</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtungen wachsen</translation>
     </message>
     <message>
         <source>In which sense directions, angles and azimuths grow, and from which axis azimuths count.</source>
-        <translation type="unfinished"></translation>
+        <translation>In welchem Sinn Richtungen, Winkel und Azimute wachsen und von welcher Achse Azimute zählen.</translation>
     </message>
     <message>
         <source>from x towards y; azimuths count from x</source>
-        <translation type="unfinished"></translation>
+        <translation>von x nach y; Azimute zählen von x</translation>
     </message>
     <message>
         <source>from y towards x; azimuths count from y</source>
-        <translation type="unfinished"></translation>
+        <translation>von y nach x; Azimute zählen von y</translation>
     </message>
     <message>
         <source>What was read between the points, one row for each figure, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was zwischen den Punkten abgelesen wurde, eine Zeile je Zahl, eingegeben oder aus einer CSV-Datei.</translation>
     </message>
     <message>
         <source>label</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennung</translation>
     </message>
     <message>
         <source>By which a correlation calls it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter der eine Korrelation sie nennt.</translation>
     </message>
     <message>
         <source>What was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was abgelesen wurde.</translation>
     </message>
     <message>
         <source>slope distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrägdistanz</translation>
     </message>
     <message>
         <source>horizontal distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizontaldistanz</translation>
     </message>
     <message>
         <source>zenith angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Zenitwinkel</translation>
     </message>
     <message>
         <source>height difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhenunterschied</translation>
     </message>
     <message>
         <source>x of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>x eines Punktes</translation>
     </message>
     <message>
         <source>y of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>y eines Punktes</translation>
     </message>
     <message>
         <source>z of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>z eines Punktes</translation>
     </message>
     <message>
         <source>difference of x</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz von x</translation>
     </message>
     <message>
         <source>difference of y</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz von y</translation>
     </message>
     <message>
         <source>difference of z</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz von z</translation>
     </message>
     <message>
         <source>The point where it was read; of a coordinate its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Punkt, auf dem abgelesen wurde; bei einer Koordinate ihr Punkt.</translation>
     </message>
     <message>
         <source>The point that was sighted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Punkt, der angezielt wurde.</translation>
     </message>
     <message>
         <source>Of an angle the point at its second leg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei einem Winkel der Punkt an seinem zweiten Schenkel.</translation>
     </message>
     <message>
         <source>round</source>
-        <translation type="unfinished"></translation>
+        <translation>Satz</translation>
     </message>
     <message>
         <source>Of a direction: rounds of one station between which its circle was turned have names; each has an orientation of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei einer Richtung: Sätze eines Standpunktes, zwischen denen der Kreis verdreht wurde, haben Namen; jeder hat eine eigene Orientierung.</translation>
     </message>
     <message>
         <source>A length or coordinate as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Länge oder Koordinate, wie abgelesen.</translation>
     </message>
     <message>
         <source>An angle as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Winkel, wie abgelesen.</translation>
     </message>
     <message>
         <source>u of length</source>
-        <translation type="unfinished"></translation>
+        <translation>u der Länge</translation>
     </message>
     <message>
         <source>Standard uncertainty of the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Länge.</translation>
     </message>
     <message>
         <source>u of angle</source>
-        <translation type="unfinished"></translation>
+        <translation>u des Winkels</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit des Winkels.</translation>
     </message>
     <message>
         <source>height from</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerätehöhe</translation>
     </message>
     <message>
         <source>Height of the instrument above its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe des Messgeräts über seinem Punkt.</translation>
     </message>
     <message>
         <source>height to</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielhöhe</translation>
     </message>
     <message>
         <source>Height of the target above its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe des Zielzeichens über seinem Punkt.</translation>
     </message>
     <message>
         <source>Instruments that are not levelled</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgeräte, die nicht horizontiert sind</translation>
     </message>
     <message>
         <source>Where an instrument stands that is not levelled, or not exactly; all others are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo ein Messgerät steht, das nicht oder nicht genau horizontiert ist; alle anderen sind es.</translation>
     </message>
     <message>
         <source>The point where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Punkt, auf dem das Messgerät steht.</translation>
     </message>
     <message>
         <source>tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung</translation>
     </message>
     <message>
         <source>How it leans: unknown, so that the readings tell it; or levelled within u, about x and about y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie es geneigt ist: unbekannt, so dass die Ablesungen es sagen; oder horizontiert innerhalb von u, um x und um y.</translation>
     </message>
     <message>
         <source>levelled within u</source>
-        <translation type="unfinished"></translation>
+        <translation>horizontiert innerhalb von u</translation>
     </message>
     <message>
         <source>u of tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>u der Neigung</translation>
     </message>
     <message>
         <source>Standard uncertainty of each tilt of a levelled instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit jeder Neigung eines horizontierten Messgeräts.</translation>
     </message>
     <message>
         <source>Correlations of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationen der Ablesungen</translation>
     </message>
     <message>
         <source>Correlation coefficients of readings: they change the weights and the uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationskoeffizienten von Ablesungen: sie ändern die Gewichte und die Unsicherheit.</translation>
     </message>
     <message>
         <source>Label of a reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennung einer Ablesung.</translation>
     </message>
     <message>
         <source>Label of another reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennung einer anderen Ablesung.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationskoeffizient der beiden.</translation>
     </message>
     <message>
         <source>Two targets from two stations that nobody measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Zielpunkte von zwei Standpunkten aus, die niemand gemessen hat</translation>
     </message>
     <message>
         <source>A total station stood at S1 and S2, whose places are not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Totalstation stand auf S1 und S2, deren Orte nicht bekannt sind.</translation>
     </message>
     <message>
         <source>The law of propagation of uncertainty says nothing of %1 at these estimates: Monte Carlo answers alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fortpflanzungsgesetz der Unsicherheit sagt bei diesen Schätzwerten nichts über %1: nur Monte Carlo antwortet</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 is not known from these trials, and may not exist: the tails of its distribution are too heavy. Use the coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Standardunsicherheit von %1 nach Monte Carlo ist aus diesen Versuchen nicht bekannt und existiert vielleicht nicht: die Ausläufer der Verteilung sind zu schwer. Verwenden Sie das Überdeckungsintervall.</translation>
     </message>
     <message>
         <source>as stated</source>
-        <translation type="unfinished"></translation>
+        <translation>wie angegeben</translation>
     </message>
     <message>
         <source>tilt at %1 about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung auf %1 um %2</translation>
     </message>
     <message>
         <source>orientation at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientierung auf %1</translation>
     </message>
     <message>
         <source>orientation at %1, round %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientierung auf %1, Satz %2</translation>
     </message>
     <message>
         <source>readings l, their residuals v, unknowns x</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen l, ihre Residuen v, Unbekannte x</translation>
     </message>
     <message>
         <source>least squares, Gauss-Newton method</source>
-        <translation type="unfinished"></translation>
+        <translation>kleinste Quadrate, Gauß-Newton-Verfahren</translation>
     </message>
     <message>
         <source>law of propagation; generalised inverse of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortpflanzungsgesetz; verallgemeinerte Inverse des Datums</translation>
     </message>
     <message>
         <source>free network: W. Baarda, S-transformations, 1973</source>
-        <translation type="unfinished"></translation>
+        <translation>freies Netz: W. Baarda, S-transformations, 1973</translation>
     </message>
     <message>
         <source>redundancy and test of a reading: W. Baarda, A testing procedure, 1968</source>
-        <translation type="unfinished"></translation>
+        <translation>Redundanz und Prüfung einer Ablesung: W. Baarda, A testing procedure, 1968</translation>
     </message>
     <message>
         <source>smallest error of a reading that the test finds</source>
-        <translation type="unfinished"></translation>
+        <translation>kleinster Fehler einer Ablesung, den die Prüfung findet</translation>
     </message>
     <message>
         <source>a posteriori; uncertainties are those that were stated, not times s₀</source>
-        <translation type="unfinished"></translation>
+        <translation>a posteriori; Unsicherheiten sind die angegebenen, nicht mal s₀</translation>
     </message>
     <message>
         <source>slope distance %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrägdistanz %1 – %2</translation>
     </message>
     <message>
         <source>horizontal distance %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizontaldistanz %1 – %2</translation>
     </message>
     <message>
         <source>direction %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung %1 – %2</translation>
     </message>
     <message>
         <source>azimuth %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimut %1 – %2</translation>
     </message>
     <message>
         <source>zenith angle %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zenitwinkel %1 – %2</translation>
     </message>
     <message>
         <source>height difference %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhenunterschied %1 – %2</translation>
     </message>
     <message>
         <source>tilt about x of the instrument at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung um x des Messgeräts auf %1</translation>
     </message>
     <message>
         <source>tilt about y of the instrument at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung um y des Messgeräts auf %1</translation>
     </message>
     <message>
         <source>x of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>x von %1</translation>
     </message>
     <message>
         <source>y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>y von %1</translation>
     </message>
     <message>
         <source>z of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>z von %1</translation>
     </message>
     <message>
         <source>difference of x, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz von x, %1 – %2</translation>
     </message>
     <message>
         <source>difference of y, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz von y, %1 – %2</translation>
     </message>
     <message>
         <source>difference of z, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz von z, %1 – %2</translation>
     </message>
     <message>
         <source>the readings do not lead to a place of every point: the adjustment does not converge; look for exchanged or mistyped readings, for a unit that was mixed up (gon and degrees, m and mm), and for coordinates that are far off</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ablesungen führen nicht zu einem Ort jedes Punktes: die Ausgleichung konvergiert nicht; nach vertauschten oder vertippten Ablesungen suchen, nach einer verwechselten Einheit (gon und Grad, m und mm) und nach Koordinaten, die weit daneben liegen</translation>
     </message>
     <message>
         <source>and %1 further ways in which the points can move</source>
-        <translation type="unfinished"></translation>
+        <translation>und %1 weitere Arten, wie sich die Punkte bewegen können</translation>
     </message>
     <message>
         <source>point %1: its %2 is said to be known, and is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt %1: %2 gilt als bekannt und fehlt</translation>
     </message>
     <message>
         <source>point %1: the u of its stated %2 is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt %1: das u des angegebenen %2 fehlt</translation>
     </message>
     <message>
         <source>the name of a point is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>der Name eines Punktes fehlt</translation>
     </message>
     <message>
         <source>there is no point %1</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Punkt %1</translation>
     </message>
     <message>
         <source>the instrument at %1: the u of its tilt is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>das Messgerät auf %1: das u seiner Neigung fehlt</translation>
     </message>
     <message>
         <source>two instruments stand at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Messgeräte stehen auf %1</translation>
     </message>
     <message>
         <source>a reading from %1 to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Ablesung von %1 zu sich selbst</translation>
     </message>
     <message>
         <source>both legs of the angle at %1 go to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>beide Schenkel des Winkels auf %1 gehen nach %2</translation>
     </message>
     <message>
         <source>%1: its value is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: der Wert fehlt</translation>
     </message>
     <message>
         <source>%1: its standard uncertainty is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Standardunsicherheit fehlt</translation>
     </message>
     <message>
         <source>%1 is an angle and has a length</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Winkel und hat eine Länge</translation>
     </message>
     <message>
         <source>%1 is a length and has an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist eine Länge und hat einen Winkel</translation>
     </message>
     <message>
         <source>%1 is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht positiv</translation>
     </message>
     <message>
         <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt nicht zwischen 0 und einer halben Umdrehung: das Mittel beider Kreislagen angeben</translation>
     </message>
     <message>
         <source>%1 needs the height of %2, which is not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 braucht die Höhe von %2, die nicht Teil des Netzes ist</translation>
     </message>
     <message>
         <source>%1 needs x and y of %2, which are not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 braucht x und y von %2, die nicht Teil des Netzes sind</translation>
     </message>
     <message>
         <source>a distance needs two points</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Abstand braucht zwei Punkte</translation>
     </message>
     <message>
         <source>all points are fixed: there is nothing to be found</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Punkte sind fest: es gibt nichts zu bestimmen</translation>
     </message>
     <message>
         <source>two readings have the label %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Ablesungen haben die Kennung %1</translation>
     </message>
     <message>
         <source>there is no reading with the label %1</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Ablesung mit der Kennung %1</translation>
     </message>
     <message>
         <source>reading %1 with itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung %1 mit sich selbst</translation>
     </message>
     <message>
         <source>the correlation coefficients are not possible together</source>
-        <translation type="unfinished"></translation>
+        <translation>die Korrelationskoeffizienten sind zusammen nicht möglich</translation>
     </message>
     <message>
         <source>the readings do not place point %1: too few of them tie it to the others; add readings, or state approximate coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ablesungen bestimmen den Ort von Punkt %1 nicht: zu wenige verbinden ihn mit den anderen; Ablesungen hinzufügen oder Näherungskoordinaten angeben</translation>
     </message>
     <message>
         <source>the readings do not place %1 points (%2): too few tie them to the others; add readings, or state approximate coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ablesungen bestimmen den Ort von %1 Punkten nicht (%2): zu wenige verbinden sie mit den anderen; Ablesungen hinzufügen oder Näherungskoordinaten angeben</translation>
     </message>
     <message>
         <source>Adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgleichung</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennzahl</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Wert</translation>
     </message>
     <message>
         <source>unknowns</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbekannte</translation>
     </message>
     <message>
         <source>what no reading tells (datum defect)</source>
-        <translation type="unfinished"></translation>
+        <translation>was keine Ablesung sagt (Datumsdefekt)</translation>
     </message>
     <message>
         <source>degrees of freedom f</source>
-        <translation type="unfinished"></translation>
+        <translation>Freiheitsgrade f</translation>
     </message>
     <message>
         <source>sum of squares vᵀ C⁻¹ v</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadratsumme vᵀ C⁻¹ v</translation>
     </message>
     <message>
         <source>s₀ a posteriori</source>
-        <translation type="unfinished"></translation>
+        <translation>s₀ a posteriori</translation>
     </message>
     <message>
         <source>δ₀ of smallest detectable errors (0.1 %, 80 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>δ₀ der kleinsten aufdeckbaren Fehler (0.1 %, 80 %)</translation>
     </message>
     <message>
         <source>smallest detectable error</source>
-        <translation type="unfinished"></translation>
+        <translation>kleinster aufdeckbarer Fehler</translation>
     </message>
     <message>
         <source>its largest effect</source>
-        <translation type="unfinished"></translation>
+        <translation>sein größter Einfluss</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished"></translation>
+        <translation>auf</translation>
     </message>
     <message>
         <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or uncertainties that are too small</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Die Residuen sind größer, als die Unsicherheiten zulassen; das größte im Verhältnis zu seiner Unsicherheit ist: %2. Nach vertippten oder vertauschten Ablesungen suchen oder nach zu kleinen Unsicherheiten</translation>
     </message>
     <message>
         <source>nothing was read of point %1: add readings to it, or take it out</source>
-        <translation type="unfinished"></translation>
+        <translation>zu Punkt %1 wurde nichts abgelesen: Ablesungen zu ihm hinzufügen oder ihn herausnehmen</translation>
     </message>
     <message>
         <source>nothing tells how the instrument at %1 stood: add directions or angles from there to places that are known</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts sagt, wie das Messgerät auf %1 stand: von dort Richtungen oder Winkel zu bekannten Orten hinzufügen</translation>
     </message>
     <message>
         <source>nothing tells the height of %1: state it, or add a height difference, or a zenith angle with a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts sagt, wie hoch %1 liegt: die Höhe angeben oder einen Höhenunterschied hinzufügen oder einen Zenitwinkel mit einer Distanz</translation>
     </message>
     <message>
         <source>nothing tells where %1 is: add readings to it</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts sagt, wo %1 ist: Ablesungen dazu hinzufügen</translation>
     </message>
     <message>
         <source>point %1 can move along %2 without changing a reading: add one that sees this</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt %1 kann sich längs %2 bewegen, ohne dass sich eine Ablesung ändert: eine hinzufügen, die das sieht</translation>
     </message>
     <message>
         <source>the direction (%1, %2, %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>der Richtung (%1, %2, %3)</translation>
     </message>
     <message>
         <source>the whole network</source>
-        <translation type="unfinished"></translation>
+        <translation>das ganze Netz</translation>
     </message>
     <message>
         <source>the part with %1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>der Teil mit %1 und %2 weiteren</translation>
     </message>
     <message>
         <source>the part with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Teil mit %1</translation>
     </message>
     <message>
         <source>nothing tells where %1 is along %2: fix or state a point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts sagt, wo %1 längs %2 ist: einen Punkt festhalten oder angeben oder Punkte ins Datum aufnehmen</translation>
     </message>
     <message>
         <source>nothing tells the height of %1: fix or state the height of a point, or let heights be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts sagt, wie hoch %1 liegt: die Höhe eines Punktes festhalten oder angeben oder Höhen ins Datum aufnehmen</translation>
     </message>
     <message>
         <source>%1 may tilt about %2: add zenith angles or height differences, or fix a third point</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kann kippen (Achse %2): Zenitwinkel oder Höhenunterschiede hinzufügen oder einen dritten Punkt festhalten</translation>
     </message>
     <message>
         <source>%1 may turn about the vertical: add an azimuth, fix a second point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kann sich um die Lotrichtung drehen: ein Azimut hinzufügen, einen zweiten Punkt festhalten oder Punkte ins Datum aufnehmen</translation>
     </message>
     <message>
         <source>nothing tells the scale of %1: add a distance, fix a second point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts sagt, welchen Maßstab %1 hat: eine Distanz hinzufügen, einen zweiten Punkt festhalten oder Punkte ins Datum aufnehmen</translation>
     </message>
     <message>
         <source>the readings leave open a common movement of %1: add readings that tie them to the others</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ablesungen lassen eine gemeinsame Bewegung offen (%1): Ablesungen hinzufügen, die mit den anderen Punkten verbinden</translation>
     </message>
     <message>
         <source>orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientierungen</translation>
     </message>
     <message>
         <source>moving platform</source>
-        <translation type="unfinished"></translation>
+        <translation>bewegte Plattform</translation>
     </message>
     <message>
         <source>lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Längen</translation>
     </message>
     <message>
         <source>measured orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessene Orientierungen</translation>
     </message>
     <message>
         <source>measured positions</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessene Positionen</translation>
     </message>
     <message>
         <source>readings of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen der Gelenke</translation>
     </message>
     <message>
         <source>circle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreis von %1</translation>
     </message>
     <message>
         <source>regression</source>
-        <translation type="unfinished"></translation>
+        <translation>Regression</translation>
     </message>
     <message>
         <source>it cannot be varied: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>es kann nicht variiert werden: %1</translation>
     </message>
     <message>
         <source>no more than %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht mehr als %1</translation>
     </message>
     <message>
         <source>an observation of %1, which the file neither fixes nor adjusts in what it needs</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Beobachtung von %1, wovon die Datei das Nötige weder festlegt noch ausgleicht</translation>
     </message>
     <message>
         <source>an observation of %1 without a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Beobachtung von %1 ohne Standardabweichung</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings, which is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz aus %1 Punkten mit %2 Ablesungen, das ausgeglichen wird</translation>
     </message>
     <message>
         <source>its heights above the points are no numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>die Höhen über den Punkten sind keine Zahlen</translation>
     </message>
     <message>
         <source>column %1%2 of sheet %3 is filled but not understood: state what each column is, %4, with one of %5 in place of ? (- leaves the column out)</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte %1%2 von Blatt %3 ist gefüllt, aber nicht verstanden: angeben, was jede Spalte ist, %4, mit einem von %5 anstelle von ? (- lässt die Spalte aus)</translation>
     </message>
     <message>
         <source>There is no budget of %1: the law of propagation of uncertainty says nothing of it at the estimates of its input quantities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Budget von %1: Das Fortpflanzungsgesetz der Unsicherheit sagt darüber bei den Schätzwerten der Eingangsgrößen nichts.</translation>
     </message>
     <message>
         <source>out</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgang</translation>
     </message>
     <message>
         <source>%1 trials</source>
-        <translation type="unfinished">%1 Versuche</translation>
+        <translation>%1 Versuche</translation>
     </message>
     <message>
         <source>sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziellinie</translation>
     </message>
     <message>
         <source>force, own scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft, eigener Maßstab</translation>
     </message>
     <message>
         <source>moment, own scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Moment, eigener Maßstab</translation>
     </message>
     <message>
         <source>in</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingang</translation>
     </message>
     <message>
         <source>uncertainty %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit %1</translation>
     </message>
     <message>
         <source>ellipsoids %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ellipsoide %1, %2</translation>
     </message>
 </context>
 <context>
@@ -15543,27 +15543,31 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished">eingehalten</translation>
+        <translation>eingehalten</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished">nicht eingehalten</translation>
+        <translation>nicht eingehalten</translation>
     </message>
     <message>
         <source>The result is there when every quantity has its uncertainty, above the budget and in the tab Results. It follows every change at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ergebnis ist da, sobald jede Größe ihre Unsicherheit hat, über dem Budget und im Reiter Ergebnisse. Es folgt jeder Änderung sofort.</translation>
     </message>
     <message>
         <source>The tab Contributions has them as a table and as a chart, the largest first. What is at the top is worth improving.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Reiter Beiträge zeigt sie als Tabelle und als Diagramm, die größten zuerst. Was oben steht, lohnt die Verbesserung.</translation>
     </message>
     <message>
         <source>The tab Document shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Reiter Dokument zeigt die Seiten, wie sie gedruckt werden, die des Berichts oder des Kalibrierscheins. Er enthält nur aktuelle Ergebnisse: Führen Sie zuerst die Analyse aus (F5).</translation>
     </message>
     <message>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Document shows the certificate, the button writes that; it is also in the menu File under Export.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht als PDF in der Werkzeugleiste (Strg+P) schreibt den Bericht mit dem Projekt darin, so dass Covaria es wieder öffnen kann. Solange der Reiter Dokument den Kalibrierschein zeigt, schreibt die Schaltfläche diesen; er ist auch im Menü Datei unter Exportieren.</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
     </message>
 </context>
 <context>
@@ -15632,103 +15636,103 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <name>covaria::ui::AnswerStrip</name>
     <message>
         <source>Answer</source>
-        <translation type="unfinished"></translation>
+        <translation>Antwort</translation>
     </message>
     <message>
         <source>Output quantity of the budget and the charts</source>
-        <translation type="unfinished">Ausgangsgröße des Budgets und der Diagramme</translation>
+        <translation>Ausgangsgröße des Budgets und der Diagramme</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished">Ausgangsgröße</translation>
+        <translation>Ausgangsgröße</translation>
     </message>
     <message>
         <source>Copy the result, as it stands in a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ergebnis kopieren, wie es in einem Kalibrierschein steht</translation>
     </message>
     <message>
         <source>Copy the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ergebnis kopieren</translation>
     </message>
     <message>
         <source>Next step</source>
-        <translation type="unfinished">Nächster Schritt</translation>
+        <translation>Nächster Schritt</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished">fehlgeschlagen</translation>
+        <translation>fehlgeschlagen</translation>
     </message>
     <message>
         <source>incomplete</source>
-        <translation type="unfinished">unvollständig</translation>
+        <translation>unvollständig</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished">hat Probleme</translation>
+        <translation>hat Probleme</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished">veraltet</translation>
+        <translation>veraltet</translation>
     </message>
     <message>
         <source>not evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht ausgewertet</translation>
     </message>
     <message>
         <source>Select an analysis to see its results.</source>
-        <translation type="unfinished">Eine Analyse auswählen, um ihre Ergebnisse zu sehen.</translation>
+        <translation>Eine Analyse auswählen, um ihre Ergebnisse zu sehen.</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished">Fehlgeschlagen: %1</translation>
+        <translation>Fehlgeschlagen: %1</translation>
     </message>
     <message>
         <source>Not complete yet: nothing is wrong.</source>
-        <translation type="unfinished">Noch nicht vollständig: Nichts ist falsch.</translation>
+        <translation>Noch nicht vollständig: Nichts ist falsch.</translation>
     </message>
     <message>
         <source>Not complete yet, but not wrong; to give next: %1</source>
-        <translation type="unfinished">Noch nicht vollständig, aber nicht falsch; als Nächstes anzugeben: %1</translation>
+        <translation>Noch nicht vollständig, aber nicht falsch; als Nächstes anzugeben: %1</translation>
     </message>
     <message>
         <source>Not evaluated yet: press F5.</source>
-        <translation type="unfinished">Noch nicht ausgewertet: F5 drücken.</translation>
+        <translation>Noch nicht ausgewertet: F5 drücken.</translation>
     </message>
     <message>
         <source>The analysis has problems.</source>
-        <translation type="unfinished">Die Analyse hat Probleme.</translation>
+        <translation>Die Analyse hat Probleme.</translation>
     </message>
     <message>
         <source>; running</source>
-        <translation type="unfinished">; läuft</translation>
+        <translation>; läuft</translation>
     </message>
     <message>
         <source>; press F5 for the result</source>
-        <translation type="unfinished">; F5 drücken für das Ergebnis</translation>
+        <translation>; F5 drücken für das Ergebnis</translation>
     </message>
     <message>
         <source>; %1 trials without a value</source>
-        <translation type="unfinished">; %1 Versuche ohne Wert</translation>
+        <translation>; %1 Versuche ohne Wert</translation>
     </message>
     <message>
         <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation type="unfinished">&lt;b&gt;Stellt die Messgröße nicht dar&lt;/b&gt; (mehr als 1 % der Versuche gingen verloren). </translation>
+        <translation>&lt;b&gt;Stellt die Messgröße nicht dar&lt;/b&gt; (mehr als 1 % der Versuche gingen verloren). </translation>
     </message>
     <message>
         <source>; not stabilised</source>
-        <translation type="unfinished">; nicht stabilisiert</translation>
+        <translation>; nicht stabilisiert</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished">&lt;b&gt;Veraltet&lt;/b&gt;: gezeigt für den früheren Stand des Projekts. </translation>
+        <translation>&lt;b&gt;Veraltet&lt;/b&gt;: gezeigt für den früheren Stand des Projekts. </translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished">Weiter: %1</translation>
+        <translation>Weiter: %1</translation>
     </message>
     <message>
         <source>Goes to the field that must be given next</source>
-        <translation type="unfinished">Geht zu dem Feld, das als Nächstes anzugeben ist</translation>
+        <translation>Geht zu dem Feld, das als Nächstes anzugeben ist</translation>
     </message>
 </context>
 <context>
@@ -15778,7 +15782,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>c und Anteil nach dem Fortpflanzungsgesetz, dessen u %1 von dem nach Monte Carlo beträgt</translation>
     </message>
 </context>
 <context>
@@ -17828,10 +17832,6 @@ Gewählt: %2</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>out of date</source>
-        <translation>veraltet</translation>
-    </message>
-    <message>
         <source>Problems (%1)</source>
         <translation>Probleme (%1)</translation>
     </message>
@@ -17914,7 +17914,7 @@ Gewählt: %2</translation>
     </message>
     <message>
         <source>The stage alone; once more, and the panes stand as they did</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur der Hauptbereich; noch einmal, und die Bereiche stehen wie zuvor</translation>
     </message>
 </context>
 <context>
@@ -18666,10 +18666,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>Keine Analyse ist aktuell: zuerst eine ausführen (F5).</translation>
     </message>
     <message>
-        <source>%1 is being made …</source>
-        <translation>%1 wird erstellt …</translation>
-    </message>
-    <message>
         <source>%1 could not be made: %2</source>
         <translation>%1 konnte nicht erstellt werden: %2</translation>
     </message>
@@ -18692,6 +18688,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Pages as they are printed</source>
         <translation>Seiten, wie sie gedruckt werden</translation>
+    </message>
+    <message>
+        <source>Being made …</source>
+        <translation>wird erstellt …</translation>
     </message>
 </context>
 <context>
@@ -18900,27 +18900,27 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>Charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramme</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished">Dokument</translation>
+        <translation>Dokument</translation>
     </message>
     <message>
         <source>Kind of chart</source>
-        <translation type="unfinished">Art des Diagramms</translation>
+        <translation>Art des Diagramms</translation>
     </message>
     <message>
         <source>Which charts of the result are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Diagramme des Ergebnisses gezeigt werden</translation>
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene</translation>
     </message>
     <message>
         <source>Contributions</source>
-        <translation type="unfinished"></translation>
+        <translation>Beiträge</translation>
     </message>
 </context>
 <context>
@@ -19261,15 +19261,15 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <name>covaria::ui::SecondPart</name>
     <message>
         <source>View of the second part</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht des zweiten Teils</translation>
     </message>
     <message>
         <source>What the second part of the stage shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der zweite Teil des Hauptbereichs zeigt</translation>
     </message>
     <message>
         <source>Close this part</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Teil schließen</translation>
     </message>
 </context>
 <context>
@@ -19427,15 +19427,15 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <name>covaria::ui::Stage</name>
     <message>
         <source>Two views at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Ansichten zugleich</translation>
     </message>
     <message>
         <source>Below Each Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Untereinander</translation>
     </message>
     <message>
         <source>Beside Each Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Nebeneinander</translation>
     </message>
 </context>
 <context>
@@ -19478,63 +19478,63 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>What do you want to know?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was möchten Sie wissen?</translation>
     </message>
     <message>
         <source>Library …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bibliothek …</translation>
     </message>
     <message>
         <source>A quantity by an equation</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Größe aus einer Gleichung</translation>
     </message>
     <message>
         <source>Type y = f(x), state each input, get the budget.</source>
-        <translation type="unfinished"></translation>
+        <translation>y = f(x) eintippen, jede Eingangsgröße angeben, das Budget erhalten.</translation>
     </message>
     <message>
         <source>Points by instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte mit Messgeräten</translation>
     </message>
     <message>
         <source>Tracker, total station, camera; one or many.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracker, Totalstation, Kamera; eines oder viele.</translation>
     </message>
     <message>
         <source>The pose of an object</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Pose eines Objekts</translation>
     </message>
     <message>
         <source>A frame from its points, in the frame of another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein System aus seinen Punkten, im System eines anderen.</translation>
     </message>
     <message>
         <source>A robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Roboter</translation>
     </message>
     <message>
         <source>Where its tool is, and what its parameters are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo sein Werkzeug ist und welche Parameter er hat.</translation>
     </message>
     <message>
         <source>A file I have</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine vorhandene Datei</translation>
     </message>
     <message>
         <source>Excel budget, points, measurement report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Excel-Budget, Punkte, Messbericht.</translation>
     </message>
     <message>
         <source>Budget, Points or Report …</source>
-        <translation type="unfinished"></translation>
+        <translation>Budget, Punkte oder Bericht …</translation>
     </message>
     <message>
         <source>Robot (URDF) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter (URDF) …</translation>
     </message>
     <message>
         <source>Project …</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt …</translation>
     </message>
 </context>
 <context>

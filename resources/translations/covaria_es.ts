@@ -14358,707 +14358,707 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>Network adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>Compensación de redes</translation>
     </message>
     <message>
         <source>Coordinates of stations and targets from the distances, directions, angles and height differences that were read between them: heights, plane or space, free or held by known points, with the reliability of each reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas de estaciones y dianas a partir de las distancias, direcciones, ángulos y desniveles leídos entre ellas: alturas, plano o espacio, libre o sujeta a puntos conocidos, con la fiabilidad de cada lectura.</translation>
     </message>
     <message>
         <source>Uncertainties follow from those that were stated for the readings; they are not multiplied by s_0, which is a test of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las incertidumbres se deducen de las indicadas para las lecturas; no se multiplican por s_0, que es una comprobación de ellas.</translation>
     </message>
     <message>
         <source>In a free network what no reading tells is taken from the approximate coordinates of the points of the datum: the sum of squares of their changes is least. Residuals, s_0 and redundancies do not depend on the datum.</source>
-        <translation type="unfinished"></translation>
+        <translation>En una red libre, lo que ninguna lectura dice se toma de las coordenadas aproximadas de los puntos del datum: la suma de los cuadrados de sus cambios es mínima. Los residuos, s_0 y las redundancias no dependen del datum.</translation>
     </message>
     <message>
         <source>Each round of directions has an orientation that is not known. Instruments are levelled unless the set-up says how they lean: zenith angles count from the vertical, the z-axis at all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada serie de direcciones tiene una orientación que no se conoce. Los instrumentos están nivelados salvo que el estacionamiento indique cómo se inclinan: los ángulos cenitales se cuentan desde la vertical, el eje z en todos los puntos.</translation>
     </message>
     <message>
         <source>Smallest detectable errors are those of a test at 0.1 % with a power of 80 % (delta_0 = 4.132), with the uncertainties that were stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los errores mínimos detectables son los de un contraste al 0,1 % con una potencia del 80 % (delta_0 = 4,132), con las incertidumbres indicadas.</translation>
     </message>
     <message>
         <source>In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it stands still.</source>
-        <translation type="unfinished"></translation>
+        <translation>En Monte Carlo cada prueba es una solución con las derivadas en las estimaciones, repetida hasta que deja de cambiar.</translation>
     </message>
     <message>
         <source>Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las proyecciones cartográficas, la refracción y la curvatura de la Tierra no se incluyen: reduzca antes las lecturas.</translation>
     </message>
     <message>
         <source>Stations and targets alike, with what is known of them beforehand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Estaciones y dianas por igual, con lo que se sabe de ellas de antemano.</translation>
     </message>
     <message>
         <source>Coordinate x; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x; de un punto desconocido, una aproximada, o vacía: las lecturas lo sitúan.</translation>
     </message>
     <message>
         <source>Coordinate y; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y; de un punto desconocido, una aproximada, o vacía: las lecturas lo sitúan.</translation>
     </message>
     <message>
         <source>Coordinate z; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z; de un punto desconocido, una aproximada, o vacía: las lecturas lo sitúan.</translation>
     </message>
     <message>
         <source>plane</source>
-        <translation type="unfinished"></translation>
+        <translation>plano</translation>
     </message>
     <message>
         <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se sabe de x e y: incógnita; incógnita, y lo que ninguna lectura dice se toma de este punto y de otros como él (red libre); fija sin incertidumbre; indicada con u.</translation>
     </message>
     <message>
         <source>unknown, of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>incógnita, del datum</translation>
     </message>
     <message>
         <source>stated with u</source>
-        <translation type="unfinished"></translation>
+        <translation>indicada con u</translation>
     </message>
     <message>
         <source>not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>no forma parte de la red</translation>
     </message>
     <message>
         <source>height</source>
-        <translation type="unfinished"></translation>
+        <translation>altura</translation>
     </message>
     <message>
         <source>What is known of z, likewise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se sabe de z, del mismo modo.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated coordinate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una coordenada indicada.</translation>
     </message>
     <message>
         <source>Distances between points that are measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancias entre puntos que también son mensurandos.</translation>
     </message>
     <message>
         <source>Name of a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de un punto.</translation>
     </message>
     <message>
         <source>Name of another point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de otro punto.</translation>
     </message>
     <message>
         <source>Directions grow</source>
-        <translation type="unfinished"></translation>
+        <translation>Las direcciones crecen</translation>
     </message>
     <message>
         <source>In which sense directions, angles and azimuths grow, and from which axis azimuths count.</source>
-        <translation type="unfinished"></translation>
+        <translation>En qué sentido crecen las direcciones, los ángulos y los acimutes, y desde qué eje se cuentan los acimutes.</translation>
     </message>
     <message>
         <source>from x towards y; azimuths count from x</source>
-        <translation type="unfinished"></translation>
+        <translation>de x hacia y; los acimutes se cuentan desde x</translation>
     </message>
     <message>
         <source>from y towards x; azimuths count from y</source>
-        <translation type="unfinished"></translation>
+        <translation>de y hacia x; los acimutes se cuentan desde y</translation>
     </message>
     <message>
         <source>What was read between the points, one row for each figure, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se leyó entre los puntos, una fila por cada cifra, tecleada o de un archivo CSV.</translation>
     </message>
     <message>
         <source>label</source>
-        <translation type="unfinished"></translation>
+        <translation>etiqueta</translation>
     </message>
     <message>
         <source>By which a correlation calls it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Con la que la nombra una correlación.</translation>
     </message>
     <message>
         <source>What was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se leyó.</translation>
     </message>
     <message>
         <source>slope distance</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia inclinada</translation>
     </message>
     <message>
         <source>horizontal distance</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia horizontal</translation>
     </message>
     <message>
         <source>zenith angle</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo cenital</translation>
     </message>
     <message>
         <source>height difference</source>
-        <translation type="unfinished"></translation>
+        <translation>desnivel</translation>
     </message>
     <message>
         <source>x of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>x de un punto</translation>
     </message>
     <message>
         <source>y of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>y de un punto</translation>
     </message>
     <message>
         <source>z of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>z de un punto</translation>
     </message>
     <message>
         <source>difference of x</source>
-        <translation type="unfinished"></translation>
+        <translation>diferencia de x</translation>
     </message>
     <message>
         <source>difference of y</source>
-        <translation type="unfinished"></translation>
+        <translation>diferencia de y</translation>
     </message>
     <message>
         <source>difference of z</source>
-        <translation type="unfinished"></translation>
+        <translation>diferencia de z</translation>
     </message>
     <message>
         <source>The point where it was read; of a coordinate its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>El punto donde se leyó; de una coordenada, su punto.</translation>
     </message>
     <message>
         <source>The point that was sighted.</source>
-        <translation type="unfinished"></translation>
+        <translation>El punto que se visó.</translation>
     </message>
     <message>
         <source>Of an angle the point at its second leg.</source>
-        <translation type="unfinished"></translation>
+        <translation>De un ángulo, el punto de su segundo lado.</translation>
     </message>
     <message>
         <source>round</source>
-        <translation type="unfinished"></translation>
+        <translation>serie</translation>
     </message>
     <message>
         <source>Of a direction: rounds of one station between which its circle was turned have names; each has an orientation of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>De una dirección: las series de una estación entre las que se giró su círculo llevan nombre; cada una tiene su propia orientación.</translation>
     </message>
     <message>
         <source>A length or coordinate as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una longitud o coordenada tal como se leyó.</translation>
     </message>
     <message>
         <source>An angle as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un ángulo tal como se leyó.</translation>
     </message>
     <message>
         <source>u of length</source>
-        <translation type="unfinished"></translation>
+        <translation>u de longitud</translation>
     </message>
     <message>
         <source>Standard uncertainty of the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la longitud.</translation>
     </message>
     <message>
         <source>u of angle</source>
-        <translation type="unfinished"></translation>
+        <translation>u de ángulo</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica del ángulo.</translation>
     </message>
     <message>
         <source>height from</source>
-        <translation type="unfinished"></translation>
+        <translation>altura desde</translation>
     </message>
     <message>
         <source>Height of the instrument above its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura del instrumento sobre su punto.</translation>
     </message>
     <message>
         <source>height to</source>
-        <translation type="unfinished"></translation>
+        <translation>altura hasta</translation>
     </message>
     <message>
         <source>Height of the target above its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura de la diana sobre su punto.</translation>
     </message>
     <message>
         <source>Instruments that are not levelled</source>
-        <translation type="unfinished"></translation>
+        <translation>Instrumentos no nivelados</translation>
     </message>
     <message>
         <source>Where an instrument stands that is not levelled, or not exactly; all others are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está un instrumento que no está nivelado, o no exactamente; todos los demás lo están.</translation>
     </message>
     <message>
         <source>The point where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>El punto donde está el instrumento.</translation>
     </message>
     <message>
         <source>tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinación</translation>
     </message>
     <message>
         <source>How it leans: unknown, so that the readings tell it; or levelled within u, about x and about y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo se inclina: incógnita, de modo que las lecturas lo dicen; o nivelado dentro de u, alrededor de x y alrededor de y.</translation>
     </message>
     <message>
         <source>levelled within u</source>
-        <translation type="unfinished"></translation>
+        <translation>nivelado dentro de u</translation>
     </message>
     <message>
         <source>u of tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>u de inclinación</translation>
     </message>
     <message>
         <source>Standard uncertainty of each tilt of a levelled instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de cada inclinación de un instrumento nivelado.</translation>
     </message>
     <message>
         <source>Correlations of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Correlaciones de lecturas</translation>
     </message>
     <message>
         <source>Correlation coefficients of readings: they change the weights and the uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficientes de correlación de lecturas: cambian los pesos y la incertidumbre.</translation>
     </message>
     <message>
         <source>Label of a reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etiqueta de una lectura.</translation>
     </message>
     <message>
         <source>Label of another reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etiqueta de otra lectura.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de correlación de ambas.</translation>
     </message>
     <message>
         <source>Two targets from two stations that nobody measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos dianas desde dos estaciones que nadie midió</translation>
     </message>
     <message>
         <source>A total station stood at S1 and S2, whose places are not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una estación total estuvo en S1 y S2, cuyas posiciones no se conocen.</translation>
     </message>
     <message>
         <source>The law of propagation of uncertainty says nothing of %1 at these estimates: Monte Carlo answers alone</source>
-        <translation type="unfinished"></translation>
+        <translation>La ley de propagación de la incertidumbre no dice nada de %1 en estas estimaciones: solo responde Monte Carlo</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 is not known from these trials, and may not exist: the tails of its distribution are too heavy. Use the coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>La incertidumbre típica por Monte Carlo de %1 no se conoce con estas pruebas, y puede que no exista: las colas de su distribución son demasiado pesadas. Use el intervalo de cobertura.</translation>
     </message>
     <message>
         <source>as stated</source>
-        <translation type="unfinished"></translation>
+        <translation>según lo indicado</translation>
     </message>
     <message>
         <source>tilt at %1 about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinación en %1 alrededor de %2</translation>
     </message>
     <message>
         <source>orientation at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>orientación en %1</translation>
     </message>
     <message>
         <source>orientation at %1, round %2</source>
-        <translation type="unfinished"></translation>
+        <translation>orientación en %1, serie %2</translation>
     </message>
     <message>
         <source>readings l, their residuals v, unknowns x</source>
-        <translation type="unfinished"></translation>
+        <translation>lecturas l, sus residuos v, incógnitas x</translation>
     </message>
     <message>
         <source>least squares, Gauss-Newton method</source>
-        <translation type="unfinished"></translation>
+        <translation>mínimos cuadrados, método de Gauss-Newton</translation>
     </message>
     <message>
         <source>law of propagation; generalised inverse of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>ley de propagación; inversa generalizada del datum</translation>
     </message>
     <message>
         <source>free network: W. Baarda, S-transformations, 1973</source>
-        <translation type="unfinished"></translation>
+        <translation>red libre: W. Baarda, S-transformations, 1973</translation>
     </message>
     <message>
         <source>redundancy and test of a reading: W. Baarda, A testing procedure, 1968</source>
-        <translation type="unfinished"></translation>
+        <translation>redundancia y contraste de una lectura: W. Baarda, A testing procedure, 1968</translation>
     </message>
     <message>
         <source>smallest error of a reading that the test finds</source>
-        <translation type="unfinished"></translation>
+        <translation>error mínimo de una lectura que el contraste detecta</translation>
     </message>
     <message>
         <source>a posteriori; uncertainties are those that were stated, not times s₀</source>
-        <translation type="unfinished"></translation>
+        <translation>a posteriori; las incertidumbres son las indicadas, no multiplicadas por s₀</translation>
     </message>
     <message>
         <source>slope distance %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia inclinada %1 – %2</translation>
     </message>
     <message>
         <source>horizontal distance %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia horizontal %1 – %2</translation>
     </message>
     <message>
         <source>direction %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>dirección %1 – %2</translation>
     </message>
     <message>
         <source>azimuth %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>acimut %1 – %2</translation>
     </message>
     <message>
         <source>zenith angle %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo cenital %1 – %2</translation>
     </message>
     <message>
         <source>height difference %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>desnivel %1 – %2</translation>
     </message>
     <message>
         <source>tilt about x of the instrument at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinación alrededor de x del instrumento en %1</translation>
     </message>
     <message>
         <source>tilt about y of the instrument at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinación alrededor de y del instrumento en %1</translation>
     </message>
     <message>
         <source>x of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>x de %1</translation>
     </message>
     <message>
         <source>y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>y de %1</translation>
     </message>
     <message>
         <source>z of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>z de %1</translation>
     </message>
     <message>
         <source>difference of x, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>diferencia de x, %1 – %2</translation>
     </message>
     <message>
         <source>difference of y, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>diferencia de y, %1 – %2</translation>
     </message>
     <message>
         <source>difference of z, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>diferencia de z, %1 – %2</translation>
     </message>
     <message>
         <source>the readings do not lead to a place of every point: the adjustment does not converge; look for exchanged or mistyped readings, for a unit that was mixed up (gon and degrees, m and mm), and for coordinates that are far off</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas no llevan a un lugar de cada punto: la compensación no converge; busque lecturas intercambiadas o mal escritas, una unidad confundida (gon y grados, m y mm) y coordenadas muy alejadas</translation>
     </message>
     <message>
         <source>and %1 further ways in which the points can move</source>
-        <translation type="unfinished"></translation>
+        <translation>y %1 formas más en que los puntos pueden moverse</translation>
     </message>
     <message>
         <source>point %1: its %2 is said to be known, and is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>punto %1: se dice que su %2 es conocida, y falta</translation>
     </message>
     <message>
         <source>point %1: the u of its stated %2 is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>punto %1: falta la u de su %2 indicada</translation>
     </message>
     <message>
         <source>the name of a point is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta el nombre de un punto</translation>
     </message>
     <message>
         <source>there is no point %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ningún punto %1</translation>
     </message>
     <message>
         <source>the instrument at %1: the u of its tilt is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>el instrumento en %1: falta la u de su inclinación</translation>
     </message>
     <message>
         <source>two instruments stand at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>hay dos instrumentos en %1</translation>
     </message>
     <message>
         <source>a reading from %1 to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>una lectura de %1 a sí mismo</translation>
     </message>
     <message>
         <source>both legs of the angle at %1 go to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>los dos lados del ángulo en %1 van a %2</translation>
     </message>
     <message>
         <source>%1: its value is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: falta su valor</translation>
     </message>
     <message>
         <source>%1: its standard uncertainty is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: falta su incertidumbre típica</translation>
     </message>
     <message>
         <source>%1 is an angle and has a length</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es un ángulo y tiene una longitud</translation>
     </message>
     <message>
         <source>%1 is a length and has an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una longitud y tiene un ángulo</translation>
     </message>
     <message>
         <source>%1 is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no es positiva</translation>
     </message>
     <message>
         <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no está entre 0 y media vuelta: indique la media de círculo directo e inverso</translation>
     </message>
     <message>
         <source>%1 needs the height of %2, which is not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 necesita la altura de %2, que no forma parte de la red</translation>
     </message>
     <message>
         <source>%1 needs x and y of %2, which are not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 necesita x e y de %2, que no forman parte de la red</translation>
     </message>
     <message>
         <source>a distance needs two points</source>
-        <translation type="unfinished"></translation>
+        <translation>una distancia necesita dos puntos</translation>
     </message>
     <message>
         <source>all points are fixed: there is nothing to be found</source>
-        <translation type="unfinished"></translation>
+        <translation>todos los puntos están fijos: no hay nada que hallar</translation>
     </message>
     <message>
         <source>two readings have the label %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dos lecturas tienen la etiqueta %1</translation>
     </message>
     <message>
         <source>there is no reading with the label %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna lectura con la etiqueta %1</translation>
     </message>
     <message>
         <source>reading %1 with itself</source>
-        <translation type="unfinished"></translation>
+        <translation>la lectura %1 consigo misma</translation>
     </message>
     <message>
         <source>the correlation coefficients are not possible together</source>
-        <translation type="unfinished"></translation>
+        <translation>los coeficientes de correlación no son posibles juntos</translation>
     </message>
     <message>
         <source>the readings do not place point %1: too few of them tie it to the others; add readings, or state approximate coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas no sitúan el punto %1: son muy pocas las que lo ligan a los demás; añada lecturas, o indique coordenadas aproximadas</translation>
     </message>
     <message>
         <source>the readings do not place %1 points (%2): too few tie them to the others; add readings, or state approximate coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas no sitúan %1 puntos (%2): son muy pocas las que los ligan a los demás; añada lecturas, o indique coordenadas aproximadas</translation>
     </message>
     <message>
         <source>Adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>Compensación</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifra</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor</translation>
     </message>
     <message>
         <source>unknowns</source>
-        <translation type="unfinished"></translation>
+        <translation>incógnitas</translation>
     </message>
     <message>
         <source>what no reading tells (datum defect)</source>
-        <translation type="unfinished"></translation>
+        <translation>lo que ninguna lectura dice (defecto de datum)</translation>
     </message>
     <message>
         <source>degrees of freedom f</source>
-        <translation type="unfinished"></translation>
+        <translation>grados de libertad f</translation>
     </message>
     <message>
         <source>sum of squares vᵀ C⁻¹ v</source>
-        <translation type="unfinished"></translation>
+        <translation>suma de cuadrados vᵀ C⁻¹ v</translation>
     </message>
     <message>
         <source>s₀ a posteriori</source>
-        <translation type="unfinished"></translation>
+        <translation>s₀ a posteriori</translation>
     </message>
     <message>
         <source>δ₀ of smallest detectable errors (0.1 %, 80 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>δ₀ de los errores mínimos detectables (0,1 %, 80 %)</translation>
     </message>
     <message>
         <source>smallest detectable error</source>
-        <translation type="unfinished"></translation>
+        <translation>error mínimo detectable</translation>
     </message>
     <message>
         <source>its largest effect</source>
-        <translation type="unfinished"></translation>
+        <translation>su mayor efecto</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished"></translation>
+        <translation>en</translation>
     </message>
     <message>
         <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or uncertainties that are too small</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Los residuos son mayores de lo que permiten las incertidumbres; el mayor para su incertidumbre es %2. Busque lecturas mal escritas o intercambiadas, o incertidumbres demasiado pequeñas</translation>
     </message>
     <message>
         <source>nothing was read of point %1: add readings to it, or take it out</source>
-        <translation type="unfinished"></translation>
+        <translation>no se leyó nada del punto %1: añádale lecturas, o quítelo</translation>
     </message>
     <message>
         <source>nothing tells how the instrument at %1 stood: add directions or angles from there to places that are known</source>
-        <translation type="unfinished"></translation>
+        <translation>nada dice cómo estaba el instrumento en %1: añada direcciones o ángulos desde allí a lugares conocidos</translation>
     </message>
     <message>
         <source>nothing tells the height of %1: state it, or add a height difference, or a zenith angle with a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>nada dice la altura de %1: indíquela, o añada un desnivel, o un ángulo cenital con una distancia</translation>
     </message>
     <message>
         <source>nothing tells where %1 is: add readings to it</source>
-        <translation type="unfinished"></translation>
+        <translation>nada dice dónde está %1: añádale lecturas</translation>
     </message>
     <message>
         <source>point %1 can move along %2 without changing a reading: add one that sees this</source>
-        <translation type="unfinished"></translation>
+        <translation>el punto %1 puede moverse a lo largo de %2 sin cambiar ninguna lectura: añada una que lo detecte</translation>
     </message>
     <message>
         <source>the direction (%1, %2, %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>la dirección (%1, %2, %3)</translation>
     </message>
     <message>
         <source>the whole network</source>
-        <translation type="unfinished"></translation>
+        <translation>toda la red</translation>
     </message>
     <message>
         <source>the part with %1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>la parte con %1 y %2 más</translation>
     </message>
     <message>
         <source>the part with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>la parte con %1</translation>
     </message>
     <message>
         <source>nothing tells where %1 is along %2: fix or state a point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nada dice dónde está %1 a lo largo de %2: fije o indique un punto, o deje que haya puntos del datum</translation>
     </message>
     <message>
         <source>nothing tells the height of %1: fix or state the height of a point, or let heights be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nada dice la altura de %1: fije o indique la altura de un punto, o deje que haya alturas del datum</translation>
     </message>
     <message>
         <source>%1 may tilt about %2: add zenith angles or height differences, or fix a third point</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 puede inclinarse alrededor de %2: añada ángulos cenitales o desniveles, o fije un tercer punto</translation>
     </message>
     <message>
         <source>%1 may turn about the vertical: add an azimuth, fix a second point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 puede girar alrededor de la vertical: añada un acimut, fije un segundo punto, o deje que haya puntos del datum</translation>
     </message>
     <message>
         <source>nothing tells the scale of %1: add a distance, fix a second point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nada dice la escala de %1: añada una distancia, fije un segundo punto, o deje que haya puntos del datum</translation>
     </message>
     <message>
         <source>the readings leave open a common movement of %1: add readings that tie them to the others</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas dejan libre un movimiento común de %1: añada lecturas que los liguen a los demás</translation>
     </message>
     <message>
         <source>orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>orientaciones</translation>
     </message>
     <message>
         <source>moving platform</source>
-        <translation type="unfinished"></translation>
+        <translation>plataforma móvil</translation>
     </message>
     <message>
         <source>lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>longitudes</translation>
     </message>
     <message>
         <source>measured orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>orientaciones medidas</translation>
     </message>
     <message>
         <source>measured positions</source>
-        <translation type="unfinished"></translation>
+        <translation>posiciones medidas</translation>
     </message>
     <message>
         <source>readings of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>lecturas de las articulaciones</translation>
     </message>
     <message>
         <source>circle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>círculo de %1</translation>
     </message>
     <message>
         <source>regression</source>
-        <translation type="unfinished"></translation>
+        <translation>regresión</translation>
     </message>
     <message>
         <source>it cannot be varied: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no se puede variar: %1</translation>
     </message>
     <message>
         <source>no more than %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no más de %1</translation>
     </message>
     <message>
         <source>an observation of %1, which the file neither fixes nor adjusts in what it needs</source>
-        <translation type="unfinished"></translation>
+        <translation>una observación de %1, que el archivo ni fija ni compensa en lo que ella necesita</translation>
     </message>
     <message>
         <source>an observation of %1 without a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>una observación de %1 sin desviación típica</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings, which is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>una red de %1 puntos con %2 lecturas, que se compensa</translation>
     </message>
     <message>
         <source>its heights above the points are no numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>sus alturas sobre los puntos no son números</translation>
     </message>
     <message>
         <source>column %1%2 of sheet %3 is filled but not understood: state what each column is, %4, with one of %5 in place of ? (- leaves the column out)</source>
-        <translation type="unfinished"></translation>
+        <translation>la columna %1%2 de la hoja %3 está llena pero no se entiende: indique qué es cada columna, %4, con uno de %5 en lugar de ? (- omite la columna)</translation>
     </message>
     <message>
         <source>There is no budget of %1: the law of propagation of uncertainty says nothing of it at the estimates of its input quantities.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay balance de %1: la ley de propagación de la incertidumbre no dice nada de él en las estimaciones de sus magnitudes de entrada.</translation>
     </message>
     <message>
         <source>out</source>
-        <translation type="unfinished"></translation>
+        <translation>salida</translation>
     </message>
     <message>
         <source>%1 trials</source>
-        <translation type="unfinished">%1 pruebas</translation>
+        <translation>%1 pruebas</translation>
     </message>
     <message>
         <source>sight</source>
-        <translation type="unfinished"></translation>
+        <translation>visual</translation>
     </message>
     <message>
         <source>force, own scale</source>
-        <translation type="unfinished"></translation>
+        <translation>fuerza, escala propia</translation>
     </message>
     <message>
         <source>moment, own scale</source>
-        <translation type="unfinished"></translation>
+        <translation>momento, escala propia</translation>
     </message>
     <message>
         <source>in</source>
-        <translation type="unfinished"></translation>
+        <translation>entrada</translation>
     </message>
     <message>
         <source>uncertainty %1</source>
-        <translation type="unfinished"></translation>
+        <translation>incertidumbre %1</translation>
     </message>
     <message>
         <source>ellipsoids %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>elipsoides %1, %2</translation>
     </message>
 </context>
 <context>
@@ -15543,27 +15543,31 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished">cumplido</translation>
+        <translation>cumplido</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished">no cumplido</translation>
+        <translation>no cumplido</translation>
     </message>
     <message>
         <source>The result is there when every quantity has its uncertainty, above the budget and in the tab Results. It follows every change at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>El resultado aparece cuando cada magnitud tiene su incertidumbre, encima del balance y en la pestaña Resultados. Sigue cada cambio de inmediato.</translation>
     </message>
     <message>
         <source>The tab Contributions has them as a table and as a chart, the largest first. What is at the top is worth improving.</source>
-        <translation type="unfinished"></translation>
+        <translation>La pestaña Contribuciones las muestra como tabla y como gráfico, la mayor primero. Lo que está arriba es lo que vale la pena mejorar.</translation>
     </message>
     <message>
         <source>The tab Document shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>La pestaña Documento muestra las páginas tal como se imprimen, del informe o del certificado. Solo tiene resultados actualizados: ejecute antes el análisis (F5).</translation>
     </message>
     <message>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Document shows the certificate, the button writes that; it is also in the menu File under Export.</source>
-        <translation type="unfinished"></translation>
+        <translation>Informe en PDF en la barra de herramientas (Ctrl+P) escribe el informe con el proyecto dentro, de modo que Covaria puede volver a abrirlo. Mientras la pestaña Documento muestra el certificado, el botón escribe este; también está en el menú Archivo, en Exportar.</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>desactualizado</translation>
     </message>
 </context>
 <context>
@@ -15632,103 +15636,103 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <name>covaria::ui::AnswerStrip</name>
     <message>
         <source>Answer</source>
-        <translation type="unfinished"></translation>
+        <translation>Respuesta</translation>
     </message>
     <message>
         <source>Output quantity of the budget and the charts</source>
-        <translation type="unfinished">Magnitud de salida del balance y de los gráficos</translation>
+        <translation>Magnitud de salida del balance y de los gráficos</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished">Magnitud de salida</translation>
+        <translation>Magnitud de salida</translation>
     </message>
     <message>
         <source>Copy the result, as it stands in a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar el resultado, tal como figura en un certificado</translation>
     </message>
     <message>
         <source>Copy the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar el resultado</translation>
     </message>
     <message>
         <source>Next step</source>
-        <translation type="unfinished">Próximo paso</translation>
+        <translation>Próximo paso</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished">fallido</translation>
+        <translation>fallido</translation>
     </message>
     <message>
         <source>incomplete</source>
-        <translation type="unfinished">incompleto</translation>
+        <translation>incompleto</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished">tiene problemas</translation>
+        <translation>tiene problemas</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished">desactualizado</translation>
+        <translation>desactualizado</translation>
     </message>
     <message>
         <source>not evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>no evaluado</translation>
     </message>
     <message>
         <source>Select an analysis to see its results.</source>
-        <translation type="unfinished">Seleccione un análisis para ver sus resultados.</translation>
+        <translation>Seleccione un análisis para ver sus resultados.</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished">Fallido: %1</translation>
+        <translation>Fallido: %1</translation>
     </message>
     <message>
         <source>Not complete yet: nothing is wrong.</source>
-        <translation type="unfinished">Aún incompleto: no hay nada mal.</translation>
+        <translation>Aún incompleto: no hay nada mal.</translation>
     </message>
     <message>
         <source>Not complete yet, but not wrong; to give next: %1</source>
-        <translation type="unfinished">Aún incompleto, pero no hay nada mal; lo siguiente por indicar: %1</translation>
+        <translation>Aún incompleto, pero no hay nada mal; lo siguiente por indicar: %1</translation>
     </message>
     <message>
         <source>Not evaluated yet: press F5.</source>
-        <translation type="unfinished">Aún no evaluado: pulse F5.</translation>
+        <translation>Aún no evaluado: pulse F5.</translation>
     </message>
     <message>
         <source>The analysis has problems.</source>
-        <translation type="unfinished">El análisis tiene problemas.</translation>
+        <translation>El análisis tiene problemas.</translation>
     </message>
     <message>
         <source>; running</source>
-        <translation type="unfinished">; en ejecución</translation>
+        <translation>; en ejecución</translation>
     </message>
     <message>
         <source>; press F5 for the result</source>
-        <translation type="unfinished">; pulse F5 para el resultado</translation>
+        <translation>; pulse F5 para el resultado</translation>
     </message>
     <message>
         <source>; %1 trials without a value</source>
-        <translation type="unfinished">; %1 pruebas sin valor</translation>
+        <translation>; %1 pruebas sin valor</translation>
     </message>
     <message>
         <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation type="unfinished">&lt;b&gt;No representa el mensurando&lt;/b&gt; (se pierde más del 1 % de las pruebas). </translation>
+        <translation>&lt;b&gt;No representa el mensurando&lt;/b&gt; (se pierde más del 1 % de las pruebas). </translation>
     </message>
     <message>
         <source>; not stabilised</source>
-        <translation type="unfinished">; no estabilizado</translation>
+        <translation>; no estabilizado</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished">&lt;b&gt;Desactualizado&lt;/b&gt;: se muestra para el proyecto tal como era. </translation>
+        <translation>&lt;b&gt;Desactualizado&lt;/b&gt;: se muestra para el proyecto tal como era. </translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished">Próximo: %1</translation>
+        <translation>Próximo: %1</translation>
     </message>
     <message>
         <source>Goes to the field that must be given next</source>
-        <translation type="unfinished">Va al campo que debe indicarse a continuación</translation>
+        <translation>Va al campo que debe indicarse a continuación</translation>
     </message>
 </context>
 <context>
@@ -15778,7 +15782,7 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>c y parte según la ley de propagación, cuya u es %1 de la de Monte Carlo</translation>
     </message>
 </context>
 <context>
@@ -17828,10 +17832,6 @@ Elegido: %2</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>out of date</source>
-        <translation>desactualizado</translation>
-    </message>
-    <message>
         <source>Problems (%1)</source>
         <translation>Problemas (%1)</translation>
     </message>
@@ -17914,7 +17914,7 @@ Elegido: %2</translation>
     </message>
     <message>
         <source>The stage alone; once more, and the panes stand as they did</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo el área central; otra vez, y los paneles quedan como estaban</translation>
     </message>
 </context>
 <context>
@@ -18666,10 +18666,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Ningún análisis está actualizado: ejecute antes uno (F5).</translation>
     </message>
     <message>
-        <source>%1 is being made …</source>
-        <translation>%1 se está elaborando …</translation>
-    </message>
-    <message>
         <source>%1 could not be made: %2</source>
         <translation>%1 no se pudo elaborar: %2</translation>
     </message>
@@ -18692,6 +18688,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Pages as they are printed</source>
         <translation>Páginas tal como se imprimen</translation>
+    </message>
+    <message>
+        <source>Being made …</source>
+        <translation>en preparación …</translation>
     </message>
 </context>
 <context>
@@ -18900,27 +18900,27 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>Charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráficos</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished">Documento</translation>
+        <translation>Documento</translation>
     </message>
     <message>
         <source>Kind of chart</source>
-        <translation type="unfinished">Clase de gráfico</translation>
+        <translation>Clase de gráfico</translation>
     </message>
     <message>
         <source>Which charts of the result are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué gráficos del resultado se muestran</translation>
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Escena</translation>
     </message>
     <message>
         <source>Contributions</source>
-        <translation type="unfinished"></translation>
+        <translation>Contribuciones</translation>
     </message>
 </context>
 <context>
@@ -19261,15 +19261,15 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <name>covaria::ui::SecondPart</name>
     <message>
         <source>View of the second part</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista de la segunda parte</translation>
     </message>
     <message>
         <source>What the second part of the stage shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que muestra la segunda parte del área central</translation>
     </message>
     <message>
         <source>Close this part</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar esta parte</translation>
     </message>
 </context>
 <context>
@@ -19427,15 +19427,15 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <name>covaria::ui::Stage</name>
     <message>
         <source>Two views at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos vistas a la vez</translation>
     </message>
     <message>
         <source>Below Each Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Una debajo de otra</translation>
     </message>
     <message>
         <source>Beside Each Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Una al lado de otra</translation>
     </message>
 </context>
 <context>
@@ -19478,63 +19478,63 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>What do you want to know?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Qué quiere saber?</translation>
     </message>
     <message>
         <source>Library …</source>
-        <translation type="unfinished"></translation>
+        <translation>Biblioteca …</translation>
     </message>
     <message>
         <source>A quantity by an equation</source>
-        <translation type="unfinished"></translation>
+        <translation>Una magnitud por una ecuación</translation>
     </message>
     <message>
         <source>Type y = f(x), state each input, get the budget.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escriba y = f(x), indique cada entrada, obtenga el balance.</translation>
     </message>
     <message>
         <source>Points by instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos con instrumentos</translation>
     </message>
     <message>
         <source>Tracker, total station, camera; one or many.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seguidor, estación total, cámara; uno o varios.</translation>
     </message>
     <message>
         <source>The pose of an object</source>
-        <translation type="unfinished"></translation>
+        <translation>La pose de un objeto</translation>
     </message>
     <message>
         <source>A frame from its points, in the frame of another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un sistema a partir de sus puntos, en el sistema de otro.</translation>
     </message>
     <message>
         <source>A robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Un robot</translation>
     </message>
     <message>
         <source>Where its tool is, and what its parameters are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está su herramienta y cuáles son sus parámetros.</translation>
     </message>
     <message>
         <source>A file I have</source>
-        <translation type="unfinished"></translation>
+        <translation>Un archivo que tengo</translation>
     </message>
     <message>
         <source>Excel budget, points, measurement report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Balance de Excel, puntos, informe de medición.</translation>
     </message>
     <message>
         <source>Budget, Points or Report …</source>
-        <translation type="unfinished"></translation>
+        <translation>Balance, puntos o informe …</translation>
     </message>
     <message>
         <source>Robot (URDF) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot (URDF) …</translation>
     </message>
     <message>
         <source>Project …</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto …</translation>
     </message>
 </context>
 <context>

@@ -14357,707 +14357,707 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>Network adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>망 조정</translation>
     </message>
     <message>
         <source>Coordinates of stations and targets from the distances, directions, angles and height differences that were read between them: heights, plane or space, free or held by known points, with the reliability of each reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션과 표적 사이에서 읽은 거리, 방향, 각, 높이차에서 구한 그 좌표: 높이, 평면 또는 공간. 자유망이거나 기지점으로 고정하며, 각 읽음값의 신뢰도를 함께 줍니다.</translation>
     </message>
     <message>
         <source>Uncertainties follow from those that were stated for the readings; they are not multiplied by s_0, which is a test of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도는 읽음값에 제시된 불확도에서 나옵니다. s_0을 곱하지 않으며, s_0은 그 불확도에 대한 검정입니다.</translation>
     </message>
     <message>
         <source>In a free network what no reading tells is taken from the approximate coordinates of the points of the datum: the sum of squares of their changes is least. Residuals, s_0 and redundancies do not depend on the datum.</source>
-        <translation type="unfinished"></translation>
+        <translation>자유망에서는 어떤 읽음값도 알려 주지 않는 것을 데이텀에 속한 점의 근사 좌표에서 취합니다. 그 변화량의 제곱합이 최소가 됩니다. 잔차, s_0, 잉여도는 데이텀에 따라 달라지지 않습니다.</translation>
     </message>
     <message>
         <source>Each round of directions has an orientation that is not known. Instruments are levelled unless the set-up says how they lean: zenith angles count from the vertical, the z-axis at all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>방향의 각 대회에는 알려지지 않은 표정이 있습니다. 측정 구성에서 기울어진 정도를 밝히지 않는 한 측정기는 정준되어 있습니다. 천정각은 연직선, 즉 모든 점에서 z축부터 셉니다.</translation>
     </message>
     <message>
         <source>Smallest detectable errors are those of a test at 0.1 % with a power of 80 % (delta_0 = 4.132), with the uncertainties that were stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 검출가능 오차는 제시된 불확도로, 검정력 80 %인 0.1 % 검정에 대한 것입니다(delta_0 = 4.132).</translation>
     </message>
     <message>
         <source>In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it stands still.</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로에서 각 시행은 추정값에서의 도함수로 구한 해이며, 더 변하지 않을 때까지 반복합니다.</translation>
     </message>
     <message>
         <source>Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings before.</source>
-        <translation type="unfinished"></translation>
+        <translation>지도 투영, 굴절, 지구 곡률은 포함되지 않습니다. 읽음값을 미리 보정하십시오.</translation>
     </message>
     <message>
         <source>Stations and targets alike, with what is known of them beforehand.</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션과 표적을 구별하지 않으며, 미리 알려진 것을 함께 적습니다.</translation>
     </message>
     <message>
         <source>Coordinate x; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 x. 미지점이면 근사 좌표, 또는 비워 둠: 읽음값에서 위치를 구합니다.</translation>
     </message>
     <message>
         <source>Coordinate y; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 y. 미지점이면 근사 좌표, 또는 비워 둠: 읽음값에서 위치를 구합니다.</translation>
     </message>
     <message>
         <source>Coordinate z; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 z. 미지점이면 근사 좌표, 또는 비워 둠: 읽음값에서 위치를 구합니다.</translation>
     </message>
     <message>
         <source>plane</source>
-        <translation type="unfinished"></translation>
+        <translation>평면</translation>
     </message>
     <message>
         <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
-        <translation type="unfinished"></translation>
+        <translation>x와 y에 대해 알려진 것: 미지; 미지이며, 어떤 읽음값도 알려 주지 않는 것을 이 점과 같은 종류의 다른 점에서 취함(자유망); 불확도 없이 고정; u와 함께 제시.</translation>
     </message>
     <message>
         <source>unknown, of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>미지, 데이텀에 속함</translation>
     </message>
     <message>
         <source>stated with u</source>
-        <translation type="unfinished"></translation>
+        <translation>u와 함께 제시</translation>
     </message>
     <message>
         <source>not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>망에 속하지 않음</translation>
     </message>
     <message>
         <source>height</source>
-        <translation type="unfinished"></translation>
+        <translation>높이</translation>
     </message>
     <message>
         <source>What is known of z, likewise.</source>
-        <translation type="unfinished"></translation>
+        <translation>z에 대해 알려진 것, 마찬가지로.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated coordinate.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 좌표의 표준불확도.</translation>
     </message>
     <message>
         <source>Distances between points that are measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>함께 측정량이 되는 점 사이의 거리.</translation>
     </message>
     <message>
         <source>Name of a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 이름.</translation>
     </message>
     <message>
         <source>Name of another point.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 점의 이름.</translation>
     </message>
     <message>
         <source>Directions grow</source>
-        <translation type="unfinished"></translation>
+        <translation>방향의 증가</translation>
     </message>
     <message>
         <source>In which sense directions, angles and azimuths grow, and from which axis azimuths count.</source>
-        <translation type="unfinished"></translation>
+        <translation>방향, 각, 방위각이 어느 쪽으로 증가하며, 방위각을 어느 축부터 세는지.</translation>
     </message>
     <message>
         <source>from x towards y; azimuths count from x</source>
-        <translation type="unfinished"></translation>
+        <translation>x에서 y 쪽으로, 방위각은 x부터</translation>
     </message>
     <message>
         <source>from y towards x; azimuths count from y</source>
-        <translation type="unfinished"></translation>
+        <translation>y에서 x 쪽으로, 방위각은 y부터</translation>
     </message>
     <message>
         <source>What was read between the points, one row for each figure, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>점 사이에서 읽은 것. 수치마다 한 행이며, 직접 입력하거나 CSV 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>label</source>
-        <translation type="unfinished"></translation>
+        <translation>레이블</translation>
     </message>
     <message>
         <source>By which a correlation calls it.</source>
-        <translation type="unfinished"></translation>
+        <translation>상관에서 이것을 부르는 이름.</translation>
     </message>
     <message>
         <source>What was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽은 것.</translation>
     </message>
     <message>
         <source>slope distance</source>
-        <translation type="unfinished"></translation>
+        <translation>경사거리</translation>
     </message>
     <message>
         <source>horizontal distance</source>
-        <translation type="unfinished"></translation>
+        <translation>수평거리</translation>
     </message>
     <message>
         <source>zenith angle</source>
-        <translation type="unfinished"></translation>
+        <translation>천정각</translation>
     </message>
     <message>
         <source>height difference</source>
-        <translation type="unfinished"></translation>
+        <translation>높이차</translation>
     </message>
     <message>
         <source>x of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 x</translation>
     </message>
     <message>
         <source>y of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 y</translation>
     </message>
     <message>
         <source>z of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 z</translation>
     </message>
     <message>
         <source>difference of x</source>
-        <translation type="unfinished"></translation>
+        <translation>x의 차</translation>
     </message>
     <message>
         <source>difference of y</source>
-        <translation type="unfinished"></translation>
+        <translation>y의 차</translation>
     </message>
     <message>
         <source>difference of z</source>
-        <translation type="unfinished"></translation>
+        <translation>z의 차</translation>
     </message>
     <message>
         <source>The point where it was read; of a coordinate its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽은 곳인 점. 좌표이면 그 점.</translation>
     </message>
     <message>
         <source>The point that was sighted.</source>
-        <translation type="unfinished"></translation>
+        <translation>시준한 점.</translation>
     </message>
     <message>
         <source>Of an angle the point at its second leg.</source>
-        <translation type="unfinished"></translation>
+        <translation>각이면 둘째 변의 점.</translation>
     </message>
     <message>
         <source>round</source>
-        <translation type="unfinished"></translation>
+        <translation>대회</translation>
     </message>
     <message>
         <source>Of a direction: rounds of one station between which its circle was turned have names; each has an orientation of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>방향일 때: 한 스테이션에서 그 사이에 눈금판을 돌린 대회에는 이름을 붙입니다. 대회마다 표정이 따로 있습니다.</translation>
     </message>
     <message>
         <source>A length or coordinate as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽은 대로의 길이 또는 좌표.</translation>
     </message>
     <message>
         <source>An angle as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽은 대로의 각.</translation>
     </message>
     <message>
         <source>u of length</source>
-        <translation type="unfinished"></translation>
+        <translation>길이의 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>길이의 표준불확도.</translation>
     </message>
     <message>
         <source>u of angle</source>
-        <translation type="unfinished"></translation>
+        <translation>각의 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>각의 표준불확도.</translation>
     </message>
     <message>
         <source>height from</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기 높이</translation>
     </message>
     <message>
         <source>Height of the instrument above its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>점에서 잰 측정기의 높이.</translation>
     </message>
     <message>
         <source>height to</source>
-        <translation type="unfinished"></translation>
+        <translation>표적 높이</translation>
     </message>
     <message>
         <source>Height of the target above its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>점에서 잰 표적의 높이.</translation>
     </message>
     <message>
         <source>Instruments that are not levelled</source>
-        <translation type="unfinished"></translation>
+        <translation>정준되지 않은 측정기</translation>
     </message>
     <message>
         <source>Where an instrument stands that is not levelled, or not exactly; all others are.</source>
-        <translation type="unfinished"></translation>
+        <translation>정준되지 않았거나 정확히 정준되지 않은 측정기가 서 있는 곳. 나머지는 모두 정준되어 있습니다.</translation>
     </message>
     <message>
         <source>The point where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기가 서 있는 점.</translation>
     </message>
     <message>
         <source>tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>기울기</translation>
     </message>
     <message>
         <source>How it leans: unknown, so that the readings tell it; or levelled within u, about x and about y.</source>
-        <translation type="unfinished"></translation>
+        <translation>기울어진 정도: 미지이며 읽음값에서 구함, 또는 x 둘레와 y 둘레로 u 이내로 정준됨.</translation>
     </message>
     <message>
         <source>levelled within u</source>
-        <translation type="unfinished"></translation>
+        <translation>u 이내로 정준됨</translation>
     </message>
     <message>
         <source>u of tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>기울기의 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of each tilt of a levelled instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>정준된 측정기의 각 기울기의 표준불확도.</translation>
     </message>
     <message>
         <source>Correlations of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값의 상관</translation>
     </message>
     <message>
         <source>Correlation coefficients of readings: they change the weights and the uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값의 상관계수. 가중값과 불확도를 바꿉니다.</translation>
     </message>
     <message>
         <source>Label of a reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값의 레이블.</translation>
     </message>
     <message>
         <source>Label of another reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 읽음값의 레이블.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>둘의 상관계수.</translation>
     </message>
     <message>
         <source>Two targets from two stations that nobody measured</source>
-        <translation type="unfinished"></translation>
+        <translation>아무도 위치를 측정하지 않은 두 스테이션에서 본 두 표적</translation>
     </message>
     <message>
         <source>A total station stood at S1 and S2, whose places are not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>토털 스테이션을 위치가 알려지지 않은 S1과 S2에 세웠습니다.</translation>
     </message>
     <message>
         <source>The law of propagation of uncertainty says nothing of %1 at these estimates: Monte Carlo answers alone</source>
-        <translation type="unfinished"></translation>
+        <translation>이 추정값에서 불확도 전파 법칙은 %1에 대해 아무것도 알려 주지 않습니다. 몬테카를로만 답을 줍니다</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 is not known from these trials, and may not exist: the tails of its distribution are too heavy. Use the coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 몬테카를로에 의한 표준불확도는 이 시행들로 알 수 없으며 존재하지 않을 수도 있습니다. 그 분포의 꼬리가 너무 두껍습니다. 포함구간을 쓰십시오.</translation>
     </message>
     <message>
         <source>as stated</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 대로</translation>
     </message>
     <message>
         <source>tilt at %1 about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 기울기, %2 둘레</translation>
     </message>
     <message>
         <source>orientation at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 표정</translation>
     </message>
     <message>
         <source>orientation at %1, round %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 표정, 대회 %2</translation>
     </message>
     <message>
         <source>readings l, their residuals v, unknowns x</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값 l, 그 잔차 v, 미지수 x</translation>
     </message>
     <message>
         <source>least squares, Gauss-Newton method</source>
-        <translation type="unfinished"></translation>
+        <translation>최소제곱, 가우스-뉴턴법</translation>
     </message>
     <message>
         <source>law of propagation; generalised inverse of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙, 데이텀의 일반화 역행렬</translation>
     </message>
     <message>
         <source>free network: W. Baarda, S-transformations, 1973</source>
-        <translation type="unfinished"></translation>
+        <translation>자유망: W. Baarda, S-transformations, 1973</translation>
     </message>
     <message>
         <source>redundancy and test of a reading: W. Baarda, A testing procedure, 1968</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값의 잉여도와 검정: W. Baarda, A testing procedure, 1968</translation>
     </message>
     <message>
         <source>smallest error of a reading that the test finds</source>
-        <translation type="unfinished"></translation>
+        <translation>검정으로 찾을 수 있는 읽음값의 최소 오차</translation>
     </message>
     <message>
         <source>a posteriori; uncertainties are those that were stated, not times s₀</source>
-        <translation type="unfinished"></translation>
+        <translation>사후. 불확도는 제시된 값이며 s₀을 곱하지 않음</translation>
     </message>
     <message>
         <source>slope distance %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>경사거리 %1 – %2</translation>
     </message>
     <message>
         <source>horizontal distance %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>수평거리 %1 – %2</translation>
     </message>
     <message>
         <source>direction %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>방향 %1 – %2</translation>
     </message>
     <message>
         <source>azimuth %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>방위각 %1 – %2</translation>
     </message>
     <message>
         <source>zenith angle %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>천정각 %1 – %2</translation>
     </message>
     <message>
         <source>height difference %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>높이차 %1 – %2</translation>
     </message>
     <message>
         <source>tilt about x of the instrument at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 있는 측정기의 x 둘레 기울기</translation>
     </message>
     <message>
         <source>tilt about y of the instrument at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 있는 측정기의 y 둘레 기울기</translation>
     </message>
     <message>
         <source>x of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 x</translation>
     </message>
     <message>
         <source>y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 y</translation>
     </message>
     <message>
         <source>z of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 z</translation>
     </message>
     <message>
         <source>difference of x, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>x의 차, %1 – %2</translation>
     </message>
     <message>
         <source>difference of y, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>y의 차, %1 – %2</translation>
     </message>
     <message>
         <source>difference of z, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>z의 차, %1 – %2</translation>
     </message>
     <message>
         <source>the readings do not lead to a place of every point: the adjustment does not converge; look for exchanged or mistyped readings, for a unit that was mixed up (gon and degrees, m and mm), and for coordinates that are far off</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값에서 모든 점의 위치를 구할 수 없습니다. 조정이 수렴하지 않습니다. 바뀌었거나 잘못 입력한 읽음값, 혼동한 단위(gon과 도, m와 mm), 크게 벗어난 좌표를 찾으십시오</translation>
     </message>
     <message>
         <source>and %1 further ways in which the points can move</source>
-        <translation type="unfinished"></translation>
+        <translation>그 밖에 점들이 움직일 수 있는 방식 %1가지</translation>
     </message>
     <message>
         <source>point %1: its %2 is said to be known, and is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1: %2이(가) 알려져 있다고 했으나 값이 없습니다</translation>
     </message>
     <message>
         <source>point %1: the u of its stated %2 is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1: 제시된 %2의 u가 없습니다</translation>
     </message>
     <message>
         <source>the name of a point is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 이름이 없습니다</translation>
     </message>
     <message>
         <source>there is no point %1</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1이(가) 없습니다</translation>
     </message>
     <message>
         <source>the instrument at %1: the u of its tilt is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 있는 측정기: 기울기의 u가 없습니다</translation>
     </message>
     <message>
         <source>two instruments stand at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 측정기 두 대가 서 있습니다</translation>
     </message>
     <message>
         <source>a reading from %1 to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 자기 자신으로의 읽음값</translation>
     </message>
     <message>
         <source>both legs of the angle at %1 go to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서의 각의 두 변이 모두 %2을(를) 향합니다</translation>
     </message>
     <message>
         <source>%1: its value is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 값이 없습니다</translation>
     </message>
     <message>
         <source>%1: its standard uncertainty is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 표준불확도가 없습니다</translation>
     </message>
     <message>
         <source>%1 is an angle and has a length</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 각인데 길이가 주어졌습니다</translation>
     </message>
     <message>
         <source>%1 is a length and has an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 길이인데 각이 주어졌습니다</translation>
     </message>
     <message>
         <source>%1 is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 양수가 아닙니다</translation>
     </message>
     <message>
         <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 0과 반 바퀴 사이에 있지 않습니다. 정위와 반위의 평균을 제시하십시오</translation>
     </message>
     <message>
         <source>%1 needs the height of %2, which is not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 %2의 높이가 필요하지만 망에 속하지 않습니다</translation>
     </message>
     <message>
         <source>%1 needs x and y of %2, which are not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 %2의 x와 y가 필요하지만 망에 속하지 않습니다</translation>
     </message>
     <message>
         <source>a distance needs two points</source>
-        <translation type="unfinished"></translation>
+        <translation>거리에는 두 점이 필요합니다</translation>
     </message>
     <message>
         <source>all points are fixed: there is nothing to be found</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 점이 고정되어 있어 구할 것이 없습니다</translation>
     </message>
     <message>
         <source>two readings have the label %1</source>
-        <translation type="unfinished"></translation>
+        <translation>두 읽음값의 레이블이 %1입니다</translation>
     </message>
     <message>
         <source>there is no reading with the label %1</source>
-        <translation type="unfinished"></translation>
+        <translation>레이블이 %1인 읽음값이 없습니다</translation>
     </message>
     <message>
         <source>reading %1 with itself</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값 %1과(와) 그 자신</translation>
     </message>
     <message>
         <source>the correlation coefficients are not possible together</source>
-        <translation type="unfinished"></translation>
+        <translation>상관계수들이 함께 성립할 수 없습니다</translation>
     </message>
     <message>
         <source>the readings do not place point %1: too few of them tie it to the others; add readings, or state approximate coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값으로 점 %1의 위치를 정할 수 없습니다. 다른 점과 연결하는 읽음값이 너무 적습니다. 읽음값을 추가하거나 근사 좌표를 제시하십시오</translation>
     </message>
     <message>
         <source>the readings do not place %1 points (%2): too few tie them to the others; add readings, or state approximate coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값으로 점 %1개(%2)의 위치를 정할 수 없습니다. 다른 점과 연결하는 읽음값이 너무 적습니다. 읽음값을 추가하거나 근사 좌표를 제시하십시오</translation>
     </message>
     <message>
         <source>Adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>조정</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>항목</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>값</translation>
     </message>
     <message>
         <source>unknowns</source>
-        <translation type="unfinished"></translation>
+        <translation>미지수</translation>
     </message>
     <message>
         <source>what no reading tells (datum defect)</source>
-        <translation type="unfinished"></translation>
+        <translation>어떤 읽음값도 알려 주지 않는 것(데이텀 결손)</translation>
     </message>
     <message>
         <source>degrees of freedom f</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도 f</translation>
     </message>
     <message>
         <source>sum of squares vᵀ C⁻¹ v</source>
-        <translation type="unfinished"></translation>
+        <translation>제곱합 vᵀ C⁻¹ v</translation>
     </message>
     <message>
         <source>s₀ a posteriori</source>
-        <translation type="unfinished"></translation>
+        <translation>사후 s₀</translation>
     </message>
     <message>
         <source>δ₀ of smallest detectable errors (0.1 %, 80 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 검출가능 오차의 δ₀(0.1 %, 80 %)</translation>
     </message>
     <message>
         <source>smallest detectable error</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 검출가능 오차</translation>
     </message>
     <message>
         <source>its largest effect</source>
-        <translation type="unfinished"></translation>
+        <translation>그 최대 영향</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표</translation>
     </message>
     <message>
         <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or uncertainties that are too small</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 잔차가 불확도가 허용하는 것보다 큽니다. 불확도에 비해 가장 큰 것은 %2입니다. 잘못 입력했거나 바뀐 읽음값, 또는 너무 작은 불확도를 찾으십시오</translation>
     </message>
     <message>
         <source>nothing was read of point %1: add readings to it, or take it out</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1에 대해 읽은 것이 없습니다. 읽음값을 추가하거나 점을 빼십시오</translation>
     </message>
     <message>
         <source>nothing tells how the instrument at %1 stood: add directions or angles from there to places that are known</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 있는 측정기가 어떻게 서 있었는지 알 수 없습니다. 거기서 위치가 알려진 곳으로의 방향이나 각을 추가하십시오</translation>
     </message>
     <message>
         <source>nothing tells the height of %1: state it, or add a height difference, or a zenith angle with a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 높이를 알 수 없습니다. 높이를 제시하거나, 높이차 또는 거리가 있는 천정각을 추가하십시오</translation>
     </message>
     <message>
         <source>nothing tells where %1 is: add readings to it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 어디에 있는지 알 수 없습니다. 읽음값을 추가하십시오</translation>
     </message>
     <message>
         <source>point %1 can move along %2 without changing a reading: add one that sees this</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1은(는) 읽음값을 바꾸지 않고 %2을(를) 따라 움직일 수 있습니다. 이를 알아내는 읽음값을 추가하십시오</translation>
     </message>
     <message>
         <source>the direction (%1, %2, %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>방향 (%1, %2, %3)</translation>
     </message>
     <message>
         <source>the whole network</source>
-        <translation type="unfinished"></translation>
+        <translation>망 전체</translation>
     </message>
     <message>
         <source>the part with %1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 외 %2개가 있는 부분</translation>
     </message>
     <message>
         <source>the part with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 있는 부분</translation>
     </message>
     <message>
         <source>nothing tells where %1 is along %2: fix or state a point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) %2을(를) 따라 어디에 있는지 알 수 없습니다. 점을 고정하거나 제시하거나, 점을 데이텀에 포함하십시오</translation>
     </message>
     <message>
         <source>nothing tells the height of %1: fix or state the height of a point, or let heights be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 높이를 알 수 없습니다. 점의 높이를 고정하거나 제시하거나, 높이를 데이텀에 포함하십시오</translation>
     </message>
     <message>
         <source>%1 may tilt about %2: add zenith angles or height differences, or fix a third point</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) %2 둘레로 기울 수 있습니다. 천정각이나 높이차를 추가하거나 세 번째 점을 고정하십시오</translation>
     </message>
     <message>
         <source>%1 may turn about the vertical: add an azimuth, fix a second point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 연직선 둘레로 회전할 수 있습니다. 방위각을 추가하거나, 두 번째 점을 고정하거나, 점을 데이텀에 포함하십시오</translation>
     </message>
     <message>
         <source>nothing tells the scale of %1: add a distance, fix a second point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 스케일을 알 수 없습니다. 거리를 추가하거나, 두 번째 점을 고정하거나, 점을 데이텀에 포함하십시오</translation>
     </message>
     <message>
         <source>the readings leave open a common movement of %1: add readings that tie them to the others</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값으로는 %1의 공통 이동이 정해지지 않습니다. 다른 점과 연결하는 읽음값을 추가하십시오</translation>
     </message>
     <message>
         <source>orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>표정</translation>
     </message>
     <message>
         <source>moving platform</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 플랫폼</translation>
     </message>
     <message>
         <source>lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>길이</translation>
     </message>
     <message>
         <source>measured orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 방위</translation>
     </message>
     <message>
         <source>measured positions</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 위치</translation>
     </message>
     <message>
         <source>readings of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>관절의 읽음값</translation>
     </message>
     <message>
         <source>circle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 원</translation>
     </message>
     <message>
         <source>regression</source>
-        <translation type="unfinished"></translation>
+        <translation>회귀</translation>
     </message>
     <message>
         <source>it cannot be varied: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>변화시킬 수 없습니다: %1</translation>
     </message>
     <message>
         <source>no more than %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이하</translation>
     </message>
     <message>
         <source>an observation of %1, which the file neither fixes nor adjusts in what it needs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 관측, 그에 필요한 것을 파일이 고정하지도 조정하지도 않음</translation>
     </message>
     <message>
         <source>an observation of %1 without a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>표준편차가 없는 %1의 관측</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings, which is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개와 읽음값 %2개로 된 망, 조정됨</translation>
     </message>
     <message>
         <source>its heights above the points are no numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>점 위의 높이가 수가 아닙니다</translation>
     </message>
     <message>
         <source>column %1%2 of sheet %3 is filled but not understood: state what each column is, %4, with one of %5 in place of ? (- leaves the column out)</source>
-        <translation type="unfinished"></translation>
+        <translation>시트 %3의 열 %1%2에 내용이 있지만 이해할 수 없습니다. 각 열이 무엇인지 지정하십시오: %4, ? 자리에는 %5 중 하나(-는 열을 제외함)</translation>
     </message>
     <message>
         <source>There is no budget of %1: the law of propagation of uncertainty says nothing of it at the estimates of its input quantities.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 총괄표가 없습니다. 불확도 전파 법칙은 입력량의 추정값에서 이에 대해 아무것도 알려 주지 않습니다.</translation>
     </message>
     <message>
         <source>out</source>
-        <translation type="unfinished"></translation>
+        <translation>출력</translation>
     </message>
     <message>
         <source>%1 trials</source>
-        <translation type="unfinished">시행 %1회</translation>
+        <translation>시행 %1회</translation>
     </message>
     <message>
         <source>sight</source>
-        <translation type="unfinished"></translation>
+        <translation>시준선</translation>
     </message>
     <message>
         <source>force, own scale</source>
-        <translation type="unfinished"></translation>
+        <translation>힘, 자체 스케일</translation>
     </message>
     <message>
         <source>moment, own scale</source>
-        <translation type="unfinished"></translation>
+        <translation>모멘트, 자체 스케일</translation>
     </message>
     <message>
         <source>in</source>
-        <translation type="unfinished"></translation>
+        <translation>입력</translation>
     </message>
     <message>
         <source>uncertainty %1</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 %1</translation>
     </message>
     <message>
         <source>ellipsoids %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>타원체 %1, %2</translation>
     </message>
 </context>
 <context>
@@ -15542,27 +15542,31 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished">충족</translation>
+        <translation>충족</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished">미충족</translation>
+        <translation>미충족</translation>
     </message>
     <message>
         <source>The result is there when every quantity has its uncertainty, above the budget and in the tab Results. It follows every change at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 양에 불확도가 있으면 총괄표 위와 결과 탭에 결과가 나타납니다. 결과는 모든 변경을 바로 따라갑니다.</translation>
     </message>
     <message>
         <source>The tab Contributions has them as a table and as a chart, the largest first. What is at the top is worth improving.</source>
-        <translation type="unfinished"></translation>
+        <translation>기여 탭에는 기여가 표와 차트로, 큰 것부터 나옵니다. 맨 위에 있는 것이 개선할 가치가 있습니다.</translation>
     </message>
     <message>
         <source>The tab Document shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>문서 탭은 보고서나 성적서의 쪽을 인쇄되는 대로 보여 줍니다. 최신 결과만 들어가므로 먼저 분석을 실행하십시오(F5).</translation>
     </message>
     <message>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Document shows the certificate, the button writes that; it is also in the menu File under Export.</source>
-        <translation type="unfinished"></translation>
+        <translation>도구 모음의 PDF 보고서(Ctrl+P)는 프로젝트를 담은 보고서를 만들므로 Covaria에서 다시 열 수 있습니다. 문서 탭에 성적서가 표시되어 있는 동안에는 이 단추가 성적서를 만듭니다. 파일 메뉴의 내보내기에도 있습니다.</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>갱신 필요</translation>
     </message>
 </context>
 <context>
@@ -15631,103 +15635,103 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <name>covaria::ui::AnswerStrip</name>
     <message>
         <source>Answer</source>
-        <translation type="unfinished"></translation>
+        <translation>답</translation>
     </message>
     <message>
         <source>Output quantity of the budget and the charts</source>
-        <translation type="unfinished">총괄표와 차트의 출력량</translation>
+        <translation>총괄표와 차트의 출력량</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished">출력량</translation>
+        <translation>출력량</translation>
     </message>
     <message>
         <source>Copy the result, as it stands in a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>결과를 성적서에 적히는 형태로 복사</translation>
     </message>
     <message>
         <source>Copy the result</source>
-        <translation type="unfinished"></translation>
+        <translation>결과 복사</translation>
     </message>
     <message>
         <source>Next step</source>
-        <translation type="unfinished">다음 단계</translation>
+        <translation>다음 단계</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished">실패</translation>
+        <translation>실패</translation>
     </message>
     <message>
         <source>incomplete</source>
-        <translation type="unfinished">미완성</translation>
+        <translation>미완성</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished">문제 있음</translation>
+        <translation>문제 있음</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished">갱신 필요</translation>
+        <translation>갱신 필요</translation>
     </message>
     <message>
         <source>not evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>평가하지 않음</translation>
     </message>
     <message>
         <source>Select an analysis to see its results.</source>
-        <translation type="unfinished">결과를 보려면 분석을 선택하세요.</translation>
+        <translation>결과를 보려면 분석을 선택하세요.</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished">실패: %1</translation>
+        <translation>실패: %1</translation>
     </message>
     <message>
         <source>Not complete yet: nothing is wrong.</source>
-        <translation type="unfinished">아직 미완성: 잘못된 것은 없습니다.</translation>
+        <translation>아직 미완성: 잘못된 것은 없습니다.</translation>
     </message>
     <message>
         <source>Not complete yet, but not wrong; to give next: %1</source>
-        <translation type="unfinished">아직 미완성이지만 잘못된 것은 없습니다. 다음으로 입력할 것: %1</translation>
+        <translation>아직 미완성이지만 잘못된 것은 없습니다. 다음으로 입력할 것: %1</translation>
     </message>
     <message>
         <source>Not evaluated yet: press F5.</source>
-        <translation type="unfinished">아직 평가하지 않음: F5를 누르세요.</translation>
+        <translation>아직 평가하지 않음: F5를 누르세요.</translation>
     </message>
     <message>
         <source>The analysis has problems.</source>
-        <translation type="unfinished">분석에 문제가 있습니다.</translation>
+        <translation>분석에 문제가 있습니다.</translation>
     </message>
     <message>
         <source>; running</source>
-        <translation type="unfinished">; 실행 중</translation>
+        <translation>; 실행 중</translation>
     </message>
     <message>
         <source>; press F5 for the result</source>
-        <translation type="unfinished">; 결과를 보려면 F5를 누르세요</translation>
+        <translation>; 결과를 보려면 F5를 누르세요</translation>
     </message>
     <message>
         <source>; %1 trials without a value</source>
-        <translation type="unfinished">; 값이 없는 시행 %1회</translation>
+        <translation>; 값이 없는 시행 %1회</translation>
     </message>
     <message>
         <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation type="unfinished">&lt;b&gt;측정량을 나타내지 않습니다&lt;/b&gt;(시행의 1 % 넘게 손실됨). </translation>
+        <translation>&lt;b&gt;측정량을 나타내지 않습니다&lt;/b&gt;(시행의 1 % 넘게 손실됨). </translation>
     </message>
     <message>
         <source>; not stabilised</source>
-        <translation type="unfinished">; 안정되지 않음</translation>
+        <translation>; 안정되지 않음</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished">&lt;b&gt;갱신 필요&lt;/b&gt;: 이전 상태의 프로젝트를 표시합니다. </translation>
+        <translation>&lt;b&gt;갱신 필요&lt;/b&gt;: 이전 상태의 프로젝트를 표시합니다. </translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished">다음: %1</translation>
+        <translation>다음: %1</translation>
     </message>
     <message>
         <source>Goes to the field that must be given next</source>
-        <translation type="unfinished">다음에 입력해야 할 필드로 이동합니다</translation>
+        <translation>다음에 입력해야 할 필드로 이동합니다</translation>
     </message>
 </context>
 <context>
@@ -15777,7 +15781,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙에 의한 c와 비율. 그 u는 몬테카를로에 의한 u의 %1</translation>
     </message>
 </context>
 <context>
@@ -17824,10 +17828,6 @@ Chosen: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>out of date</source>
-        <translation>갱신 필요</translation>
-    </message>
-    <message>
         <source>Problems (%1)</source>
         <translation>문제 (%1)</translation>
     </message>
@@ -17910,7 +17910,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>The stage alone; once more, and the panes stand as they did</source>
-        <translation type="unfinished"></translation>
+        <translation>작업 영역만 표시. 다시 누르면 창이 이전 상태로 돌아옵니다</translation>
     </message>
 </context>
 <context>
@@ -18662,10 +18662,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>최신 상태인 분석이 없습니다. 먼저 하나를 실행하세요(F5).</translation>
     </message>
     <message>
-        <source>%1 is being made …</source>
-        <translation>%1 만드는 중 …</translation>
-    </message>
-    <message>
         <source>%1 could not be made: %2</source>
         <translation>%1을(를) 만들지 못했습니다: %2</translation>
     </message>
@@ -18688,6 +18684,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Pages as they are printed</source>
         <translation>인쇄될 모습의 쪽</translation>
+    </message>
+    <message>
+        <source>Being made …</source>
+        <translation>만드는 중 …</translation>
     </message>
 </context>
 <context>
@@ -18896,27 +18896,27 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Charts</source>
-        <translation type="unfinished"></translation>
+        <translation>차트</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished">문서</translation>
+        <translation>문서</translation>
     </message>
     <message>
         <source>Kind of chart</source>
-        <translation type="unfinished">차트의 종류</translation>
+        <translation>차트의 종류</translation>
     </message>
     <message>
         <source>Which charts of the result are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>표시할 결과 차트</translation>
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>장면</translation>
     </message>
     <message>
         <source>Contributions</source>
-        <translation type="unfinished"></translation>
+        <translation>기여</translation>
     </message>
 </context>
 <context>
@@ -19257,15 +19257,15 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::SecondPart</name>
     <message>
         <source>View of the second part</source>
-        <translation type="unfinished"></translation>
+        <translation>둘째 부분의 보기</translation>
     </message>
     <message>
         <source>What the second part of the stage shows</source>
-        <translation type="unfinished"></translation>
+        <translation>작업 영역의 둘째 부분에 표시할 것</translation>
     </message>
     <message>
         <source>Close this part</source>
-        <translation type="unfinished"></translation>
+        <translation>이 부분 닫기</translation>
     </message>
 </context>
 <context>
@@ -19422,15 +19422,15 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::Stage</name>
     <message>
         <source>Two views at once</source>
-        <translation type="unfinished"></translation>
+        <translation>두 보기를 동시에</translation>
     </message>
     <message>
         <source>Below Each Other</source>
-        <translation type="unfinished"></translation>
+        <translation>위아래로</translation>
     </message>
     <message>
         <source>Beside Each Other</source>
-        <translation type="unfinished"></translation>
+        <translation>나란히</translation>
     </message>
 </context>
 <context>
@@ -19473,63 +19473,63 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>What do you want to know?</source>
-        <translation type="unfinished"></translation>
+        <translation>무엇을 알고 싶으신가요?</translation>
     </message>
     <message>
         <source>Library …</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리 …</translation>
     </message>
     <message>
         <source>A quantity by an equation</source>
-        <translation type="unfinished"></translation>
+        <translation>방정식으로 구하는 양</translation>
     </message>
     <message>
         <source>Type y = f(x), state each input, get the budget.</source>
-        <translation type="unfinished"></translation>
+        <translation>y = f(x)를 입력하고 각 입력을 제시하면 총괄표가 나옵니다.</translation>
     </message>
     <message>
         <source>Points by instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기로 구하는 점</translation>
     </message>
     <message>
         <source>Tracker, total station, camera; one or many.</source>
-        <translation type="unfinished"></translation>
+        <translation>트래커, 토털 스테이션, 카메라. 하나 또는 여럿.</translation>
     </message>
     <message>
         <source>The pose of an object</source>
-        <translation type="unfinished"></translation>
+        <translation>물체의 포즈</translation>
     </message>
     <message>
         <source>A frame from its points, in the frame of another.</source>
-        <translation type="unfinished"></translation>
+        <translation>점으로 정한 좌표계를 다른 좌표계에서.</translation>
     </message>
     <message>
         <source>A robot</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇</translation>
     </message>
     <message>
         <source>Where its tool is, and what its parameters are.</source>
-        <translation type="unfinished"></translation>
+        <translation>공구가 있는 곳과 매개변수의 값.</translation>
     </message>
     <message>
         <source>A file I have</source>
-        <translation type="unfinished"></translation>
+        <translation>가지고 있는 파일</translation>
     </message>
     <message>
         <source>Excel budget, points, measurement report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Excel 총괄표, 점, 측정 보고서.</translation>
     </message>
     <message>
         <source>Budget, Points or Report …</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표, 점 또는 보고서 …</translation>
     </message>
     <message>
         <source>Robot (URDF) …</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇(URDF) …</translation>
     </message>
     <message>
         <source>Project …</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트 …</translation>
     </message>
 </context>
 <context>

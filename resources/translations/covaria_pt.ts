@@ -14358,707 +14358,707 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Network adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustamento de rede</translation>
     </message>
     <message>
         <source>Coordinates of stations and targets from the distances, directions, angles and height differences that were read between them: heights, plane or space, free or held by known points, with the reliability of each reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas de estações e alvos a partir das distâncias, direções, ângulos e desníveis lidos entre eles: alturas, plano ou espaço, livre ou apoiada em pontos conhecidos, com a confiabilidade de cada leitura.</translation>
     </message>
     <message>
         <source>Uncertainties follow from those that were stated for the readings; they are not multiplied by s_0, which is a test of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>As incertezas resultam das declaradas para as leituras; não são multiplicadas por s_0, que é um teste delas.</translation>
     </message>
     <message>
         <source>In a free network what no reading tells is taken from the approximate coordinates of the points of the datum: the sum of squares of their changes is least. Residuals, s_0 and redundancies do not depend on the datum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Em uma rede livre, o que nenhuma leitura determina é tomado das coordenadas aproximadas dos pontos do datum: a soma dos quadrados de suas variações é mínima. Resíduos, s_0 e redundâncias não dependem do datum.</translation>
     </message>
     <message>
         <source>Each round of directions has an orientation that is not known. Instruments are levelled unless the set-up says how they lean: zenith angles count from the vertical, the z-axis at all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada série de direções tem uma orientação que não é conhecida. Os instrumentos estão nivelados, a menos que a configuração diga como se inclinam: ângulos zenitais contam a partir da vertical, o eixo z em todos os pontos.</translation>
     </message>
     <message>
         <source>Smallest detectable errors are those of a test at 0.1 % with a power of 80 % (delta_0 = 4.132), with the uncertainties that were stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os menores erros detectáveis são os de um teste a 0,1 % com poder de 80 % (delta_0 = 4,132), com as incertezas declaradas.</translation>
     </message>
     <message>
         <source>In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it stands still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Em Monte Carlo cada ensaio é uma solução com as derivadas nas estimativas, repetida até que não mude mais.</translation>
     </message>
     <message>
         <source>Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projeções cartográficas, refração e curvatura da Terra não fazem parte dele: reduza as leituras antes.</translation>
     </message>
     <message>
         <source>Stations and targets alike, with what is known of them beforehand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tanto estações como alvos, com o que se sabe deles de antemão.</translation>
     </message>
     <message>
         <source>Coordinate x; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x; de um ponto desconhecido, uma aproximada, ou vazio: as leituras o situam.</translation>
     </message>
     <message>
         <source>Coordinate y; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y; de um ponto desconhecido, uma aproximada, ou vazio: as leituras o situam.</translation>
     </message>
     <message>
         <source>Coordinate z; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z; de um ponto desconhecido, uma aproximada, ou vazio: as leituras o situam.</translation>
     </message>
     <message>
         <source>plane</source>
-        <translation type="unfinished"></translation>
+        <translation>plano</translation>
     </message>
     <message>
         <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que se sabe de x e y: incógnitas; incógnitas, e o que nenhuma leitura determina é tomado deste ponto e de outros como ele (rede livre); fixas, sem incerteza; declaradas com u.</translation>
     </message>
     <message>
         <source>unknown, of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>incógnita, do datum</translation>
     </message>
     <message>
         <source>stated with u</source>
-        <translation type="unfinished"></translation>
+        <translation>declarada com u</translation>
     </message>
     <message>
         <source>not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>não faz parte da rede</translation>
     </message>
     <message>
         <source>height</source>
-        <translation type="unfinished"></translation>
+        <translation>altura</translation>
     </message>
     <message>
         <source>What is known of z, likewise.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que se sabe de z, do mesmo modo.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated coordinate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de uma coordenada declarada.</translation>
     </message>
     <message>
         <source>Distances between points that are measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distâncias entre pontos que também são mensurandos.</translation>
     </message>
     <message>
         <source>Name of a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome de um ponto.</translation>
     </message>
     <message>
         <source>Name of another point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome de outro ponto.</translation>
     </message>
     <message>
         <source>Directions grow</source>
-        <translation type="unfinished"></translation>
+        <translation>Direções crescem</translation>
     </message>
     <message>
         <source>In which sense directions, angles and azimuths grow, and from which axis azimuths count.</source>
-        <translation type="unfinished"></translation>
+        <translation>Em que sentido crescem direções, ângulos e azimutes, e a partir de que eixo contam os azimutes.</translation>
     </message>
     <message>
         <source>from x towards y; azimuths count from x</source>
-        <translation type="unfinished"></translation>
+        <translation>de x para y; azimutes contam a partir de x</translation>
     </message>
     <message>
         <source>from y towards x; azimuths count from y</source>
-        <translation type="unfinished"></translation>
+        <translation>de y para x; azimutes contam a partir de y</translation>
     </message>
     <message>
         <source>What was read between the points, one row for each figure, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que se leu entre os pontos, uma linha para cada número, digitada ou de um arquivo CSV.</translation>
     </message>
     <message>
         <source>label</source>
-        <translation type="unfinished"></translation>
+        <translation>rótulo</translation>
     </message>
     <message>
         <source>By which a correlation calls it.</source>
-        <translation type="unfinished"></translation>
+        <translation>O nome com que uma correlação a designa.</translation>
     </message>
     <message>
         <source>What was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que se leu.</translation>
     </message>
     <message>
         <source>slope distance</source>
-        <translation type="unfinished"></translation>
+        <translation>distância inclinada</translation>
     </message>
     <message>
         <source>horizontal distance</source>
-        <translation type="unfinished"></translation>
+        <translation>distância horizontal</translation>
     </message>
     <message>
         <source>zenith angle</source>
-        <translation type="unfinished"></translation>
+        <translation>ângulo zenital</translation>
     </message>
     <message>
         <source>height difference</source>
-        <translation type="unfinished"></translation>
+        <translation>desnível</translation>
     </message>
     <message>
         <source>x of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>x de um ponto</translation>
     </message>
     <message>
         <source>y of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>y de um ponto</translation>
     </message>
     <message>
         <source>z of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>z de um ponto</translation>
     </message>
     <message>
         <source>difference of x</source>
-        <translation type="unfinished"></translation>
+        <translation>diferença de x</translation>
     </message>
     <message>
         <source>difference of y</source>
-        <translation type="unfinished"></translation>
+        <translation>diferença de y</translation>
     </message>
     <message>
         <source>difference of z</source>
-        <translation type="unfinished"></translation>
+        <translation>diferença de z</translation>
     </message>
     <message>
         <source>The point where it was read; of a coordinate its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ponto onde se leu; de uma coordenada, seu ponto.</translation>
     </message>
     <message>
         <source>The point that was sighted.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ponto que se visou.</translation>
     </message>
     <message>
         <source>Of an angle the point at its second leg.</source>
-        <translation type="unfinished"></translation>
+        <translation>De um ângulo, o ponto em seu segundo lado.</translation>
     </message>
     <message>
         <source>round</source>
-        <translation type="unfinished"></translation>
+        <translation>série</translation>
     </message>
     <message>
         <source>Of a direction: rounds of one station between which its circle was turned have names; each has an orientation of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>De uma direção: séries de uma estação entre as quais seu círculo foi girado têm nomes; cada uma tem uma orientação própria.</translation>
     </message>
     <message>
         <source>A length or coordinate as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um comprimento ou coordenada como foi lido.</translation>
     </message>
     <message>
         <source>An angle as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um ângulo como foi lido.</translation>
     </message>
     <message>
         <source>u of length</source>
-        <translation type="unfinished"></translation>
+        <translation>u do comprimento</translation>
     </message>
     <message>
         <source>Standard uncertainty of the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão do comprimento.</translation>
     </message>
     <message>
         <source>u of angle</source>
-        <translation type="unfinished"></translation>
+        <translation>u do ângulo</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão do ângulo.</translation>
     </message>
     <message>
         <source>height from</source>
-        <translation type="unfinished"></translation>
+        <translation>altura de</translation>
     </message>
     <message>
         <source>Height of the instrument above its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura do instrumento acima de seu ponto.</translation>
     </message>
     <message>
         <source>height to</source>
-        <translation type="unfinished"></translation>
+        <translation>altura até</translation>
     </message>
     <message>
         <source>Height of the target above its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura do alvo acima de seu ponto.</translation>
     </message>
     <message>
         <source>Instruments that are not levelled</source>
-        <translation type="unfinished"></translation>
+        <translation>Instrumentos que não estão nivelados</translation>
     </message>
     <message>
         <source>Where an instrument stands that is not levelled, or not exactly; all others are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde está um instrumento que não está nivelado, ou não exatamente; todos os outros estão.</translation>
     </message>
     <message>
         <source>The point where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ponto onde está o instrumento.</translation>
     </message>
     <message>
         <source>tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinação</translation>
     </message>
     <message>
         <source>How it leans: unknown, so that the readings tell it; or levelled within u, about x and about y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como se inclina: incógnita, de modo que as leituras a determinam; ou nivelado dentro de u, em torno de x e em torno de y.</translation>
     </message>
     <message>
         <source>levelled within u</source>
-        <translation type="unfinished"></translation>
+        <translation>nivelado dentro de u</translation>
     </message>
     <message>
         <source>u of tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>u da inclinação</translation>
     </message>
     <message>
         <source>Standard uncertainty of each tilt of a levelled instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de cada inclinação de um instrumento nivelado.</translation>
     </message>
     <message>
         <source>Correlations of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Correlações das leituras</translation>
     </message>
     <message>
         <source>Correlation coefficients of readings: they change the weights and the uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficientes de correlação das leituras: mudam os pesos e a incerteza.</translation>
     </message>
     <message>
         <source>Label of a reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rótulo de uma leitura.</translation>
     </message>
     <message>
         <source>Label of another reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rótulo de outra leitura.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de correlação das duas.</translation>
     </message>
     <message>
         <source>Two targets from two stations that nobody measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Dois alvos a partir de duas estações que ninguém mediu</translation>
     </message>
     <message>
         <source>A total station stood at S1 and S2, whose places are not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma estação total esteve em S1 e S2, cujas posições não são conhecidas.</translation>
     </message>
     <message>
         <source>The law of propagation of uncertainty says nothing of %1 at these estimates: Monte Carlo answers alone</source>
-        <translation type="unfinished"></translation>
+        <translation>A lei de propagação de incertezas nada diz de %1 nestas estimativas: só Monte Carlo responde</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 is not known from these trials, and may not exist: the tails of its distribution are too heavy. Use the coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>A incerteza-padrão por Monte Carlo de %1 não é conhecida por estes ensaios, e pode não existir: as caudas de sua distribuição são pesadas demais. Use o intervalo de abrangência.</translation>
     </message>
     <message>
         <source>as stated</source>
-        <translation type="unfinished"></translation>
+        <translation>como declarado</translation>
     </message>
     <message>
         <source>tilt at %1 about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinação em %1 em torno de %2</translation>
     </message>
     <message>
         <source>orientation at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>orientação em %1</translation>
     </message>
     <message>
         <source>orientation at %1, round %2</source>
-        <translation type="unfinished"></translation>
+        <translation>orientação em %1, série %2</translation>
     </message>
     <message>
         <source>readings l, their residuals v, unknowns x</source>
-        <translation type="unfinished"></translation>
+        <translation>leituras l, seus resíduos v, incógnitas x</translation>
     </message>
     <message>
         <source>least squares, Gauss-Newton method</source>
-        <translation type="unfinished"></translation>
+        <translation>mínimos quadrados, método de Gauss-Newton</translation>
     </message>
     <message>
         <source>law of propagation; generalised inverse of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>lei de propagação; inversa generalizada do datum</translation>
     </message>
     <message>
         <source>free network: W. Baarda, S-transformations, 1973</source>
-        <translation type="unfinished"></translation>
+        <translation>rede livre: W. Baarda, S-transformations, 1973</translation>
     </message>
     <message>
         <source>redundancy and test of a reading: W. Baarda, A testing procedure, 1968</source>
-        <translation type="unfinished"></translation>
+        <translation>redundância e teste de uma leitura: W. Baarda, A testing procedure, 1968</translation>
     </message>
     <message>
         <source>smallest error of a reading that the test finds</source>
-        <translation type="unfinished"></translation>
+        <translation>menor erro de uma leitura que o teste encontra</translation>
     </message>
     <message>
         <source>a posteriori; uncertainties are those that were stated, not times s₀</source>
-        <translation type="unfinished"></translation>
+        <translation>a posteriori; as incertezas são as declaradas, não multiplicadas por s₀</translation>
     </message>
     <message>
         <source>slope distance %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>distância inclinada %1 – %2</translation>
     </message>
     <message>
         <source>horizontal distance %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>distância horizontal %1 – %2</translation>
     </message>
     <message>
         <source>direction %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>direção %1 – %2</translation>
     </message>
     <message>
         <source>azimuth %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>azimute %1 – %2</translation>
     </message>
     <message>
         <source>zenith angle %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ângulo zenital %1 – %2</translation>
     </message>
     <message>
         <source>height difference %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>desnível %1 – %2</translation>
     </message>
     <message>
         <source>tilt about x of the instrument at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinação em torno de x do instrumento em %1</translation>
     </message>
     <message>
         <source>tilt about y of the instrument at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinação em torno de y do instrumento em %1</translation>
     </message>
     <message>
         <source>x of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>x de %1</translation>
     </message>
     <message>
         <source>y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>y de %1</translation>
     </message>
     <message>
         <source>z of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>z de %1</translation>
     </message>
     <message>
         <source>difference of x, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>diferença de x, %1 – %2</translation>
     </message>
     <message>
         <source>difference of y, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>diferença de y, %1 – %2</translation>
     </message>
     <message>
         <source>difference of z, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>diferença de z, %1 – %2</translation>
     </message>
     <message>
         <source>the readings do not lead to a place of every point: the adjustment does not converge; look for exchanged or mistyped readings, for a unit that was mixed up (gon and degrees, m and mm), and for coordinates that are far off</source>
-        <translation type="unfinished"></translation>
+        <translation>as leituras não levam a uma posição de cada ponto: o ajustamento não converge; procure leituras trocadas ou mal digitadas, uma unidade confundida (gon e graus, m e mm) e coordenadas muito afastadas</translation>
     </message>
     <message>
         <source>and %1 further ways in which the points can move</source>
-        <translation type="unfinished"></translation>
+        <translation>e mais %1 modos em que os pontos podem mover-se</translation>
     </message>
     <message>
         <source>point %1: its %2 is said to be known, and is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>ponto %1: seu %2 é dado como conhecido, e falta</translation>
     </message>
     <message>
         <source>point %1: the u of its stated %2 is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>ponto %1: falta a u de seu %2 declarado</translation>
     </message>
     <message>
         <source>the name of a point is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta o nome de um ponto</translation>
     </message>
     <message>
         <source>there is no point %1</source>
-        <translation type="unfinished"></translation>
+        <translation>não há ponto %1</translation>
     </message>
     <message>
         <source>the instrument at %1: the u of its tilt is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>o instrumento em %1: falta a u de sua inclinação</translation>
     </message>
     <message>
         <source>two instruments stand at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dois instrumentos estão em %1</translation>
     </message>
     <message>
         <source>a reading from %1 to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>uma leitura de %1 para si mesmo</translation>
     </message>
     <message>
         <source>both legs of the angle at %1 go to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ambos os lados do ângulo em %1 vão a %2</translation>
     </message>
     <message>
         <source>%1: its value is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: falta seu valor</translation>
     </message>
     <message>
         <source>%1: its standard uncertainty is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: falta sua incerteza-padrão</translation>
     </message>
     <message>
         <source>%1 is an angle and has a length</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é um ângulo e tem um comprimento</translation>
     </message>
     <message>
         <source>%1 is a length and has an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é um comprimento e tem um ângulo</translation>
     </message>
     <message>
         <source>%1 is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: o valor não é positivo</translation>
     </message>
     <message>
         <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não está entre 0 e meia volta: declare a média das duas posições da luneta</translation>
     </message>
     <message>
         <source>%1 needs the height of %2, which is not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 precisa da altura de %2, que não faz parte da rede</translation>
     </message>
     <message>
         <source>%1 needs x and y of %2, which are not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 precisa de x e y de %2, que não fazem parte da rede</translation>
     </message>
     <message>
         <source>a distance needs two points</source>
-        <translation type="unfinished"></translation>
+        <translation>uma distância precisa de dois pontos</translation>
     </message>
     <message>
         <source>all points are fixed: there is nothing to be found</source>
-        <translation type="unfinished"></translation>
+        <translation>todos os pontos são fixos: não há nada a determinar</translation>
     </message>
     <message>
         <source>two readings have the label %1</source>
-        <translation type="unfinished"></translation>
+        <translation>duas leituras têm o rótulo %1</translation>
     </message>
     <message>
         <source>there is no reading with the label %1</source>
-        <translation type="unfinished"></translation>
+        <translation>não há leitura com o rótulo %1</translation>
     </message>
     <message>
         <source>reading %1 with itself</source>
-        <translation type="unfinished"></translation>
+        <translation>leitura %1 consigo mesma</translation>
     </message>
     <message>
         <source>the correlation coefficients are not possible together</source>
-        <translation type="unfinished"></translation>
+        <translation>os coeficientes de correlação não são possíveis juntos</translation>
     </message>
     <message>
         <source>the readings do not place point %1: too few of them tie it to the others; add readings, or state approximate coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>as leituras não situam o ponto %1: são poucas demais as que o ligam aos outros; acrescente leituras, ou declare coordenadas aproximadas</translation>
     </message>
     <message>
         <source>the readings do not place %1 points (%2): too few tie them to the others; add readings, or state approximate coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>as leituras não situam %1 pontos (%2): são poucas demais as que os ligam aos outros; acrescente leituras, ou declare coordenadas aproximadas</translation>
     </message>
     <message>
         <source>Adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustamento</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Número</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor</translation>
     </message>
     <message>
         <source>unknowns</source>
-        <translation type="unfinished"></translation>
+        <translation>incógnitas</translation>
     </message>
     <message>
         <source>what no reading tells (datum defect)</source>
-        <translation type="unfinished"></translation>
+        <translation>o que nenhuma leitura determina (defeito de datum)</translation>
     </message>
     <message>
         <source>degrees of freedom f</source>
-        <translation type="unfinished"></translation>
+        <translation>graus de liberdade f</translation>
     </message>
     <message>
         <source>sum of squares vᵀ C⁻¹ v</source>
-        <translation type="unfinished"></translation>
+        <translation>soma de quadrados vᵀ C⁻¹ v</translation>
     </message>
     <message>
         <source>s₀ a posteriori</source>
-        <translation type="unfinished"></translation>
+        <translation>s₀ a posteriori</translation>
     </message>
     <message>
         <source>δ₀ of smallest detectable errors (0.1 %, 80 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>δ₀ dos menores erros detectáveis (0,1 %, 80 %)</translation>
     </message>
     <message>
         <source>smallest detectable error</source>
-        <translation type="unfinished"></translation>
+        <translation>menor erro detectável</translation>
     </message>
     <message>
         <source>its largest effect</source>
-        <translation type="unfinished"></translation>
+        <translation>seu maior efeito</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished"></translation>
+        <translation>em</translation>
     </message>
     <message>
         <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or uncertainties that are too small</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Os resíduos são maiores do que as incertezas permitem; o maior para sua incerteza é %2. Procure leituras mal digitadas ou trocadas, ou incertezas pequenas demais</translation>
     </message>
     <message>
         <source>nothing was read of point %1: add readings to it, or take it out</source>
-        <translation type="unfinished"></translation>
+        <translation>nada foi lido do ponto %1: acrescente leituras para ele, ou retire-o</translation>
     </message>
     <message>
         <source>nothing tells how the instrument at %1 stood: add directions or angles from there to places that are known</source>
-        <translation type="unfinished"></translation>
+        <translation>nada diz como estava o instrumento em %1: acrescente direções ou ângulos dali para lugares conhecidos</translation>
     </message>
     <message>
         <source>nothing tells the height of %1: state it, or add a height difference, or a zenith angle with a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>nada diz a altura de %1: declare-a, ou acrescente um desnível, ou um ângulo zenital com uma distância</translation>
     </message>
     <message>
         <source>nothing tells where %1 is: add readings to it</source>
-        <translation type="unfinished"></translation>
+        <translation>nada diz onde está %1: acrescente leituras para ele</translation>
     </message>
     <message>
         <source>point %1 can move along %2 without changing a reading: add one that sees this</source>
-        <translation type="unfinished"></translation>
+        <translation>o ponto %1 pode mover-se ao longo de %2 sem mudar uma leitura: acrescente uma que o detecte</translation>
     </message>
     <message>
         <source>the direction (%1, %2, %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>a direção (%1, %2, %3)</translation>
     </message>
     <message>
         <source>the whole network</source>
-        <translation type="unfinished"></translation>
+        <translation>a rede inteira</translation>
     </message>
     <message>
         <source>the part with %1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>a parte com %1 e mais %2</translation>
     </message>
     <message>
         <source>the part with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a parte com %1</translation>
     </message>
     <message>
         <source>nothing tells where %1 is along %2: fix or state a point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nada diz onde está %1 ao longo de %2: fixe ou declare um ponto, ou ponha pontos no datum</translation>
     </message>
     <message>
         <source>nothing tells the height of %1: fix or state the height of a point, or let heights be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nada diz a altura de %1: fixe ou declare a altura de um ponto, ou ponha alturas no datum</translation>
     </message>
     <message>
         <source>%1 may tilt about %2: add zenith angles or height differences, or fix a third point</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pode inclinar-se em torno de %2: acrescente ângulos zenitais ou desníveis, ou fixe um terceiro ponto</translation>
     </message>
     <message>
         <source>%1 may turn about the vertical: add an azimuth, fix a second point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pode girar em torno da vertical: acrescente um azimute, fixe um segundo ponto, ou ponha pontos no datum</translation>
     </message>
     <message>
         <source>nothing tells the scale of %1: add a distance, fix a second point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nada diz a escala de %1: acrescente uma distância, fixe um segundo ponto, ou ponha pontos no datum</translation>
     </message>
     <message>
         <source>the readings leave open a common movement of %1: add readings that tie them to the others</source>
-        <translation type="unfinished"></translation>
+        <translation>as leituras deixam em aberto um movimento comum de %1: acrescente leituras que os liguem aos outros</translation>
     </message>
     <message>
         <source>orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>orientações</translation>
     </message>
     <message>
         <source>moving platform</source>
-        <translation type="unfinished"></translation>
+        <translation>plataforma móvel</translation>
     </message>
     <message>
         <source>lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>comprimentos</translation>
     </message>
     <message>
         <source>measured orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>orientações medidas</translation>
     </message>
     <message>
         <source>measured positions</source>
-        <translation type="unfinished"></translation>
+        <translation>posições medidas</translation>
     </message>
     <message>
         <source>readings of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>leituras das juntas</translation>
     </message>
     <message>
         <source>circle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>círculo de %1</translation>
     </message>
     <message>
         <source>regression</source>
-        <translation type="unfinished"></translation>
+        <translation>regressão</translation>
     </message>
     <message>
         <source>it cannot be varied: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>não pode ser variado: %1</translation>
     </message>
     <message>
         <source>no more than %1</source>
-        <translation type="unfinished"></translation>
+        <translation>não mais que %1</translation>
     </message>
     <message>
         <source>an observation of %1, which the file neither fixes nor adjusts in what it needs</source>
-        <translation type="unfinished"></translation>
+        <translation>uma observação de %1, que o arquivo não fixa nem ajusta no que ela precisa</translation>
     </message>
     <message>
         <source>an observation of %1 without a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>uma observação de %1 sem desvio-padrão</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings, which is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>uma rede de %1 pontos com %2 leituras, que é ajustada</translation>
     </message>
     <message>
         <source>its heights above the points are no numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>suas alturas acima dos pontos não são números</translation>
     </message>
     <message>
         <source>column %1%2 of sheet %3 is filled but not understood: state what each column is, %4, with one of %5 in place of ? (- leaves the column out)</source>
-        <translation type="unfinished"></translation>
+        <translation>a coluna %1%2 da folha %3 está preenchida, mas não é entendida: declare o que é cada coluna, %4, com um de %5 no lugar de ? (- omite a coluna)</translation>
     </message>
     <message>
         <source>There is no budget of %1: the law of propagation of uncertainty says nothing of it at the estimates of its input quantities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Não há balanço de %1: a lei de propagação de incertezas nada diz dele nas estimativas de suas grandezas de entrada.</translation>
     </message>
     <message>
         <source>out</source>
-        <translation type="unfinished"></translation>
+        <translation>saída</translation>
     </message>
     <message>
         <source>%1 trials</source>
-        <translation type="unfinished">%1 ensaios</translation>
+        <translation>%1 ensaios</translation>
     </message>
     <message>
         <source>sight</source>
-        <translation type="unfinished"></translation>
+        <translation>visada</translation>
     </message>
     <message>
         <source>force, own scale</source>
-        <translation type="unfinished"></translation>
+        <translation>força, escala própria</translation>
     </message>
     <message>
         <source>moment, own scale</source>
-        <translation type="unfinished"></translation>
+        <translation>momento, escala própria</translation>
     </message>
     <message>
         <source>in</source>
-        <translation type="unfinished"></translation>
+        <translation>entrada</translation>
     </message>
     <message>
         <source>uncertainty %1</source>
-        <translation type="unfinished"></translation>
+        <translation>incerteza %1</translation>
     </message>
     <message>
         <source>ellipsoids %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>elipsoides %1, %2</translation>
     </message>
 </context>
 <context>
@@ -15543,27 +15543,31 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished">atingido</translation>
+        <translation>atingido</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished">não atingido</translation>
+        <translation>não atingido</translation>
     </message>
     <message>
         <source>The result is there when every quantity has its uncertainty, above the budget and in the tab Results. It follows every change at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>O resultado aparece quando cada grandeza tem sua incerteza, acima do balanço e na aba Resultados. Ele acompanha cada alteração de imediato.</translation>
     </message>
     <message>
         <source>The tab Contributions has them as a table and as a chart, the largest first. What is at the top is worth improving.</source>
-        <translation type="unfinished"></translation>
+        <translation>A aba Contribuições as mostra como tabela e como gráfico, as maiores primeiro. O que está no topo vale a pena melhorar.</translation>
     </message>
     <message>
         <source>The tab Document shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>A aba Documento mostra as páginas como são impressas, do relatório ou do certificado. Ela só contém resultados atualizados: execute antes a análise (F5).</translation>
     </message>
     <message>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Document shows the certificate, the button writes that; it is also in the menu File under Export.</source>
-        <translation type="unfinished"></translation>
+        <translation>Relatório em PDF, na barra de ferramentas (Ctrl+P), grava o relatório com o projeto dentro dele, para que o Covaria possa abri-lo de novo. Enquanto a aba Documento mostra o certificado, o botão grava este; ele também está no menu Arquivo, em Exportar.</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>desatualizado</translation>
     </message>
 </context>
 <context>
@@ -15632,103 +15636,103 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <name>covaria::ui::AnswerStrip</name>
     <message>
         <source>Answer</source>
-        <translation type="unfinished"></translation>
+        <translation>Resposta</translation>
     </message>
     <message>
         <source>Output quantity of the budget and the charts</source>
-        <translation type="unfinished">Grandeza de saída do balanço e dos gráficos</translation>
+        <translation>Grandeza de saída do balanço e dos gráficos</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished">Grandeza de saída</translation>
+        <translation>Grandeza de saída</translation>
     </message>
     <message>
         <source>Copy the result, as it stands in a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar o resultado, como consta em um certificado</translation>
     </message>
     <message>
         <source>Copy the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar o resultado</translation>
     </message>
     <message>
         <source>Next step</source>
-        <translation type="unfinished">Próximo passo</translation>
+        <translation>Próximo passo</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished">falhou</translation>
+        <translation>falhou</translation>
     </message>
     <message>
         <source>incomplete</source>
-        <translation type="unfinished">incompleto</translation>
+        <translation>incompleto</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished">tem problemas</translation>
+        <translation>tem problemas</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished">desatualizado</translation>
+        <translation>desatualizado</translation>
     </message>
     <message>
         <source>not evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>não avaliado</translation>
     </message>
     <message>
         <source>Select an analysis to see its results.</source>
-        <translation type="unfinished">Selecione uma análise para ver seus resultados.</translation>
+        <translation>Selecione uma análise para ver seus resultados.</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished">Falhou: %1</translation>
+        <translation>Falhou: %1</translation>
     </message>
     <message>
         <source>Not complete yet: nothing is wrong.</source>
-        <translation type="unfinished">Ainda não completo: nada está errado.</translation>
+        <translation>Ainda não completo: nada está errado.</translation>
     </message>
     <message>
         <source>Not complete yet, but not wrong; to give next: %1</source>
-        <translation type="unfinished">Ainda não completo, mas nada está errado; a seguir, indicar: %1</translation>
+        <translation>Ainda não completo, mas nada está errado; a seguir, indicar: %1</translation>
     </message>
     <message>
         <source>Not evaluated yet: press F5.</source>
-        <translation type="unfinished">Ainda não avaliado: pressione F5.</translation>
+        <translation>Ainda não avaliado: pressione F5.</translation>
     </message>
     <message>
         <source>The analysis has problems.</source>
-        <translation type="unfinished">A análise tem problemas.</translation>
+        <translation>A análise tem problemas.</translation>
     </message>
     <message>
         <source>; running</source>
-        <translation type="unfinished">; em execução</translation>
+        <translation>; em execução</translation>
     </message>
     <message>
         <source>; press F5 for the result</source>
-        <translation type="unfinished">; pressione F5 para o resultado</translation>
+        <translation>; pressione F5 para o resultado</translation>
     </message>
     <message>
         <source>; %1 trials without a value</source>
-        <translation type="unfinished">; %1 ensaios sem valor</translation>
+        <translation>; %1 ensaios sem valor</translation>
     </message>
     <message>
         <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation type="unfinished">&lt;b&gt;Não representa o mensurando&lt;/b&gt; (mais de 1 % dos ensaios se perderam). </translation>
+        <translation>&lt;b&gt;Não representa o mensurando&lt;/b&gt; (mais de 1 % dos ensaios se perderam). </translation>
     </message>
     <message>
         <source>; not stabilised</source>
-        <translation type="unfinished">; não estabilizado</translation>
+        <translation>; não estabilizado</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished">&lt;b&gt;Desatualizado&lt;/b&gt;: mostrado para o projeto como era. </translation>
+        <translation>&lt;b&gt;Desatualizado&lt;/b&gt;: mostrado para o projeto como era. </translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished">A seguir: %1</translation>
+        <translation>A seguir: %1</translation>
     </message>
     <message>
         <source>Goes to the field that must be given next</source>
-        <translation type="unfinished">Vai ao campo que deve ser indicado a seguir</translation>
+        <translation>Vai ao campo que deve ser indicado a seguir</translation>
     </message>
 </context>
 <context>
@@ -15778,7 +15782,7 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>c e parcela pela lei de propagação, cuja u é %1 da de Monte Carlo</translation>
     </message>
 </context>
 <context>
@@ -17828,10 +17832,6 @@ Escolhido: %2</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>out of date</source>
-        <translation>desatualizado</translation>
-    </message>
-    <message>
         <source>Problems (%1)</source>
         <translation>Problemas (%1)</translation>
     </message>
@@ -17914,7 +17914,7 @@ Escolhido: %2</translation>
     </message>
     <message>
         <source>The stage alone; once more, and the panes stand as they did</source>
-        <translation type="unfinished"></translation>
+        <translation>Só a área central; mais uma vez, e os painéis voltam a ficar como estavam</translation>
     </message>
 </context>
 <context>
@@ -18666,10 +18666,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>Nenhuma análise está atualizada: execute uma primeiro (F5).</translation>
     </message>
     <message>
-        <source>%1 is being made …</source>
-        <translation>%1 está sendo feito …</translation>
-    </message>
-    <message>
         <source>%1 could not be made: %2</source>
         <translation>%1 não pôde ser feito: %2</translation>
     </message>
@@ -18692,6 +18688,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Pages as they are printed</source>
         <translation>Páginas como são impressas</translation>
+    </message>
+    <message>
+        <source>Being made …</source>
+        <translation>em preparação …</translation>
     </message>
 </context>
 <context>
@@ -18900,27 +18900,27 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráficos</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished">Documento</translation>
+        <translation>Documento</translation>
     </message>
     <message>
         <source>Kind of chart</source>
-        <translation type="unfinished">Tipo de gráfico</translation>
+        <translation>Tipo de gráfico</translation>
     </message>
     <message>
         <source>Which charts of the result are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Que gráficos do resultado são mostrados</translation>
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Cena</translation>
     </message>
     <message>
         <source>Contributions</source>
-        <translation type="unfinished"></translation>
+        <translation>Contribuições</translation>
     </message>
 </context>
 <context>
@@ -19261,15 +19261,15 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::SecondPart</name>
     <message>
         <source>View of the second part</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista da segunda parte</translation>
     </message>
     <message>
         <source>What the second part of the stage shows</source>
-        <translation type="unfinished"></translation>
+        <translation>O que a segunda parte da área central mostra</translation>
     </message>
     <message>
         <source>Close this part</source>
-        <translation type="unfinished"></translation>
+        <translation>Fechar esta parte</translation>
     </message>
 </context>
 <context>
@@ -19427,15 +19427,15 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::Stage</name>
     <message>
         <source>Two views at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Duas vistas ao mesmo tempo</translation>
     </message>
     <message>
         <source>Below Each Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma abaixo da outra</translation>
     </message>
     <message>
         <source>Beside Each Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Lado a lado</translation>
     </message>
 </context>
 <context>
@@ -19478,63 +19478,63 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>What do you want to know?</source>
-        <translation type="unfinished"></translation>
+        <translation>O que você quer saber?</translation>
     </message>
     <message>
         <source>Library …</source>
-        <translation type="unfinished"></translation>
+        <translation>Biblioteca …</translation>
     </message>
     <message>
         <source>A quantity by an equation</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma grandeza por uma equação</translation>
     </message>
     <message>
         <source>Type y = f(x), state each input, get the budget.</source>
-        <translation type="unfinished"></translation>
+        <translation>Digite y = f(x), declare cada entrada, obtenha o balanço.</translation>
     </message>
     <message>
         <source>Points by instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Pontos por instrumentos</translation>
     </message>
     <message>
         <source>Tracker, total station, camera; one or many.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser tracker, estação total, câmera; um ou vários.</translation>
     </message>
     <message>
         <source>The pose of an object</source>
-        <translation type="unfinished"></translation>
+        <translation>A pose de um objeto</translation>
     </message>
     <message>
         <source>A frame from its points, in the frame of another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um referencial por seus pontos, no referencial de outro.</translation>
     </message>
     <message>
         <source>A robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Um robô</translation>
     </message>
     <message>
         <source>Where its tool is, and what its parameters are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde está sua ferramenta, e quais são seus parâmetros.</translation>
     </message>
     <message>
         <source>A file I have</source>
-        <translation type="unfinished"></translation>
+        <translation>Um arquivo que tenho</translation>
     </message>
     <message>
         <source>Excel budget, points, measurement report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Balanço do Excel, pontos, relatório de medição.</translation>
     </message>
     <message>
         <source>Budget, Points or Report …</source>
-        <translation type="unfinished"></translation>
+        <translation>Balanço, pontos ou relatório …</translation>
     </message>
     <message>
         <source>Robot (URDF) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Robô (URDF) …</translation>
     </message>
     <message>
         <source>Project …</source>
-        <translation type="unfinished"></translation>
+        <translation>Projeto …</translation>
     </message>
 </context>
 <context>

@@ -14357,707 +14357,707 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>Network adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>网平差</translation>
     </message>
     <message>
         <source>Coordinates of stations and targets from the distances, directions, angles and height differences that were read between them: heights, plane or space, free or held by known points, with the reliability of each reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>由测站和目标点之间所读的距离、方向、角度和高差求其坐标：高程、平面或空间，自由或由已知点固定，并给出每个读数的可靠性。</translation>
     </message>
     <message>
         <source>Uncertainties follow from those that were stated for the readings; they are not multiplied by s_0, which is a test of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度由对读数给出的不确定度得出；不乘以 s_0，s_0 是对它们的检验。</translation>
     </message>
     <message>
         <source>In a free network what no reading tells is taken from the approximate coordinates of the points of the datum: the sum of squares of their changes is least. Residuals, s_0 and redundancies do not depend on the datum.</source>
-        <translation type="unfinished"></translation>
+        <translation>在自由网中，读数无法确定的部分取自各基准点的近似坐标：其改变量的平方和最小。残差、s_0 和多余度与基准无关。</translation>
     </message>
     <message>
         <source>Each round of directions has an orientation that is not known. Instruments are levelled unless the set-up says how they lean: zenith angles count from the vertical, the z-axis at all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个测回的方向有一个未知的定向。仪器视为已整平，除非测量设置说明其如何倾斜：天顶距从铅垂线起算，在所有点处即为 z 轴。</translation>
     </message>
     <message>
         <source>Smallest detectable errors are those of a test at 0.1 % with a power of 80 % (delta_0 = 4.132), with the uncertainties that were stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>最小可探测误差是检验显著性水平为 0.1 %、功效为 80 % 时的值（delta_0 = 4.132），采用给出的不确定度。</translation>
     </message>
     <message>
         <source>In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it stands still.</source>
-        <translation type="unfinished"></translation>
+        <translation>在蒙特卡洛中，每次试验都用估计值处的导数求解，并重复到不再变化为止。</translation>
     </message>
     <message>
         <source>Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings before.</source>
-        <translation type="unfinished"></translation>
+        <translation>不包括地图投影、折光和地球曲率：请事先归算读数。</translation>
     </message>
     <message>
         <source>Stations and targets alike, with what is known of them beforehand.</source>
-        <translation type="unfinished"></translation>
+        <translation>测站和目标点一并列出，并说明事先已知的内容。</translation>
     </message>
     <message>
         <source>Coordinate x; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标 x；未知点填近似值或留空：由读数确定其位置。</translation>
     </message>
     <message>
         <source>Coordinate y; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标 y；未知点填近似值或留空：由读数确定其位置。</translation>
     </message>
     <message>
         <source>Coordinate z; of an unknown point an approximate one, or empty: the readings place it.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标 z；未知点填近似值或留空：由读数确定其位置。</translation>
     </message>
     <message>
         <source>plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面</translation>
     </message>
     <message>
         <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
-        <translation type="unfinished"></translation>
+        <translation>x 和 y 的已知情况：未知；未知，且读数无法确定的部分取自此点及其他同类点（自由网）；固定，无不确定度；以 u 给出。</translation>
     </message>
     <message>
         <source>unknown, of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>未知，属于基准</translation>
     </message>
     <message>
         <source>stated with u</source>
-        <translation type="unfinished"></translation>
+        <translation>以 u 给出</translation>
     </message>
     <message>
         <source>not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>不属于网</translation>
     </message>
     <message>
         <source>height</source>
-        <translation type="unfinished"></translation>
+        <translation>高程</translation>
     </message>
     <message>
         <source>What is known of z, likewise.</source>
-        <translation type="unfinished"></translation>
+        <translation>z 的已知情况，同上。</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated coordinate.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的坐标的标准不确定度。</translation>
     </message>
     <message>
         <source>Distances between points that are measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>同样作为被测量的点间距离。</translation>
     </message>
     <message>
         <source>Name of a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个点的名称。</translation>
     </message>
     <message>
         <source>Name of another point.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个点的名称。</translation>
     </message>
     <message>
         <source>Directions grow</source>
-        <translation type="unfinished"></translation>
+        <translation>方向增大</translation>
     </message>
     <message>
         <source>In which sense directions, angles and azimuths grow, and from which axis azimuths count.</source>
-        <translation type="unfinished"></translation>
+        <translation>方向、角度和方位角向哪一侧增大，以及方位角从哪根轴起算。</translation>
     </message>
     <message>
         <source>from x towards y; azimuths count from x</source>
-        <translation type="unfinished"></translation>
+        <translation>从 x 向 y；方位角从 x 起算</translation>
     </message>
     <message>
         <source>from y towards x; azimuths count from y</source>
-        <translation type="unfinished"></translation>
+        <translation>从 y 向 x；方位角从 y 起算</translation>
     </message>
     <message>
         <source>What was read between the points, one row for each figure, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>在各点之间所读的内容，每个数值一行，手工输入或来自 CSV 文件。</translation>
     </message>
     <message>
         <source>label</source>
-        <translation type="unfinished"></translation>
+        <translation>标签</translation>
     </message>
     <message>
         <source>By which a correlation calls it.</source>
-        <translation type="unfinished"></translation>
+        <translation>相关性用它来指称该读数。</translation>
     </message>
     <message>
         <source>What was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>所读的量。</translation>
     </message>
     <message>
         <source>slope distance</source>
-        <translation type="unfinished"></translation>
+        <translation>斜距</translation>
     </message>
     <message>
         <source>horizontal distance</source>
-        <translation type="unfinished"></translation>
+        <translation>平距</translation>
     </message>
     <message>
         <source>zenith angle</source>
-        <translation type="unfinished"></translation>
+        <translation>天顶距</translation>
     </message>
     <message>
         <source>height difference</source>
-        <translation type="unfinished"></translation>
+        <translation>高差</translation>
     </message>
     <message>
         <source>x of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>点的 x</translation>
     </message>
     <message>
         <source>y of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>点的 y</translation>
     </message>
     <message>
         <source>z of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>点的 z</translation>
     </message>
     <message>
         <source>difference of x</source>
-        <translation type="unfinished"></translation>
+        <translation>x 之差</translation>
     </message>
     <message>
         <source>difference of y</source>
-        <translation type="unfinished"></translation>
+        <translation>y 之差</translation>
     </message>
     <message>
         <source>difference of z</source>
-        <translation type="unfinished"></translation>
+        <translation>z 之差</translation>
     </message>
     <message>
         <source>The point where it was read; of a coordinate its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>进行读数的点；对于坐标则为该坐标所属的点。</translation>
     </message>
     <message>
         <source>The point that was sighted.</source>
-        <translation type="unfinished"></translation>
+        <translation>所照准的点。</translation>
     </message>
     <message>
         <source>Of an angle the point at its second leg.</source>
-        <translation type="unfinished"></translation>
+        <translation>对于角度，为其第二条边上的点。</translation>
     </message>
     <message>
         <source>round</source>
-        <translation type="unfinished"></translation>
+        <translation>测回</translation>
     </message>
     <message>
         <source>Of a direction: rounds of one station between which its circle was turned have names; each has an orientation of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于方向：同一测站上其间转动过度盘的各测回有各自的名称；每个测回有自己的定向。</translation>
     </message>
     <message>
         <source>A length or coordinate as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>所读的长度或坐标。</translation>
     </message>
     <message>
         <source>An angle as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>所读的角度。</translation>
     </message>
     <message>
         <source>u of length</source>
-        <translation type="unfinished"></translation>
+        <translation>长度的 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>长度的标准不确定度。</translation>
     </message>
     <message>
         <source>u of angle</source>
-        <translation type="unfinished"></translation>
+        <translation>角度的 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>角度的标准不确定度。</translation>
     </message>
     <message>
         <source>height from</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器高</translation>
     </message>
     <message>
         <source>Height of the instrument above its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器高出其点的高度。</translation>
     </message>
     <message>
         <source>height to</source>
-        <translation type="unfinished"></translation>
+        <translation>目标高</translation>
     </message>
     <message>
         <source>Height of the target above its point.</source>
-        <translation type="unfinished"></translation>
+        <translation>目标高出其点的高度。</translation>
     </message>
     <message>
         <source>Instruments that are not levelled</source>
-        <translation type="unfinished"></translation>
+        <translation>未整平的仪器</translation>
     </message>
     <message>
         <source>Where an instrument stands that is not levelled, or not exactly; all others are.</source>
-        <translation type="unfinished"></translation>
+        <translation>未整平或未精确整平的仪器所在之处；其他仪器均已整平。</translation>
     </message>
     <message>
         <source>The point where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器所在的点。</translation>
     </message>
     <message>
         <source>tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>倾斜</translation>
     </message>
     <message>
         <source>How it leans: unknown, so that the readings tell it; or levelled within u, about x and about y.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器如何倾斜：未知，由读数确定；或在 u 之内整平，绕 x 和绕 y。</translation>
     </message>
     <message>
         <source>levelled within u</source>
-        <translation type="unfinished"></translation>
+        <translation>在 u 之内整平</translation>
     </message>
     <message>
         <source>u of tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>倾斜的 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of each tilt of a levelled instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>已整平仪器的每个倾斜的标准不确定度。</translation>
     </message>
     <message>
         <source>Correlations of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的相关性</translation>
     </message>
     <message>
         <source>Correlation coefficients of readings: they change the weights and the uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的相关系数：它们改变权和不确定度。</translation>
     </message>
     <message>
         <source>Label of a reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个读数的标签。</translation>
     </message>
     <message>
         <source>Label of another reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个读数的标签。</translation>
     </message>
     <message>
         <source>Correlation coefficient of the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>两者的相关系数。</translation>
     </message>
     <message>
         <source>Two targets from two stations that nobody measured</source>
-        <translation type="unfinished"></translation>
+        <translation>由两个未测定的测站求两个目标点</translation>
     </message>
     <message>
         <source>A total station stood at S1 and S2, whose places are not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>全站仪设在 S1 和 S2，其位置未知。</translation>
     </message>
     <message>
         <source>The law of propagation of uncertainty says nothing of %1 at these estimates: Monte Carlo answers alone</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度传播律在这些估计值处对 %1 没有说明：只由蒙特卡洛给出</translation>
     </message>
     <message>
         <source>The standard uncertainty by Monte Carlo of %1 is not known from these trials, and may not exist: the tails of its distribution are too heavy. Use the coverage interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的蒙特卡洛标准不确定度无法由这些试验得知，也可能不存在：其分布的尾部过重。请使用包含区间。</translation>
     </message>
     <message>
         <source>as stated</source>
-        <translation type="unfinished"></translation>
+        <translation>按给出值</translation>
     </message>
     <message>
         <source>tilt at %1 about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处绕 %2 的倾斜</translation>
     </message>
     <message>
         <source>orientation at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处的定向</translation>
     </message>
     <message>
         <source>orientation at %1, round %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处的定向，测回 %2</translation>
     </message>
     <message>
         <source>readings l, their residuals v, unknowns x</source>
-        <translation type="unfinished"></translation>
+        <translation>读数 l，其残差 v，未知数 x</translation>
     </message>
     <message>
         <source>least squares, Gauss-Newton method</source>
-        <translation type="unfinished"></translation>
+        <translation>最小二乘，高斯-牛顿法</translation>
     </message>
     <message>
         <source>law of propagation; generalised inverse of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>传播律；基准的广义逆</translation>
     </message>
     <message>
         <source>free network: W. Baarda, S-transformations, 1973</source>
-        <translation type="unfinished"></translation>
+        <translation>自由网：W. Baarda, S-transformations, 1973</translation>
     </message>
     <message>
         <source>redundancy and test of a reading: W. Baarda, A testing procedure, 1968</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的多余度和检验：W. Baarda, A testing procedure, 1968</translation>
     </message>
     <message>
         <source>smallest error of a reading that the test finds</source>
-        <translation type="unfinished"></translation>
+        <translation>检验能发现的读数最小误差</translation>
     </message>
     <message>
         <source>a posteriori; uncertainties are those that were stated, not times s₀</source>
-        <translation type="unfinished"></translation>
+        <translation>后验；不确定度为给出的不确定度，不乘以 s₀</translation>
     </message>
     <message>
         <source>slope distance %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>斜距 %1 – %2</translation>
     </message>
     <message>
         <source>horizontal distance %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>平距 %1 – %2</translation>
     </message>
     <message>
         <source>direction %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>方向 %1 – %2</translation>
     </message>
     <message>
         <source>azimuth %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>方位角 %1 – %2</translation>
     </message>
     <message>
         <source>zenith angle %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>天顶距 %1 – %2</translation>
     </message>
     <message>
         <source>height difference %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>高差 %1 – %2</translation>
     </message>
     <message>
         <source>tilt about x of the instrument at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处仪器绕 x 的倾斜</translation>
     </message>
     <message>
         <source>tilt about y of the instrument at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处仪器绕 y 的倾斜</translation>
     </message>
     <message>
         <source>x of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的 x</translation>
     </message>
     <message>
         <source>y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的 y</translation>
     </message>
     <message>
         <source>z of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的 z</translation>
     </message>
     <message>
         <source>difference of x, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>x 之差，%1 – %2</translation>
     </message>
     <message>
         <source>difference of y, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>y 之差，%1 – %2</translation>
     </message>
     <message>
         <source>difference of z, %1 – %2</source>
-        <translation type="unfinished"></translation>
+        <translation>z 之差，%1 – %2</translation>
     </message>
     <message>
         <source>the readings do not lead to a place of every point: the adjustment does not converge; look for exchanged or mistyped readings, for a unit that was mixed up (gon and degrees, m and mm), and for coordinates that are far off</source>
-        <translation type="unfinished"></translation>
+        <translation>读数不能得出每个点的位置：平差不收敛；请查找对调或误输的读数、弄混的单位（gon 与度、m 与 mm）以及偏离很远的坐标</translation>
     </message>
     <message>
         <source>and %1 further ways in which the points can move</source>
-        <translation type="unfinished"></translation>
+        <translation>以及另外 %1 种点可移动的方式</translation>
     </message>
     <message>
         <source>point %1: its %2 is said to be known, and is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1：其 %2 称为已知，但缺失</translation>
     </message>
     <message>
         <source>point %1: the u of its stated %2 is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1：缺少所给出的 %2 的 u</translation>
     </message>
     <message>
         <source>the name of a point is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少一个点的名称</translation>
     </message>
     <message>
         <source>there is no point %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有点 %1</translation>
     </message>
     <message>
         <source>the instrument at %1: the u of its tilt is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处的仪器：缺少其倾斜的 u</translation>
     </message>
     <message>
         <source>two instruments stand at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>有两台仪器设在 %1</translation>
     </message>
     <message>
         <source>a reading from %1 to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>从 %1 到其自身的读数</translation>
     </message>
     <message>
         <source>both legs of the angle at %1 go to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处的角度的两条边都指向 %2</translation>
     </message>
     <message>
         <source>%1: its value is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：缺少其值</translation>
     </message>
     <message>
         <source>%1: its standard uncertainty is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：缺少其标准不确定度</translation>
     </message>
     <message>
         <source>%1 is an angle and has a length</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是角度却带有长度</translation>
     </message>
     <message>
         <source>%1 is a length and has an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是长度却带有角度</translation>
     </message>
     <message>
         <source>%1 is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是正值</translation>
     </message>
     <message>
         <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不在 0 与半圈之间：请给出盘左盘右的平均值</translation>
     </message>
     <message>
         <source>%1 needs the height of %2, which is not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 需要 %2 的高程，而它不属于网</translation>
     </message>
     <message>
         <source>%1 needs x and y of %2, which are not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 需要 %2 的 x 和 y，而它们不属于网</translation>
     </message>
     <message>
         <source>a distance needs two points</source>
-        <translation type="unfinished"></translation>
+        <translation>距离需要两个点</translation>
     </message>
     <message>
         <source>all points are fixed: there is nothing to be found</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点都已固定：没有待求的量</translation>
     </message>
     <message>
         <source>two readings have the label %1</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个读数的标签都是 %1</translation>
     </message>
     <message>
         <source>there is no reading with the label %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有标签为 %1 的读数</translation>
     </message>
     <message>
         <source>reading %1 with itself</source>
-        <translation type="unfinished"></translation>
+        <translation>读数 %1 与其自身</translation>
     </message>
     <message>
         <source>the correlation coefficients are not possible together</source>
-        <translation type="unfinished"></translation>
+        <translation>这些相关系数不能同时成立</translation>
     </message>
     <message>
         <source>the readings do not place point %1: too few of them tie it to the others; add readings, or state approximate coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>读数不能确定点 %1 的位置：把它与其他点联系起来的读数太少；请添加读数，或给出近似坐标</translation>
     </message>
     <message>
         <source>the readings do not place %1 points (%2): too few tie them to the others; add readings, or state approximate coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>读数不能确定 %1 个点（%2）的位置：把它们与其他点联系起来的读数太少；请添加读数，或给出近似坐标</translation>
     </message>
     <message>
         <source>Adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>平差</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>指标</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>值</translation>
     </message>
     <message>
         <source>unknowns</source>
-        <translation type="unfinished"></translation>
+        <translation>未知数</translation>
     </message>
     <message>
         <source>what no reading tells (datum defect)</source>
-        <translation type="unfinished"></translation>
+        <translation>读数无法确定的部分（基准秩亏）</translation>
     </message>
     <message>
         <source>degrees of freedom f</source>
-        <translation type="unfinished"></translation>
+        <translation>自由度 f</translation>
     </message>
     <message>
         <source>sum of squares vᵀ C⁻¹ v</source>
-        <translation type="unfinished"></translation>
+        <translation>平方和 vᵀ C⁻¹ v</translation>
     </message>
     <message>
         <source>s₀ a posteriori</source>
-        <translation type="unfinished"></translation>
+        <translation>后验 s₀</translation>
     </message>
     <message>
         <source>δ₀ of smallest detectable errors (0.1 %, 80 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>最小可探测误差的 δ₀（0.1 %，80 %）</translation>
     </message>
     <message>
         <source>smallest detectable error</source>
-        <translation type="unfinished"></translation>
+        <translation>最小可探测误差</translation>
     </message>
     <message>
         <source>its largest effect</source>
-        <translation type="unfinished"></translation>
+        <translation>其最大影响</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished"></translation>
+        <translation>影响于</translation>
     </message>
     <message>
         <source>%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty is the %2. Look for mistyped or exchanged readings, or uncertainties that are too small</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 残差大于不确定度所允许的；相对其不确定度最大的是 %2。请查找误输或对调的读数，或过小的不确定度</translation>
     </message>
     <message>
         <source>nothing was read of point %1: add readings to it, or take it out</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1 没有任何读数：请为其添加读数，或将其去掉</translation>
     </message>
     <message>
         <source>nothing tells how the instrument at %1 stood: add directions or angles from there to places that are known</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定 %1 处仪器的朝向：请添加从该处到已知位置的方向或角度</translation>
     </message>
     <message>
         <source>nothing tells the height of %1: state it, or add a height difference, or a zenith angle with a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定 %1 的高程：请给出其高程，或添加高差，或添加天顶距和距离</translation>
     </message>
     <message>
         <source>nothing tells where %1 is: add readings to it</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定 %1 的位置：请为其添加读数</translation>
     </message>
     <message>
         <source>point %1 can move along %2 without changing a reading: add one that sees this</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1 可沿 %2 移动而不改变任何读数：请添加能反映这一移动的读数</translation>
     </message>
     <message>
         <source>the direction (%1, %2, %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>方向 (%1, %2, %3)</translation>
     </message>
     <message>
         <source>the whole network</source>
-        <translation type="unfinished"></translation>
+        <translation>整个网</translation>
     </message>
     <message>
         <source>the part with %1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>含 %1 及另外 %2 个点的部分</translation>
     </message>
     <message>
         <source>the part with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>含 %1 的部分</translation>
     </message>
     <message>
         <source>nothing tells where %1 is along %2: fix or state a point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定 %1 沿 %2 的位置：请固定一个点或给出其坐标，或让一些点属于基准</translation>
     </message>
     <message>
         <source>nothing tells the height of %1: fix or state the height of a point, or let heights be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定 %1 的高程：请固定或给出一个点的高程，或让一些高程属于基准</translation>
     </message>
     <message>
         <source>%1 may tilt about %2: add zenith angles or height differences, or fix a third point</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 可绕 %2 倾斜：请添加天顶距或高差，或固定第三个点</translation>
     </message>
     <message>
         <source>%1 may turn about the vertical: add an azimuth, fix a second point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 可绕铅垂线转动：请添加方位角，固定第二个点，或让一些点属于基准</translation>
     </message>
     <message>
         <source>nothing tells the scale of %1: add a distance, fix a second point, or let points be of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定 %1 的尺度：请添加距离，固定第二个点，或让一些点属于基准</translation>
     </message>
     <message>
         <source>the readings leave open a common movement of %1: add readings that tie them to the others</source>
-        <translation type="unfinished"></translation>
+        <translation>读数未能约束 %1 的共同移动：请添加把它们与其他点联系起来的读数</translation>
     </message>
     <message>
         <source>orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>定向</translation>
     </message>
     <message>
         <source>moving platform</source>
-        <translation type="unfinished"></translation>
+        <translation>动平台</translation>
     </message>
     <message>
         <source>lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>长度</translation>
     </message>
     <message>
         <source>measured orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>实测姿态</translation>
     </message>
     <message>
         <source>measured positions</source>
-        <translation type="unfinished"></translation>
+        <translation>实测位置</translation>
     </message>
     <message>
         <source>readings of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节读数</translation>
     </message>
     <message>
         <source>circle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的圆</translation>
     </message>
     <message>
         <source>regression</source>
-        <translation type="unfinished"></translation>
+        <translation>回归</translation>
     </message>
     <message>
         <source>it cannot be varied: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不能改变它：%1</translation>
     </message>
     <message>
         <source>no more than %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不大于 %1</translation>
     </message>
     <message>
         <source>an observation of %1, which the file neither fixes nor adjusts in what it needs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的一个观测，其所需的坐标在文件中既未固定也未平差</translation>
     </message>
     <message>
         <source>an observation of %1 without a standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的一个没有标准偏差的观测</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings, which is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>含 %1 个点和 %2 个读数的网，将其平差</translation>
     </message>
     <message>
         <source>its heights above the points are no numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>其高出点的高度不是数字</translation>
     </message>
     <message>
         <source>column %1%2 of sheet %3 is filled but not understood: state what each column is, %4, with one of %5 in place of ? (- leaves the column out)</source>
-        <translation type="unfinished"></translation>
+        <translation>工作表 %3 的列 %1%2 有内容但无法理解：请说明每列是什么，%4，用 %5 之一代替 ?（- 表示略去该列）</translation>
     </message>
     <message>
         <source>There is no budget of %1: the law of propagation of uncertainty says nothing of it at the estimates of its input quantities.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有 %1 的预算：不确定度传播律在其输入量的估计值处对它没有说明。</translation>
     </message>
     <message>
         <source>out</source>
-        <translation type="unfinished"></translation>
+        <translation>输出</translation>
     </message>
     <message>
         <source>%1 trials</source>
-        <translation type="unfinished">%1 次试验</translation>
+        <translation>%1 次试验</translation>
     </message>
     <message>
         <source>sight</source>
-        <translation type="unfinished"></translation>
+        <translation>视线</translation>
     </message>
     <message>
         <source>force, own scale</source>
-        <translation type="unfinished"></translation>
+        <translation>力，独立比例</translation>
     </message>
     <message>
         <source>moment, own scale</source>
-        <translation type="unfinished"></translation>
+        <translation>力矩，独立比例</translation>
     </message>
     <message>
         <source>in</source>
-        <translation type="unfinished"></translation>
+        <translation>输入</translation>
     </message>
     <message>
         <source>uncertainty %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度 %1</translation>
     </message>
     <message>
         <source>ellipsoids %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>椭球 %1，%2</translation>
     </message>
 </context>
 <context>
@@ -15542,27 +15542,31 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished">满足</translation>
+        <translation>满足</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished">不满足</translation>
+        <translation>不满足</translation>
     </message>
     <message>
         <source>The result is there when every quantity has its uncertainty, above the budget and in the tab Results. It follows every change at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个量都有了不确定度后，结果即出现在预算上方和“结果”标签页中。任何更改都会立即反映到结果。</translation>
     </message>
     <message>
         <source>The tab Contributions has them as a table and as a chart, the largest first. What is at the top is worth improving.</source>
-        <translation type="unfinished"></translation>
+        <translation>“贡献”标签页以表格和图显示各贡献，最大的在前。排在最前的值得改进。</translation>
     </message>
     <message>
         <source>The tab Document shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>“文档”标签页按打印的样子显示报告或证书的页面。其中只有最新的结果：请先运行分析 (F5)。</translation>
     </message>
     <message>
         <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. While the tab Document shows the certificate, the button writes that; it is also in the menu File under Export.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具栏中的“报告为 PDF”(Ctrl+P) 写出报告，其中含有项目，因此 Covaria 可以再次打开它。“文档”标签页显示证书时，该按钮写出证书；它也在“文件”菜单的“导出”下。</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>已过期</translation>
     </message>
 </context>
 <context>
@@ -15631,103 +15635,103 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <name>covaria::ui::AnswerStrip</name>
     <message>
         <source>Answer</source>
-        <translation type="unfinished"></translation>
+        <translation>答案</translation>
     </message>
     <message>
         <source>Output quantity of the budget and the charts</source>
-        <translation type="unfinished">预算和图的输出量</translation>
+        <translation>预算和图的输出量</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished">输出量</translation>
+        <translation>输出量</translation>
     </message>
     <message>
         <source>Copy the result, as it stands in a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>按证书中的写法复制结果</translation>
     </message>
     <message>
         <source>Copy the result</source>
-        <translation type="unfinished"></translation>
+        <translation>复制结果</translation>
     </message>
     <message>
         <source>Next step</source>
-        <translation type="unfinished">下一步</translation>
+        <translation>下一步</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished">失败</translation>
+        <translation>失败</translation>
     </message>
     <message>
         <source>incomplete</source>
-        <translation type="unfinished">不完整</translation>
+        <translation>不完整</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished">有问题</translation>
+        <translation>有问题</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished">已过期</translation>
+        <translation>已过期</translation>
     </message>
     <message>
         <source>not evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>未评定</translation>
     </message>
     <message>
         <source>Select an analysis to see its results.</source>
-        <translation type="unfinished">选择一个分析以查看其结果。</translation>
+        <translation>选择一个分析以查看其结果。</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished">失败：%1</translation>
+        <translation>失败：%1</translation>
     </message>
     <message>
         <source>Not complete yet: nothing is wrong.</source>
-        <translation type="unfinished">尚不完整：没有错误。</translation>
+        <translation>尚不完整：没有错误。</translation>
     </message>
     <message>
         <source>Not complete yet, but not wrong; to give next: %1</source>
-        <translation type="unfinished">尚不完整，但没有错误；接下来需给出：%1</translation>
+        <translation>尚不完整，但没有错误；接下来需给出：%1</translation>
     </message>
     <message>
         <source>Not evaluated yet: press F5.</source>
-        <translation type="unfinished">尚未评定：请按 F5。</translation>
+        <translation>尚未评定：请按 F5。</translation>
     </message>
     <message>
         <source>The analysis has problems.</source>
-        <translation type="unfinished">分析有问题。</translation>
+        <translation>分析有问题。</translation>
     </message>
     <message>
         <source>; running</source>
-        <translation type="unfinished">；运行中</translation>
+        <translation>；运行中</translation>
     </message>
     <message>
         <source>; press F5 for the result</source>
-        <translation type="unfinished">；按 F5 得到结果</translation>
+        <translation>；按 F5 得到结果</translation>
     </message>
     <message>
         <source>; %1 trials without a value</source>
-        <translation type="unfinished">；%1 次试验没有值</translation>
+        <translation>；%1 次试验没有值</translation>
     </message>
     <message>
         <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation type="unfinished">&lt;b&gt;不能代表被测量&lt;/b&gt;（损失的试验超过 1 %）。 </translation>
+        <translation>&lt;b&gt;不能代表被测量&lt;/b&gt;（损失的试验超过 1 %）。 </translation>
     </message>
     <message>
         <source>; not stabilised</source>
-        <translation type="unfinished">；未稳定</translation>
+        <translation>；未稳定</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished">&lt;b&gt;已过期&lt;/b&gt;：显示的是项目之前的状态。 </translation>
+        <translation>&lt;b&gt;已过期&lt;/b&gt;：显示的是项目之前的状态。 </translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished">下一步：%1</translation>
+        <translation>下一步：%1</translation>
     </message>
     <message>
         <source>Goes to the field that must be given next</source>
-        <translation type="unfinished">转到下一个必须给出的字段</translation>
+        <translation>转到下一个必须给出的字段</translation>
     </message>
 </context>
 <context>
@@ -15777,7 +15781,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>c 和占比按传播律，其 u 为蒙特卡洛 u 的 %1</translation>
     </message>
 </context>
 <context>
@@ -17824,10 +17828,6 @@ Chosen: %2</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>out of date</source>
-        <translation>已过期</translation>
-    </message>
-    <message>
         <source>Problems (%1)</source>
         <translation>问题 (%1)</translation>
     </message>
@@ -17910,7 +17910,7 @@ Chosen: %2</source>
     </message>
     <message>
         <source>The stage alone; once more, and the panes stand as they did</source>
-        <translation type="unfinished"></translation>
+        <translation>仅显示主区域；再按一次，各窗格恢复原状</translation>
     </message>
 </context>
 <context>
@@ -18662,10 +18662,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>没有最新的分析：请先运行一个分析 (F5)。</translation>
     </message>
     <message>
-        <source>%1 is being made …</source>
-        <translation>正在生成%1 …</translation>
-    </message>
-    <message>
         <source>%1 could not be made: %2</source>
         <translation>无法生成%1：%2</translation>
     </message>
@@ -18688,6 +18684,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Pages as they are printed</source>
         <translation>打印页面</translation>
+    </message>
+    <message>
+        <source>Being made …</source>
+        <translation>正在生成…</translation>
     </message>
 </context>
 <context>
@@ -18896,27 +18896,27 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Charts</source>
-        <translation type="unfinished"></translation>
+        <translation>图</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished">文档</translation>
+        <translation>文档</translation>
     </message>
     <message>
         <source>Kind of chart</source>
-        <translation type="unfinished">图的种类</translation>
+        <translation>图的种类</translation>
     </message>
     <message>
         <source>Which charts of the result are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>显示结果的哪些图</translation>
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>场景</translation>
     </message>
     <message>
         <source>Contributions</source>
-        <translation type="unfinished"></translation>
+        <translation>贡献</translation>
     </message>
 </context>
 <context>
@@ -19257,15 +19257,15 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::SecondPart</name>
     <message>
         <source>View of the second part</source>
-        <translation type="unfinished"></translation>
+        <translation>第二部分的视图</translation>
     </message>
     <message>
         <source>What the second part of the stage shows</source>
-        <translation type="unfinished"></translation>
+        <translation>主区域的第二部分显示什么</translation>
     </message>
     <message>
         <source>Close this part</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭此部分</translation>
     </message>
 </context>
 <context>
@@ -19422,15 +19422,15 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::Stage</name>
     <message>
         <source>Two views at once</source>
-        <translation type="unfinished"></translation>
+        <translation>同时显示两个视图</translation>
     </message>
     <message>
         <source>Below Each Other</source>
-        <translation type="unfinished"></translation>
+        <translation>上下排列</translation>
     </message>
     <message>
         <source>Beside Each Other</source>
-        <translation type="unfinished"></translation>
+        <translation>左右排列</translation>
     </message>
 </context>
 <context>
@@ -19473,63 +19473,63 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>What do you want to know?</source>
-        <translation type="unfinished"></translation>
+        <translation>您想知道什么？</translation>
     </message>
     <message>
         <source>Library …</source>
-        <translation type="unfinished"></translation>
+        <translation>库 …</translation>
     </message>
     <message>
         <source>A quantity by an equation</source>
-        <translation type="unfinished"></translation>
+        <translation>由方程求一个量</translation>
     </message>
     <message>
         <source>Type y = f(x), state each input, get the budget.</source>
-        <translation type="unfinished"></translation>
+        <translation>键入 y = f(x)，给出各输入量，得到预算。</translation>
     </message>
     <message>
         <source>Points by instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>由仪器测点</translation>
     </message>
     <message>
         <source>Tracker, total station, camera; one or many.</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪仪、全站仪、相机；一台或多台。</translation>
     </message>
     <message>
         <source>The pose of an object</source>
-        <translation type="unfinished"></translation>
+        <translation>物体的位姿</translation>
     </message>
     <message>
         <source>A frame from its points, in the frame of another.</source>
-        <translation type="unfinished"></translation>
+        <translation>由各点得到的坐标系，在另一坐标系中表示。</translation>
     </message>
     <message>
         <source>A robot</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人</translation>
     </message>
     <message>
         <source>Where its tool is, and what its parameters are.</source>
-        <translation type="unfinished"></translation>
+        <translation>其工具在何处，其参数是多少。</translation>
     </message>
     <message>
         <source>A file I have</source>
-        <translation type="unfinished"></translation>
+        <translation>我已有的文件</translation>
     </message>
     <message>
         <source>Excel budget, points, measurement report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Excel 预算、点、测量报告。</translation>
     </message>
     <message>
         <source>Budget, Points or Report …</source>
-        <translation type="unfinished"></translation>
+        <translation>预算、点或报告 …</translation>
     </message>
     <message>
         <source>Robot (URDF) …</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人 (URDF) …</translation>
     </message>
     <message>
         <source>Project …</source>
-        <translation type="unfinished"></translation>
+        <translation>项目 …</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@
 #include "ui/main_window/first_steps_guide.h"
 #include "ui/main_window/help_actions.h"
 #include "ui/main_window/import_actions.h"
+#include "ui/main_window/inquiry_scene.h"
 #include "ui/main_window/middle_pages.h"
 #include "ui/main_window/only_middle.h"
 #include "ui/main_window/pane_keys.h"
@@ -113,7 +114,7 @@ void MainWindow::make_panes() {
         auto* button = new QToolButton;
         button->setDefaultAction(dock->toggleViewAction());
         button->setAutoRaise(true);
-        statusBar()->addWidget(button);
+        statusBar()->addPermanentWidget(button);
         connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
             if (shown) dock->raise();
         });
@@ -147,7 +148,7 @@ void MainWindow::arrange() {
     tabifyDockWidget(docks_[2], docks_[3]);
     if (help_) help_->hide();
     given_to_names_ = room_for_names();
-    const int for_forms = std::max(width() < 1400 ? 296 : 320, properties_->room_for_tabs() + 4);
+    const int for_forms = std::max({395, (27 * width()) / 100, properties_->room_for_tabs() + 4});
     resizeDocks({docks_[0], docks_[1]}, {given_to_names_, for_forms}, Qt::Horizontal);
     resizeDocks({docks_[2]}, {height() / 5}, Qt::Vertical);
     addToolBar(Qt::TopToolBarArea, toolbar_);
@@ -340,9 +341,10 @@ void MainWindow::connect_panes() {
         if (std::exchange(is_typed_, typed) != typed) results_->set_typed(typed);
     });
     connect_scene();
-    connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_tab_in_scene);
-    connect(&results_->design_tab(), &DesignTab::shown_changed, this, &MainWindow::show_tab_in_scene);
-    connect(&results_->stage(), &Stage::changed, this, &MainWindow::show_tab_in_scene);
+    const auto show_inquiry = [this] { show_inquiry_in_scene(*results_, *scene_); };
+    connect(&results_->study_tab(), &StudyTab::shown_changed, this, show_inquiry);
+    connect(&results_->design_tab(), &DesignTab::shown_changed, this, show_inquiry);
+    connect(&results_->stage(), &Stage::changed, this, show_inquiry);
     const auto edit_by = [this](void (PropertiesPane::*page)()) {
         selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
         docks_[1]->show();
@@ -479,25 +481,6 @@ void MainWindow::show_first_steps() {
     if (!has_project_) files_.new_project();
     pages_->show_project();
     first_steps().begin();
-}
-
-/// While the tab of a study or design is on top, the scene shows its map.
-void MainWindow::show_tab_in_scene() {
-    const StudyTab& tab = results_->study_tab();
-    const bool on_top = results_->stage().shows(tab);
-    StudySceneOptions wanted;
-    wanted.quantity = tab.view().quantity;
-    wanted.ellipsoids = tab.wants_ellipsoids();
-    if (on_top && tab.study() && tab.study()->axes.size() == 3 && tab.wants_slice()) {
-        wanted.slice_axis = tab.view().fixed_axis;
-        wanted.slice = tab.view().slice;
-    }
-    scene_->show_study(on_top ? tab.study() : nullptr, wanted);
-    const DesignTab& designs = results_->design_tab();
-    const bool design_on_top = results_->stage().shows(designs);
-    const bool in_space = design_on_top && designs.result() && stands_in_space(*designs.result());
-    scene_->show_design(in_space ? designs.result() : nullptr,
-                        designs.is_current() ? QString() : tr("out of date"));
 }
 
 void MainWindow::show_preferences() {

@@ -91,7 +91,6 @@ private:
     void connect_middle();
     void connect_scene();
     void show_running_design(const QString& analysis, const QString& id);
-    void show_tab_in_scene();
     void show_project();
     void lead_from_equations_to_budget();
     void show_library();

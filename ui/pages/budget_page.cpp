@@ -152,8 +152,10 @@ void BudgetPage::take_result() {
     const QString first_order = first_order_words(*status.result);
     QString words = correlated;
     if (!words.isEmpty() && !first_order.isEmpty()) words += QStringLiteral("<br>");
+    words += first_order;
     // A label breaks a number between its groups, but at no such space.
-    remark_->setText(QString(words + first_order).replace(QChar(0x202f), QChar(QChar::Nbsp)));
+    words.replace(QChar(0x202f), QChar(QChar::Nbsp));
+    remark_->setText(words.replace(QStringLiteral(" = "), QStringLiteral("\u00a0=\u00a0")));
 }
 
 std::set<int> BudgetPage::selected_rows() const {

@@ -158,7 +158,7 @@ void ReportPreview::refresh() {
     made_of_ = document_.snapshot();
     parts_ = parts_of(*made_of_, runner_);
     old_ = false;
-    say(tr("%1 is being made …").arg(kind_words()));
+    say(tr("Being made …"));
     maker_.make(
         std::move(source),
         [this](const ReportDocument& report, const FigurePainters& figures,

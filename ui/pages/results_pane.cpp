@@ -16,6 +16,7 @@
 #include "core/text/numbers.h"
 #include "ui/charts/chart_view.h"
 #include "ui/document/component_source.h"
+#include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
 #include "ui/pages/all_results_tab.h"
 #include "ui/pages/answer_strip.h"
@@ -72,6 +73,7 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     answer_ = new AnswerStrip(document, runner, selection, this);
     connect(answer_, &AnswerStrip::place_wanted, this, &ResultsPane::place_wanted);
     stage_ = new Stage(*tabs_);
+    stage_->give_whole_stage(*report_);
     connect(stage_, &Stage::changed, this, &ResultsPane::refresh_charts);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -106,8 +108,16 @@ void ResultsPane::add_units_and_digits(QHBoxLayout& row) {
 
 QWidget* ResultsPane::make_filter() {
     auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(4, 2, 4, 2);
+    auto* parts = new FlowLayout(bar);  // with large letters units and digits are below the filter
+    parts->setContentsMargins(4, 2, 4, 2);
+    const auto add_part = [parts] {
+        auto* part = new QWidget;
+        auto* row = new QHBoxLayout(part);
+        row->setContentsMargins(0, 0, 0, 0);
+        parts->addWidget(part);
+        return row;
+    };
+    QHBoxLayout* row = add_part();
     filter_ = new QLineEdit;
     filter_->setObjectName(QStringLiteral("result_filter"));
     filter_->setPlaceholderText(tr("Filter: symbol, name, group"));
@@ -122,8 +132,7 @@ QWidget* ResultsPane::make_filter() {
     row->addWidget(filter_);
     row->addWidget(all_groups_);
     row->addWidget(only_not_met_);
-    row->addStretch(1);
-    add_units_and_digits(*row);
+    add_units_and_digits(*add_part());
     connect(filter_, &QLineEdit::textChanged, this, &ResultsPane::take_filter);
     connect(only_not_met_, &QCheckBox::toggled, this, &ResultsPane::take_filter);
     connect(all_groups_, &QCheckBox::toggled, this, [this](bool on) {

@@ -30,6 +30,7 @@ Stage::Stage(QTabWidget& tabs, QWidget* parent)
     connect(second_, &SecondPart::changed, this, [this] {
         const QSignalBlocker quiet(split_);
         split_->setChecked(second_->view() != nullptr);
+        give_room();
         emit changed();
     });
 }
@@ -73,6 +74,16 @@ void Stage::name_first(const QString& name) {
     second_->take_names();
 }
 
+void Stage::give_whole_stage(QWidget& view) {
+    alone_ = &view;
+}
+
+void Stage::give_room() {
+    const bool alone = alone_ && tabs_.currentWidget() == alone_;
+    second_->setVisible(second_->view() && !alone);
+    split_->setEnabled(!alone);
+}
+
 void Stage::show_usual(QWidget& second) {
     usual_ = &second;
     if (second_->view() == first_) second_->close_part();
@@ -92,7 +103,7 @@ bool Stage::shows(const QWidget& part) const {
     const auto has = [&part](const QWidget* view) {
         return view && (view == &part || (view->isAncestorOf(&part) && part.isVisibleTo(view)));
     };
-    return has(tabs_.currentWidget()) || has(second_->view());
+    return has(tabs_.currentWidget()) || (second_->isVisibleTo(this) && has(second_->view()));
 }
 
 int Stage::tab_of(const QWidget* view) const {

@@ -19,6 +19,8 @@ public:
 
     void add_first(QWidget& view, const QString& name);
     void name_first(const QString& name);
+    /// While the tabs show this view it has the whole stage: pages are read, not glanced at.
+    void give_whole_stage(QWidget& view);
     /// The first view, and in the second part, if the stage is split, this one.
     void show_usual(QWidget& second);
     /// Brings it into view, beside the first one where the stage is split.
@@ -36,12 +38,14 @@ signals:
 private:
     void make_split_button();
     void split(bool wanted);
+    void give_room();
     void turn(Qt::Orientation orientation);
 
     QTabWidget& tabs_;
     SecondPart* second_;
     QToolButton* split_;
     QWidget* first_ = nullptr;
+    QWidget* alone_ = nullptr;  ///< has the whole stage
     QWidget* usual_ = nullptr;  ///< of the second part
 };
 

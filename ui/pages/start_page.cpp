@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 
 #include "core/made/examples.h"
 #include "ui/pages/question_tile.h"
@@ -187,6 +188,17 @@ QMenu* StartPage::menu_of_files() {
     return menu;
 }
 
+/// Three where their longest names stand beside each other, else two.
+int StartPage::columns_of(const QList<QWidget*>& buttons) {
+    constexpr int most = 3;
+    std::array<int, most> widest{};
+    for (int at = 0; at < buttons.size(); ++at)
+        widest[std::size_t(at % most)] =
+            std::max(widest[std::size_t(at % most)], buttons[at]->sizeHint().width());
+    const int needed = widest[0] + widest[1] + widest[2] + (most - 1) * gap;
+    return needed <= widest_page - 2 * page_margin ? most : most - 1;
+}
+
 /// As plain lines; with their pictures they are in the library.
 void StartPage::add_examples(QVBoxLayout& column) {
     auto* head = new QHBoxLayout;
@@ -194,7 +206,7 @@ void StartPage::add_examples(QVBoxLayout& column) {
     head->addWidget(quiet(tr("They open as new projects; the shipped files stay as they are.")), 1);
     column.addLayout(head);
     QGridLayout* lines = grid();
-    int at = 0;
+    QList<QWidget*> buttons;
     for (const char* folder : {"", "gum"})
         for (const Example& example : shipped_examples(folder)) {
             auto* button = new QToolButton;
@@ -205,9 +217,11 @@ void StartPage::add_examples(QVBoxLayout& column) {
             button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
             connect(button, &QToolButton::clicked, this,
                     [this, file = from_path(example.file)] { emit example_wanted(file); });
-            lines->addWidget(button, at / 3, at % 3, Qt::AlignLeft);
-            ++at;
+            buttons << button;
         }
+    const int columns = columns_of(buttons);
+    for (int at = 0; at < buttons.size(); ++at)
+        lines->addWidget(buttons[at], at / columns, at % columns, Qt::AlignLeft);
     column.addLayout(lines);
 }
 

@@ -43,6 +43,7 @@ private:
     void add_tile(QHBoxLayout& row, QuestionTile* tile);
     QMenu* menu_of(AnalysisTemplate::Topic topic);
     QMenu* menu_of_files();
+    static int columns_of(const QList<QWidget*>& buttons);
     void add_examples(QVBoxLayout& column);
 
     QGridLayout* recent_ = nullptr;

@@ -24,9 +24,9 @@ void draw_check_box(const QStyleOption& option, QPainter& painter) {
     const double side = std::min(option.rect.width(), option.rect.height());
     const QRectF box(option.rect.x(), option.rect.y(), side, side);
     const bool marked = option.state & (QStyle::State_HasFocus | QStyle::State_MouseOver);
-    const QColor line = enabled && marked ? t.blue : t.field_line;
     // In a selected row it is an outline: filled with the ground of the others it would look ticked.
     const bool selected = option.state & QStyle::State_Selected;
+    const QColor line = enabled && marked ? t.blue : selected ? t.ink3 : t.field_line;
     draw_box(painter, box, selected ? QColor(Qt::transparent) : t.stage, line);
     const QColor ink = enabled ? t.ink : t.ink3;
     painter.setPen(QPen(ink, 0.13 * side, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

@@ -119,7 +119,8 @@ TEST_F(ChartPicture, ConvergenceIsDrawnOnALogarithmicAxis) {
         const QPointF u = at.at(std::log10(plot.series[0].x[i]), plot.series[0].y[i]);
         EXPECT_LE(test::nearest_difference(image_, u, theme.series(SeriesRole::monte_carlo)), 48) << i;
         const QPointF high = at.at(std::log10(plot.series[2].x[i]), plot.series[2].y[i]);
-        EXPECT_LE(test::nearest_difference(image_, high, theme.series(SeriesRole::reference)), 48) << i;
+        // A line of 1.5 px covers no pixel whole.
+        EXPECT_LE(test::nearest_difference(image_, high, theme.series(SeriesRole::reference)), 64) << i;
     }
 }
 

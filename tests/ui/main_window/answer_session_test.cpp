@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/report/result_statement.h"
+#include "core/text/numbers.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/document/project_edits.h"
 #include "ui/pages/answer_strip.h"
@@ -51,7 +52,7 @@ TEST_F(AnswerSession, OneOutputIsStatedAsInACertificate) {
     const OutputResult& output = status().result->outputs.front();
     EXPECT_EQ(value(), output.quantity.symbol + " = " + value_statement(output, true, language_of_window()));
     EXPECT_TRUE(answer().coverage().text().letters().starts_with("k = "));
-    EXPECT_TRUE(answer().coverage().text().letters().ends_with("p = 95 %"));
+    EXPECT_TRUE(answer().coverage().text().letters().ends_with("p = " + percent_text(0.95)));
     EXPECT_TRUE(answer().state().text().contains(QStringLiteral("20"))) << "how many trials";
     EXPECT_TRUE(answer().outputs().isHidden()) << "nothing to choose from";
     QTest::mouseClick(&answer().copy_button(), Qt::LeftButton);
@@ -110,7 +111,7 @@ TEST_F(AnswerSession, WhatIsNotOfThePresentSaysSo) {
     trigger(QStringLiteral("Run This Analysis"));
     wait_until_idle();
     EXPECT_EQ(verdict(), "");
-    EXPECT_NE(answer().coverage().text().letters().find("p = 99 %"), std::string::npos);
+    EXPECT_NE(answer().coverage().text().letters().find("p = " + percent_text(0.99)), std::string::npos);
 }
 
 TEST_F(AnswerSession, KAndPGiveWayBeforeTheValue) {

@@ -85,7 +85,7 @@ TEST_F(KeyboardSession, F11LeavesTheMiddleAloneAndBringsThePanesBack) {
     press_keys(Qt::Key_F11);
     trigger(QStringLiteral("Properties"));
     EXPECT_TRUE(window_->properties().isVisible());
-    EXPECT_FALSE(window_->results().isVisible());
+    EXPECT_FALSE(window_->project_pane().isVisible());
     press_keys(Qt::Key_F11);
     EXPECT_FALSE(window_->properties().isVisible());
 }

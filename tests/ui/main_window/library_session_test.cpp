@@ -105,7 +105,7 @@ TEST_F(LibrarySession, ACollectionShowsItsOwn) {
     library.show_collection(LibraryBrowser::templates_title());
     EXPECT_EQ(library.cards().count(), int(analysis_templates().size()));
     library.show_collection(LibraryBrowser::examples_title());
-    EXPECT_EQ(library.cards().count(), 12);
+    EXPECT_EQ(library.cards().count(), 13);
 }
 
 TEST_F(LibrarySession, ATemplateFromTheStartPageHasResultsAtOnce) {

@@ -110,6 +110,9 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
     for (const auto& word : covered.words())
         if (word.rect.y < view.size.height && word.rect.y + word.rect.height > foot)
             counts.covered.push_back(view_words(scene, view) + to_unicode(word.text));
+    look.layers.shown[static_cast<std::size_t>(Layer::labels)] = false;  // they come first
+    detail::Overlay bare(scene, look, image, masks);
+    bare.paint();
     for (const int axis : {0, 1, 2}) {
         const std::string name = std::string("xyz").substr(std::size_t(axis), 1);
         const bool from_its_end = std::abs(look.camera.direction[axis]) > 0.9;
@@ -118,7 +121,7 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
             return word.role == Role::text && !word.is_label &&
                    (text == name || text.starts_with(name + " / "));
         };
-        if (scene.axes && !from_its_end && std::ranges::none_of(covered.words(), is_name))
+        if (scene.axes && !from_its_end && std::ranges::none_of(bare.words(), is_name))
             counts.nameless.push_back(view_words(scene, view) + name);
     }
 }
