@@ -74,9 +74,10 @@ ReportPreview::ReportPreview(Document& document, AnalysisRunner& runner, QWidget
 }
 
 QLayout* ReportPreview::make_head() {
-    auto* head = new QHBoxLayout;
+    auto* head = new QVBoxLayout;
     head->setContentsMargins(8, 4, 8, 4);
-    head->setSpacing(8);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
     kind_ = new QComboBox;
     kind_->setObjectName(QStringLiteral("document_kind"));
     kind_->setAccessibleName(tr("Document"));
@@ -86,10 +87,12 @@ QLayout* ReportPreview::make_head() {
     state_->setObjectName(QStringLiteral("report_state"));
     auto* update = new QPushButton(tr("Update"));
     update->setObjectName(QStringLiteral("update_report"));
-    head->addWidget(kind_);
-    head->addWidget(bar_);
-    head->addWidget(state_, 1);
-    head->addWidget(update);
+    row->addWidget(kind_);
+    row->addWidget(bar_);
+    row->addStretch(1);
+    row->addWidget(update);
+    head->addLayout(row);
+    head->addWidget(state_);
     connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
         emit in_view(kind());
         start_over();

@@ -130,6 +130,7 @@ QWidget* ResultsPane::make_filter() {
     only_not_met_ = new QCheckBox(tr("Not met only"));
     only_not_met_->setToolTip(tr("Only results whose target uncertainty or tolerance is not met"));
     row->addWidget(filter_);
+    row = add_part();
     row->addWidget(all_groups_);
     row->addWidget(only_not_met_);
     add_units_and_digits(*add_part());

@@ -93,7 +93,7 @@ void Stage::show_usual(QWidget& second) {
 
 void Stage::show_view(QWidget* view) {
     if (shows(*view)) return;
-    if (second_->view() && tabs_.currentWidget() == first_)
+    if (second_->view() && tabs_.currentWidget() == first_ && view != alone_)
         second_->show_view(view);
     else
         tabs_.setCurrentWidget(view);

@@ -1,30 +1,14 @@
 #include "ui/theme/tabs.h"
 
-#include <QHelpEvent>
 #include <QMenu>
 #include <QStyleOptionTab>
 #include <QToolButton>
-#include <QToolTip>
 #include <algorithm>
 
 namespace covaria::ui {
 
 namespace {
-constexpr int most_closer = 16;   // of the style's padding of a tab, both sides together
-constexpr int least_letters = 7;  // by which a shortened name is still known
-constexpr int not_shortened = QWIDGETSIZE_MAX;
-
-/// px that no tab may be wider than, so that tabs of these widths have room; as much as that is.
-int widest_for(const std::vector<int>& widths, int room) {
-    int widest = widths.empty() ? 0 : *std::max_element(widths.begin(), widths.end());
-    const auto taken = [&] {
-        int all = 0;
-        for (const int width : widths) all += std::min(width, widest);
-        return all;
-    };
-    while (widest > 0 && taken() > room) --widest;
-    return widest;
-}
+constexpr int most_closer = 20;  // of the style's padding of a tab, both sides together
 
 }  // namespace
 
@@ -50,10 +34,6 @@ bool TabBar::is_in_menu(int index) const {
     return index >= 0 && index < int(in_menu_.size()) && in_menu_[std::size_t(index)];
 }
 
-bool TabBar::is_shortened(int index) const {
-    return !is_in_menu(index) && QTabBar::tabSizeHint(index).width() > widest_;
-}
-
 int TabBar::closest_width() const {
     int width = 0;
     for (int i = 0; i < count(); ++i)
@@ -67,15 +47,12 @@ QSize TabBar::minimumSizeHint() const {
 
 QSize TabBar::tabSizeHint(int index) const {
     const QSize whole = QTabBar::tabSizeHint(index);
-    return {is_in_menu(index) ? 0 : std::min(whole.width(), widest_), whole.height()};
+    return {is_in_menu(index) ? 0 : whole.width(), whole.height()};
 }
 
 void TabBar::initStyleOption(QStyleOptionTab* option, int index) const {
     QTabBar::initStyleOption(option, index);
     if (is_in_menu(index)) option->rect.moveRight(-1);  // outside: not drawn
-    if (!is_shortened(index)) return;
-    const int room = style()->subElementRect(QStyle::SE_TabBarTabText, option, this).width();
-    option->text = fontMetrics().elidedText(tabText(index), Qt::ElideRight, room, Qt::TextShowMnemonic);
 }
 
 void TabBar::tabLayoutChange() {
@@ -98,10 +75,7 @@ void TabBar::fit() {
     const int closer = seen > 0 ? std::clamp((wanted - width() + seen - 1) / seen, 0, most_closer) : 0;
     wanted -= closer * seen;
     for (int& of_tab : widths) of_tab = std::max(0, of_tab - closer);
-    int widest = not_shortened;
-    if (wanted > width()) widest = widest_for(widths, width());
-    if (widest < least_width(closer)) widest = not_shortened;
-    const bool all_fit = wanted <= width() || widest != not_shortened;
+    const bool all_fit = wanted <= width();
     std::vector<bool> in_menu(std::size_t(count()), false);
     const int room = width() - more_->sizeHint().width();
     for (int i = count() - 1; i >= 0 && !all_fit && wanted > room; --i) {
@@ -110,9 +84,8 @@ void TabBar::fit() {
         wanted -= widths[std::size_t(i)];
     }
     const bool any = std::find(in_menu.begin(), in_menu.end(), true) != in_menu.end();
-    if (closer != closer_ || widest != widest_ || in_menu != in_menu_) {
+    if (closer != closer_ || in_menu != in_menu_) {
         closer_ = closer;
-        widest_ = widest;
         in_menu_ = std::move(in_menu);
         setElideMode(Qt::ElideNone);  // lays the tabs out again
     }
@@ -120,25 +93,6 @@ void TabBar::fit() {
     const QSize size = more_->sizeHint();
     more_->setGeometry(width() - size.width(), 0, size.width(), height());
     fitting_ = false;
-}
-
-/// Of a tab whose name is shortened.
-int TabBar::least_width(int closer) const {
-    const int padding = style()->pixelMetric(QStyle::PM_TabBarTabHSpace, nullptr, this) + closer_ - closer;
-    return fontMetrics().horizontalAdvance(QString(least_letters, QLatin1Char('n'))) + padding;
-}
-
-/// The whole name of a tab that has not room for it.
-bool TabBar::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto& at = *static_cast<QHelpEvent*>(event);
-        const int index = tabAt(at.pos());
-        if (is_shortened(index)) {
-            QToolTip::showText(at.globalPos(), tabText(index), this);
-            return true;
-        }
-    }
-    return QTabBar::event(event);
 }
 
 void TabBar::fill_menu() {

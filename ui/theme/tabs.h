@@ -10,9 +10,8 @@ class QToolButton;
 
 namespace covaria::ui {
 
-/// Tabs stand closer where there is little room, then the longest names are shortened, as far as they are
-/// still known; where not all fit then, names are whole and the last tabs in a menu at the end of the bar.
-/// The current one is always seen. Keys go through all of them.
+/// Tabs stand closer where there is little room; where not all fit then, the last ones are in a menu at the
+/// end of the bar. Names are whole. The current one is always seen. Keys go through all of them.
 class TabBar : public QTabBar {
     Q_OBJECT
 public:
@@ -20,30 +19,26 @@ public:
 
     /// Of those that are shown for this entry.
     bool is_in_menu(int index) const;
-    bool is_shortened(int index) const;
     /// px that a tab is narrower than the style has it.
     int closer() const { return closer_; }
-    /// px by which no name has to be shortened.
+    /// px by which all are seen.
     int closest_width() const;
     QToolButton& menu_button() { return *more_; }
     QSize minimumSizeHint() const override;
 
 protected:
-    bool event(QEvent* event) override;
     QSize tabSizeHint(int index) const override;
     void initStyleOption(QStyleOptionTab* option, int index) const override;
     void tabLayoutChange() override;
 
 private:
     void fit();
-    int least_width(int closer) const;
     void fill_menu();
 
     QToolButton* more_;
     QMenu* menu_;
     std::vector<bool> in_menu_;
     int closer_ = 0;
-    int widest_ = QWIDGETSIZE_MAX;  ///< px that a tab may be
     bool fitting_ = false;
 };
 

@@ -93,13 +93,9 @@ private:
     void read_tabs(const QTabBar& bar) {
         const auto* own = qobject_cast<const TabBar*>(&bar);
         for (int i = 0; i < bar.count(); ++i) {
-            if (!bar.isTabVisible(i)) continue;
-            if (own && own->is_in_menu(i))
-                say("tab in menu", bar.tabText(i), 1);
-            else if (own && own->is_shortened(i))
-                say("tab shortened", bar.tabText(i), 1);
-            else
-                say("tab", bar.tabText(i), bar.tabRect(i).right() - bar.width() + 1);
+            // In the menu at the end of the bar its name is whole.
+            if (!bar.isTabVisible(i) || (own && own->is_in_menu(i))) continue;
+            say("tab", bar.tabText(i), bar.tabRect(i).right() - bar.width() + 1);
         }
     }
     void read_head(const QHeaderView& head) {

@@ -56,7 +56,7 @@ TEST_F(ResultsSession, ABarAndARowOfTheBudgetLeadToTheirSource) {
 
 /// Where its chart can spare the room, the budget does not scroll sideways; a handle that was moved stays.
 TEST_F(ResultsSession, TheBudgetTakesTheRoomThatItsChartCanSpare) {
-    window_->resize(2240, 1000);
+    window_->resize(2300, 1000);
     open(project_copy(QStringLiteral("ballbar-design")));
     select(SetupOwner::analysis, "points");
     ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));

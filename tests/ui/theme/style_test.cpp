@@ -20,7 +20,7 @@ constexpr int side = 17;
 QImage check_box(bool ticked, bool selected) {
     const QPalette palette = QApplication::palette("QTableView");  // a selected row is tinted
     QImage image(side, side, QImage::Format_RGB32);
-    image.fill(palette.color(selected ? QPalette::Highlight : QPalette::Base));
+    image.fill(selected ? tokens_of(palette).tint : palette.color(QPalette::Base));
     QStyleOptionViewItem option;
     option.palette = palette;
     option.rect = image.rect();
@@ -36,7 +36,7 @@ TEST(Style, ACheckBoxThatIsNotTickedIsEmptyInASelectedRowToo) {
         apply_theme(*qApp, theme);
         for (const bool selected : {false, true}) {
             const QColor ground =
-                QApplication::palette("QTableView").color(selected ? QPalette::Highlight : QPalette::Base);
+                selected ? theme.tokens().tint : QApplication::palette("QTableView").color(QPalette::Base);
             const QImage empty = check_box(false, selected);
             EXPECT_EQ(empty.pixelColor(side / 2, side / 2), ground) << theme.is_dark() << selected;
             EXPECT_GE(contrast(empty.pixelColor(side / 2, 0), ground), 2.0) << "its outline is seen";

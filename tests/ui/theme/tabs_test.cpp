@@ -48,22 +48,12 @@ TEST_F(TabBarTest, NamesAreWholeWhereThereIsRoom) {
     EXPECT_EQ(bar_.closer(), 0);
     make_wide(text_width() + 7 * 10);
     EXPECT_GT(bar_.closer(), 0);
-    for (int i = 0; i < bar_.count(); ++i) EXPECT_FALSE(bar_.is_shortened(i)) << i;
     EXPECT_EQ(count_in_menu(), 0);
 }
 
-TEST_F(TabBarTest, TheLongestNameIsShortenedBeforeATabGoesIntoTheMenu) {
-    make_wide(text_width() + 7 * 4);
-    EXPECT_EQ(count_in_menu(), 0);
-    EXPECT_LT(last_pixel(), bar_.width());
-    for (int i = 0; i < bar_.count(); ++i) EXPECT_EQ(bar_.is_shortened(i), i == 5) << i;
-    EXPECT_EQ(bar_.tabText(5), QStringLiteral("Anforderungen"));
-}
-
-TEST_F(TabBarTest, WhereNamesWouldNotBeKnownTheyAreInTheMenu) {
+TEST_F(TabBarTest, WhatHasNoRoomIsInTheMenu) {
     make_wide(text_width() / 2);
     EXPECT_GT(count_in_menu(), 0);
-    for (int i = 0; i < bar_.count(); ++i) EXPECT_FALSE(bar_.is_shortened(i)) << i;
     EXPECT_FALSE(bar_.is_in_menu(bar_.currentIndex()));
     make_wide(text_width() + 7 * 30);
     EXPECT_EQ(count_in_menu(), 0);
