@@ -99,8 +99,9 @@ private:
             p[static_cast<Eigen::Index>(i)] = output.estimate;
             u[static_cast<Eigen::Index>(i)] = output.standard_uncertainty;
         }
-        const std::string name =
-            point.group.empty() || point.group == point.name ? std::string(point.name) : point.group + " " + point.name;
+        const std::string name = point.group.empty() || point.group == point.name
+                                     ? std::string(point.name)
+                                     : point.group + " " + point.name;
         if (!p.allFinite() || !u.allFinite()) {
             said_.push_back("not written: point " + plain_name(name) + " of analysis " +
                             evaluated.analysis->id + ", whose standard uncertainty is not finite");

@@ -8,7 +8,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr double room = 64.0;              // of the cube whichever way it is turned
+constexpr double room = 64.0;  // of the cube whichever way it is turned
 constexpr double cube_edge = room / 1.75;
 constexpr double cube_margin = 16.0;
 constexpr QSize least_view(360, 240);

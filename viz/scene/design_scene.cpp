@@ -89,7 +89,8 @@ SceneMap map_of_paths(const DesignResult& design, double extent, const DocumentL
     return map;
 }
 
-SceneLink edge(const std::string& id, const Eigen::Vector3d& from, const Eigen::Vector3d& to, bool is_dashed) {
+SceneLink edge(const std::string& id, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+               bool is_dashed) {
     SceneLink link;
     link.item.id = id;
     link.item.position = (from + to) / 2;

@@ -66,8 +66,7 @@ private:
                 const ScreenRect rect =
                     at_place(request, place, request.clearance + further * request.height);
                 if (!has_room(request, rect)) continue;
-                if (std::ranges::any_of(bodies,
-                                        [&](const ScreenLine& body) { return body.crosses(rect); }))
+                if (std::ranges::any_of(bodies, [&](const ScreenLine& body) { return body.crosses(rect); }))
                     continue;
                 const auto covered =
                     std::ranges::count_if(drawn_, [&](const ScreenLine& line) { return line.crosses(rect); });

@@ -184,10 +184,10 @@ struct SceneLabel {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     double clearance = 0.0;  ///< radius of what it must not cover, m
     Role role = Role::text;
-    int priority = 0;          ///< higher is placed first; a label without room is left out
-    std::string item = {};     ///< id of what it names; empty: no item
-    Text fact = {};            ///< the line below the name: "U: 36, 51, 34 µm"
-    bool when_asked = false;   ///< written only while its item is selected or pointed at
+    int priority = 0;         ///< higher is placed first; a label without room is left out
+    std::string item = {};    ///< id of what it names; empty: no item
+    Text fact = {};           ///< the line below the name: "U: 36, 51, 34 µm"
+    bool when_asked = false;  ///< written only while its item is selected or pointed at
     bool operator==(const SceneLabel&) const = default;
 };
 
@@ -260,7 +260,7 @@ struct Scene {
     Name group = {};                      ///< the output group shown
     std::string group_title = {};         ///< likewise, for people
     std::vector<std::string> notes = {};  ///< below the titles: of the layout, and what is not drawn
-    std::string caption = {};  ///< "ellipsoids 95 %, × 4 000": whenever uncertainty is drawn
+    std::string caption = {};             ///< "ellipsoids 95 %, × 4 000": whenever uncertainty is drawn
     double magnification = 1.0;
     double probability = 0.95;
     double size = 0.0;       ///< diagonal of the box of the layout (without uncertainties), m; 0 = empty

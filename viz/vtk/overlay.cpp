@@ -89,7 +89,8 @@ void Overlay::paint_head(const std::vector<HeadLine>& lines) {
     for (const HeadLine& line : lines) {
         write(line.word, line.x, line.y);
         if (line.legend)
-            paint_legend_mark(*line.legend, line.x - px(18), line.y + mask_of(line.word).letters.height / 2.0);
+            paint_legend_mark(*line.legend, line.x - px(18),
+                              line.y + mask_of(line.word).letters.height / 2.0);
     }
 }
 
@@ -188,11 +189,10 @@ void Overlay::paint_scale_bar() {
     };
     for (int lines = 0; lines < 2 && !is_clear(); ++lines) y -= height;
     const Colour ink = colour(Role::quiet_text);
-    canvas_.rectangle({right - length - px(3), y - px(7), length + px(6), px(10)}, ground_colour(view_.palette),
-                      0.7);
+    canvas_.rectangle({right - length - px(3), y - px(7), length + px(6), px(10)},
+                      ground_colour(view_.palette), 0.7);
     canvas_.line({right - length, y}, {right, y}, px(1.0), ink);
-    for (double end : {right - length, right})
-        canvas_.line({end, y - px(4)}, {end, y + px(4)}, px(1.0), ink);
+    for (double end : {right - length, right}) canvas_.line({end, y - px(4)}, {end, y + px(4)}, px(1.0), ink);
     const double left = std::min(right - length / 2 - mask.letters.width / 2.0, right - mask.letters.width);
     put(word, left, y - px(6) - mask.letters.height);
     taken_.push_back({right - length - px(3), y - px(7), length + px(6), px(10)});

@@ -48,7 +48,8 @@ std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& laye
         lines.push_back({word, x + indent, y, legend});
         x += wide + between * ratio;
     };
-    if (!scene.group_title.empty()) add({running_text(scene.group_title), Role::text, true, 1.0}, 0.0, nullptr);
+    if (!scene.group_title.empty())
+        add({running_text(scene.group_title), Role::text, true, 1.0}, 0.0, nullptr);
     std::vector<Word> remarks;
     for (const LegendLine& line : scene.legend) {
         if (!layers[Layer::legend] || !is_shown(line, layers)) continue;

@@ -26,7 +26,8 @@ enum class RenderQuality {
 
 struct LayerVisibility {
     std::array<bool, layer_count> shown;
-    /// Distributions and axes only when somebody asks for them: a picture is read by its bodies and ellipsoids.
+    /// Distributions and axes only when somebody asks for them: a picture is read by its bodies and
+    /// ellipsoids.
     LayerVisibility() {
         shown.fill(true);
         for (const Layer asked : {Layer::clouds, Layer::wall_histograms, Layer::axes}) (*this)[asked] = false;

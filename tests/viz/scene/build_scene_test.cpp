@@ -249,11 +249,15 @@ TEST(BuildScene, CaptionSaysMagnificationAndProbability) {
 TEST(BuildScene, AReductionIsAScale) {
     const auto setup = test::stewart_setup(0);
     SceneOptions options;
-    for (const auto& [magnification, words] :
-         {std::pair{1.0, "×\u00a01"}, {0.5, "×\u00a00.5"}, {0.05, "1\u00a0:\u00a020"},
-          {2e-7, "1\u00a0:\u00a05\u202f000\u202f000"}, {2e-12, "1\u00a0:\u00a05×10¹¹"}, {2e12, "×\u00a02×10¹²"}}) {
+    for (const auto& [magnification, words] : {std::pair{1.0, "×\u00a01"},
+                                               {0.5, "×\u00a00.5"},
+                                               {0.05, "1\u00a0:\u00a020"},
+                                               {2e-7, "1\u00a0:\u00a05\u202f000\u202f000"},
+                                               {2e-12, "1\u00a0:\u00a05×10¹¹"},
+                                               {2e12, "×\u00a02×10¹²"}}) {
         options.magnification = magnification;
-        EXPECT_EQ(build_scene(setup.source(), options).caption, std::string("ellipsoids 95\u00a0%, ") + words);
+        EXPECT_EQ(build_scene(setup.source(), options).caption,
+                  std::string("ellipsoids 95\u00a0%, ") + words);
     }
 }
 
