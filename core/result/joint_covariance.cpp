@@ -43,10 +43,12 @@ std::optional<Eigen::MatrixXd> JointCovariance::of_outputs(
     for (const PointCoordinates& point : points)
         rows.insert(rows.end(), point.index.begin(), point.index.end());
     // Of thousands of outputs the trials keep no pair of two groups: the law of propagation has all.
-    const std::size_t block = all.blocks().block_of(static_cast<Eigen::Index>(rows.front()));
-    for (const std::size_t row : rows)
-        if (all.blocks().block_of(static_cast<Eigen::Index>(row)) != block) return of_components(points);
-    return all.among(rows);
+    const auto block_of = [&](std::size_t row) {
+        return all.blocks().block_of(static_cast<Eigen::Index>(row));
+    };
+    const bool in_one_block = std::all_of(
+        rows.begin(), rows.end(), [&](std::size_t row) { return block_of(row) == block_of(rows.front()); });
+    return in_one_block ? all.among(rows) : of_components(points);
 }
 
 Eigen::RowVectorXd JointCovariance::sensitivities(PointCoordinates::Kind kind, std::size_t quantity) const {
