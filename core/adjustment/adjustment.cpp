@@ -180,22 +180,11 @@ void Adjustment::factorise(const SparseColumns& normal) {
         datum_cofactors_.row(static_cast<Eigen::Index>(i)) = undetermined_.row(static_cast<Eigen::Index>(i));
     const Eigen::MatrixXd BG = datum_cofactors_;
     std::vector<double> scratch(scratch_size());
-    const std::size_t n = unknowns();
-    for (Eigen::Index j = 0; j < BG.cols(); ++j) {
-        double* x = datum_cofactors_.col(j).data();
-        for (std::size_t i = 0; i < n; ++i)
-            if (reduced_[i] >= 0)
-                scratch[static_cast<std::size_t>(reduced_[i])] = x[i] / scale_[static_cast<Eigen::Index>(i)];
-        factor_->solve(scratch.data(), scratch.data() + n);
-        for (std::size_t i = 0; i < n; ++i)
-            x[i] = reduced_[i] < 0 ? 0.0
-                                   : scratch[static_cast<std::size_t>(reduced_[i])] /
-                                         scale_[static_cast<Eigen::Index>(i)];
-    }
+    for (Eigen::Index j = 0; j < BG.cols(); ++j) solve_held(datum_cofactors_.col(j).data(), scratch.data());
     of_datum_ = BG.transpose() * datum_cofactors_;
 }
 
-void Adjustment::step(double* x, double* scratch) const {
+void Adjustment::solve_held(double* x, double* scratch) const {
     const std::size_t n = unknowns();
     for (std::size_t i = 0; i < n; ++i)
         if (reduced_[i] >= 0)
@@ -205,6 +194,11 @@ void Adjustment::step(double* x, double* scratch) const {
         x[i] = reduced_[i] < 0
                    ? 0.0
                    : scratch[static_cast<std::size_t>(reduced_[i])] / scale_[static_cast<Eigen::Index>(i)];
+}
+
+void Adjustment::step(double* x, double* scratch) const {
+    const std::size_t n = unknowns();
+    solve_held(x, scratch);
     for (Eigen::Index j = 0; j < undetermined_.cols(); ++j) {
         double along = 0.0;
         for (const std::size_t i : datum_) along += undetermined_(static_cast<Eigen::Index>(i), j) * x[i];

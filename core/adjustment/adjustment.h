@@ -70,6 +70,8 @@ private:
     void find_undetermined(const SparseColumns& normal);
     void take_to_datum(const std::vector<std::size_t>& datum);
     void factorise(const SparseColumns& normal);
+    /// x := Z x, the changes where the unknowns `held_` do not move.
+    void solve_held(double* x, double* scratch) const;
     const SelectedInverse& inverse() const;
     double held_cofactor(std::size_t i, std::size_t j) const;
 

@@ -32,7 +32,8 @@ struct Reliability {
     double s0 = 0.0;  ///< root of their ratio; 0 without redundancy
 };
 
-/// Of residuals at the solution, reading less what the unknowns make of it; `blocks` as in the whitening.
+/// Returns the reliability of every reading; `residuals`: reading less what the unknowns make of it, at the
+/// solution; `blocks` as in the whitening.
 Reliability reliability_of(const Adjustment& adjustment, const SparseRows& whitening,
                            const std::vector<CovarianceBlock>& blocks, const Eigen::VectorXd& residuals);
 

@@ -28,7 +28,7 @@ private:
 /// P N Pᵀ = L D Lᵀ, in an order in which unknowns with few neighbours (points) go first.
 class SparseFactor {
 public:
-    /// Of the lower triangle; false: the matrix is not positive definite.
+    /// Takes the lower triangle; false: the matrix is not positive definite.
     bool factorise(const SparseColumns& lower);
 
     std::size_t size() const { return diagonal_.size(); }

@@ -17,7 +17,7 @@
 
 namespace covaria::network {
 
-/// What is known of a coordinate beforehand.
+/// Knowledge of a coordinate before anything is read.
 enum class CoordinateRole {
     unknown,  ///< nothing: it follows from the readings
     datum,    ///< nothing, and what no reading tells is taken from it and its like (free network)
@@ -161,10 +161,10 @@ std::optional<AdjustedNetwork> adjusted_network(const StatedAdjustment& stated, 
 void find_start(AdjustedNetwork& network, Problems& problems);
 /// The least sum of squares: `state` and `adjusted`. Errors say what the readings leave open, by name.
 void adjust(AdjustedNetwork& network, Problems& problems);
-/// What of an adjustment no reading and no datum tells, in sentences.
+/// Sentences for the directions that neither a reading nor the datum determines.
 std::vector<Message> open_directions(const AdjustedNetwork& network, const adjustment::Adjustment& adjusted);
 
-/// What changes by the state, of one reading.
+/// A derivative of one reading by one number of the state.
 struct StateTerm {
     std::size_t place = 0;
     double coefficient = 0.0;
@@ -177,7 +177,7 @@ double residual_of(const AdjustedNetwork& network, const AdjustedReading& readin
                    const double* state);
 void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state,
                  StateTerms& terms);
-/// Of all readings by the unknowns.
+/// Derivatives of all readings by the unknowns.
 adjustment::SparseRows design_of(const AdjustedNetwork& network, const double* state);
 Eigen::VectorXd residuals_of(const AdjustedNetwork& network, const double* state);
 
