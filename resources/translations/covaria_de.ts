@@ -900,11 +900,11 @@
     </message>
     <message>
         <source>sphere, geometric fit from the linear one</source>
-        <translation>Kugelfläche, geometrische Anpassung nach der linearen</translation>
+        <translation>Kugel, geometrisch nach linearer Anpassung</translation>
     </message>
     <message>
         <source>sphere, linear fit</source>
-        <translation>Kugelfläche, lineare Anpassung</translation>
+        <translation>Kugel, lineare Anpassung</translation>
     </message>
     <message>
         <source>Robot pose</source>
@@ -3521,6 +3521,14 @@
     <message>
         <source>Coordinates of targets that several instruments measure together.</source>
         <translation>Koordinaten von Zielpunkten, die mehrere Messgeräte gemeinsam messen.</translation>
+    </message>
+    <message>
+        <source>Network with unknown stations</source>
+        <translation>Netz mit unbekannten Standpunkten</translation>
+    </message>
+    <message>
+        <source>Places of targets and of the instruments themselves, from readings to control points.</source>
+        <translation>Orte von Zielpunkten und der Messgeräte selbst, aus Messungen zu Festpunkten.</translation>
     </message>
     <message>
         <source>Where do I put the station?</source>

@@ -3523,6 +3523,14 @@
         <translation>Coordenadas de dianas que varios instrumentos miden conjuntamente.</translation>
     </message>
     <message>
+        <source>Network with unknown stations</source>
+        <translation>Red con estaciones desconocidas</translation>
+    </message>
+    <message>
+        <source>Places of targets and of the instruments themselves, from readings to control points.</source>
+        <translation>Posiciones de dianas y de los propios instrumentos, a partir de lecturas a puntos de control.</translation>
+    </message>
+    <message>
         <source>Where do I put the station?</source>
         <translation>¿Dónde coloco la estación?</translation>
     </message>

@@ -3522,6 +3522,14 @@
         <translation>여러 측정기가 함께 측정하는 표적의 좌표.</translation>
     </message>
     <message>
+        <source>Network with unknown stations</source>
+        <translation>측점을 모르는 망</translation>
+    </message>
+    <message>
+        <source>Places of targets and of the instruments themselves, from readings to control points.</source>
+        <translation>기준점에 대한 읽음값으로 구하는 표적과 측정기 자체의 위치.</translation>
+    </message>
+    <message>
         <source>Where do I put the station?</source>
         <translation>스테이션을 어디에 둘까?</translation>
     </message>

@@ -3523,6 +3523,14 @@
         <translation>Coordenadas de alvos que vários instrumentos medem juntos.</translation>
     </message>
     <message>
+        <source>Network with unknown stations</source>
+        <translation>Rede com estações desconhecidas</translation>
+    </message>
+    <message>
+        <source>Places of targets and of the instruments themselves, from readings to control points.</source>
+        <translation>Posições de alvos e dos próprios instrumentos, a partir de leituras a pontos de controle.</translation>
+    </message>
+    <message>
         <source>Where do I put the station?</source>
         <translation>Onde coloco a estação?</translation>
     </message>

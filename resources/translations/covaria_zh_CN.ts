@@ -3522,6 +3522,14 @@
         <translation>若干仪器共同测量的目标点的坐标。</translation>
     </message>
     <message>
+        <source>Network with unknown stations</source>
+        <translation>测站未知的网</translation>
+    </message>
+    <message>
+        <source>Places of targets and of the instruments themselves, from readings to control points.</source>
+        <translation>由对控制点的读数求目标点和仪器自身的位置。</translation>
+    </message>
+    <message>
         <source>Where do I put the station?</source>
         <translation>测站设在哪里？</translation>
     </message>
