@@ -83,7 +83,15 @@ TEST_F(Screenshots, EveryTabShowsSomething) {
             EXPECT_GT(busy_part(image, rect_of(*tabs.widget(tab))), 0.01)
                 << tabs.tabText(tab).toStdString() << ' ' << theme;
             if (window_->scene().view().isVisible()) {
-                EXPECT_GT(busy_part(image, rect_of(window_->scene().view())), 0.02) << "scene, " << theme;
+                // A picture of its new size comes when it is drawn.
+                const QRect scene = rect_of(window_->scene().view());
+                EXPECT_TRUE(QTest::qWaitFor(
+                    [&] {
+                        const QImage now = window_->grab().toImage();
+                        return busy_part(now, scene) > 0.02;
+                    },
+                    20'000))
+                    << "scene, " << theme << ", tab " << tab;
             }
         }
     }

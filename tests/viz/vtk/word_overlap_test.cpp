@@ -111,6 +111,10 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
         if (word.rect.y < view.size.height && word.rect.y + word.rect.height > foot)
             counts.covered.push_back(view_words(scene, view) + to_unicode(word.text));
     look.layers.shown[static_cast<std::size_t>(Layer::labels)] = false;  // they come first
+    const LayerVisibility before = renderer.layers();
+    renderer.set_layers(look.layers);
+    renderer.set_view(view.view);  // with room for axes, which are shown
+    look.camera = renderer.camera();
     detail::Overlay bare(scene, look, image, masks);
     bare.paint();
     for (const int axis : {0, 1, 2}) {
@@ -124,6 +128,7 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
         if (scene.axes && !from_its_end && std::ranges::none_of(bare.words(), is_name))
             counts.nameless.push_back(view_words(scene, view) + name);
     }
+    renderer.set_layers(before);
 }
 
 /// The first and the last group of every analysis that stands in space.
