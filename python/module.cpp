@@ -153,12 +153,8 @@ public:
         for (std::size_t i = 0; i < std::min(most_rows, prepared_->inputs.quantities.size()); ++i)
             rows.push_back({{i}, {}, false});
         const std::vector<std::string> keys{"symbol", "name", "unit", "estimate", "u", "row distribution"};
-        const DocumentLanguage& english = DocumentLanguage::english();
         report_parts::TableBuilder table("inputs", Message(name().empty() ? id() : name()));
-        const Table all = inputs_table(prepared_->inputs, rows);
-        table.columns(all, keys);
-        for (std::size_t row = 0; row < all.rows; ++row)
-            table.row(report_parts::print_row(all, keys, row, english));
+        table.all_of(inputs_table(prepared_->inputs, rows), keys);
         if (const std::size_t more = prepared_->inputs.quantities.size() - rows.size())
             table.note(std::to_string(more) + " more");
         return html_of({table.take()});

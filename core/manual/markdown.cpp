@@ -109,11 +109,9 @@ private:
         for (std::size_t row = 0; at_ < lines_.size() && lines_[at_].starts_with("|"); ++at_, ++row) {
             const std::vector<std::string> cells = cells_of(lines_[at_]);
             if (row == 0)
-                for (const std::string& cell : cells) block.table.columns.push_back({cell});
+                for (const std::string& cell : cells) block.table.add(cell).title = running_text(cell);
             if (row < 2) continue;  // the head and the rule below it
-            block.table.rows.emplace_back();
-            for (std::size_t c = 0; c < block.table.columns.size(); ++c)
-                block.table.rows.back().push_back(c < cells.size() ? cells[c] : std::string());
+            block.table.row({cells.begin(), cells.end()});
         }
         blocks_.push_back(std::move(block));
     }

@@ -73,7 +73,7 @@ void add_estimate(Table& table, const UncertaintyResult& result,
                  return begin[i] ? estimate_cell(result.budget.components[row.component], numbers) : Cell();
              })
         .print_symbol("x_i")
-        .round({.match = "u", .input = true})
+        .input_of("u")
         .not_in_files();
 }
 
@@ -113,12 +113,12 @@ void add_sobol_columns(Table& table, const UncertaintyResult& result, const Plac
                      const SobolIndex* index = sobol_at(result, (*places)[i]);
                      return index ? Cell(Measured{index->*share}) : Cell();
                  })
-            .round({.decimals = 1, .percent = true})
+            .percent(1)
             .not_in_files();
     };
-    add("sobol standard error", &SobolIndex::first_standard_error).round({.digits = 2, .percent = true});
-    add("sobol total standard error", &SobolIndex::total_standard_error)
-        .round({.digits = 2, .percent = true});
+    const NumberRule two_digits{.role = NumberRole::figure, .digits = 2, .percent = true};
+    add("sobol standard error", &SobolIndex::first_standard_error).round(two_digits);
+    add("sobol total standard error", &SobolIndex::total_standard_error).round(two_digits);
     add("sobol", &SobolIndex::first)
         .window("S / %", "Share of the variance that the component causes by itself (Sobol index)");
     add("sobol total", &SobolIndex::total)
@@ -186,7 +186,7 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
     add("u", [](L l) { return interval(l.component.standard_uncertainty, unit_of(l.component)); })
         .print_symbol("u(x_i)")
         .window("u", "Standard uncertainty of the component")
-        .digits(3)
+        .uncertainty()
         .of_row({"estimate", "u"});
     add("distribution", [](L l) -> Cell { return l.component.distribution; })
         .print("Distribution")
@@ -198,31 +198,30 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
     add("degrees of freedom", [](L l) -> Cell { return Measured{l.component.degrees_of_freedom}; })
         .print_symbol("nu_i")
         .window(symbol_text("nu"), "Degrees of freedom")
-        .round({.degrees_of_freedom = true});
+        .degrees_of_freedom();
     add("sensitivity",
         [](L l) -> Cell {
             return Measured{l.row.sensitivity, Scale::interval, l.output.unit, unit_of(l.component)};
         })
         .print_symbol("c_i")
         .window("c", "Sensitivity coefficient, unit of the output quantity per unit of the component")
-        .digits(sensitivity_digits)
-        .no_fewer_digits()
+        .figure_no_fewer(sensitivity_digits)
         .with_unit();
     add("sensitivity unit", [](L l) -> Cell { return quotient(l.output.unit, unit_of(l.component)); });
     add("contribution", [](L l) { return interval(l.row.contribution, l.output.unit); })
         .print(unit ? "|cᵢ|·u(xᵢ) in %1" : "|cᵢ|·u(xᵢ)")
         .window("|c|·u", "Contribution to the standard uncertainty")
-        .digits(2)
+        .uncertainty()
         .in(unit);
     add("share of variance", [](L l) -> Cell { return Measured{l.row.share}; })
         .print("Share of variance in %")
         .window("Share / %", "Of the variance, with its part of the covariances")
-        .round({.decimals = 1, .percent = true});
+        .percent(1);
     add("one at a time",
         [](L l) { return l.row.one_at_a_time ? interval(*l.row.one_at_a_time, l.output.unit) : Cell(); })
         .print("alone, Monte Carlo, in %1")
         .window("u one at a time", "By Monte Carlo with every other component kept constant")
-        .digits(2)
+        .uncertainty()
         .in(unit);
     add_sobol_columns(table, result, places);
     add("held", [](L l) -> Cell { return Answer{l.component.held}; });

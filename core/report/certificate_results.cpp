@@ -111,7 +111,7 @@ void add_table(Blocks& blocks, const UncertaintyResult& result, const std::vecto
     table.symbol(k_head(result));
     for (const std::size_t i : outputs) {
         const OutputResult& output = result.outputs[i];
-        std::vector<TableCell> row;
+        std::vector<Cell> row;
         if (groups) row.emplace_back(in.say(said_name(output.quantity.group)));
         row.emplace_back(output.quantity.symbol);
         row.emplace_back(value_statement(output, true, in));
@@ -131,14 +131,13 @@ void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& g
     const bool one_k = has_one_k(result, shown, in);
     TableBuilder table("certified-" + id, "", in);
     table.text(in.say(words::group));
-    std::vector<std::pair<int, Unit>> heads;
     for (std::size_t c = 0; c < columns.size(); ++c) {
         const OutputQuantity& quantity = result.outputs[shown[c]].quantity;
-        heads.emplace_back(table.symbol(quantity.symbol), quantity.unit);
+        table.symbol(quantity.symbol).in(quantity.unit);
         if (!one_k) table.symbol(k_head(result));
     }
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        std::vector<TableCell> row = {in.say(said_name(groups[g]))};
+        std::vector<Cell> row = {in.say(said_name(groups[g]))};
         for (std::size_t c = 0; c < columns.size(); ++c) {
             const OutputResult& output = result.outputs[shown[g * columns.size() + c]];
             row.emplace_back(value_statement(output, false, in));
@@ -147,10 +146,7 @@ void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& g
         table.row(std::move(row));
     }
     add_coverage_notes(table, result, shown, in);
-    TableBlock block = table.take();
-    for (const auto& [column, unit] : heads)
-        block.table.columns[static_cast<std::size_t>(column)].unit = unit;
-    blocks.push_back(std::move(block));
+    blocks.push_back(table.take());
 }
 
 /// Symbols of one unit, three at a time.

@@ -52,13 +52,12 @@ public:
             .window("In", "Whether both results have the quantity")
             .of_own_words({"both", "only before", "only after"});
         add("unit", [](P p) -> Cell { return p.quantity().unit; }).print("Unit").window("Unit");
-        both("U", "U", &OutputResult::expanded_uncertainty, Scale::interval, "Expanded uncertainty")
-            .digits(2);
+        both("U", "U", &OutputResult::expanded_uncertainty, Scale::interval, "Expanded uncertainty");
         change("change of U", "Change of U in %", &OutputResult::expanded_uncertainty,
                "Change of the expanded uncertainty, in per cent of that before");
         both("estimate", "y", &OutputResult::estimate, Scale::value, "Best value of the output quantity");
-        table_.columns[table_.columns.size() - 2].match("U before");
-        table_.columns.back().match("U after");
+        table_.columns[table_.columns.size() - 2].estimate_of("U before");
+        table_.columns.back().estimate_of("U after");
         add("change of estimate",
             [](P p) -> Cell {
                 if (!p.before || !p.after) return {};
@@ -67,9 +66,8 @@ public:
             })
             .print("Change of y")
             .window("Change of estimate", "Estimate after less estimate before")
-            .match("U after");
-        both("u", "u", &OutputResult::standard_uncertainty, Scale::interval, "Standard uncertainty")
-            .digits(2);
+            .estimate_of("U after");
+        both("u", "u", &OutputResult::standard_uncertainty, Scale::interval, "Standard uncertainty");
         both("k", "k", &OutputResult::coverage_factor, Scale::interval, "Coverage factor", true);
         return std::move(table_);
     }
@@ -85,19 +83,20 @@ private:
     }
 
     /// "U before", "U after".
-    Column& both(const std::string& key, const std::string& symbol, Number number, Scale scale,
-                 const std::string& help, bool pure = false) {
+    void both(const std::string& key, const std::string& symbol, Number number, Scale scale,
+              const std::string& help, bool pure = false) {
         const auto cell = [=](const OutputResult* of, const Unit& unit) -> Cell {
             if (!of) return {};
             return pure ? Measured{of->*number} : Measured{of->*number, scale, unit, {}};
         };
-        const NumberRule rule = pure ? NumberRule{.decimals = 2} : NumberRule{.digits = 2};
+        const NumberRule rule = pure ? NumberRule{.role = NumberRole::fixed, .decimals = 2}
+                                     : NumberRule{.role = NumberRole::uncertainty};
         const bool estimate = scale == Scale::value;
         add(key + " before", [=](const OutputPair& p) { return cell(p.before, p.quantity().unit); })
             .print(symbol + " before")
             .window(Text((estimate ? "Estimate" : symbol) + " before"), help)
             .round(rule);
-        return add(key + " after", [=](const OutputPair& p) { return cell(p.after, p.quantity().unit); })
+        add(key + " after", [=](const OutputPair& p) { return cell(p.after, p.quantity().unit); })
             .print(symbol + " after")
             .window(Text((estimate ? "Estimate" : symbol) + " after"), help)
             .round(rule);
@@ -112,7 +111,7 @@ private:
             })
             .print(head)
             .window(Text(head), help)
-            .round({.decimals = 1, .percent = true});
+            .percent(1);
     }
 
     const ResultComparison& comparison_;
@@ -242,14 +241,14 @@ Table compared_budget_table(const ResultComparison& comparison, std::vector<Comp
         })
         .print("u before")
         .window("u before", u_help)
-        .digits(3);
+        .uncertainty(3);
     add("u after",
         [](P p) {
             return interval_cell(p.after ? &p.after->standard_uncertainty : nullptr, p.either().unit);
         })
         .print("u after")
         .window("u after", u_help)
-        .digits(3);
+        .uncertainty(3);
     const char* c_help = "Contribution to the standard uncertainty";
     add("contribution before",
         [](P p) {
@@ -257,22 +256,22 @@ Table compared_budget_table(const ResultComparison& comparison, std::vector<Comp
         })
         .print(unit ? "|c|\u00b7u before in %1" : "|c|\u00b7u before")
         .window("|c|\u00b7u before", c_help)
-        .digits(2)
+        .uncertainty()
         .in(unit);
     add("contribution after",
         [](P p) { return interval_cell(p.row_after ? &p.row_after->contribution : nullptr, p.output.unit); })
         .print(unit ? "|c|\u00b7u after in %1" : "|c|\u00b7u after")
         .window("|c|\u00b7u after", c_help)
-        .digits(2)
+        .uncertainty()
         .in(unit);
     add("share before", [](P p) { return interval_cell(p.row_before ? &p.row_before->share : nullptr, {}); })
         .print("Share before in %")
         .window("Share before / %", "Of the variance before")
-        .round({.decimals = 1, .percent = true});
+        .percent(1);
     add("share after", [](P p) { return interval_cell(p.row_after ? &p.row_after->share : nullptr, {}); })
         .print("Share after in %")
         .window("Share after / %", "Of the variance after")
-        .round({.decimals = 1, .percent = true});
+        .percent(1);
     add("change of variance",
         [](P p) -> Cell {
             return p.variance_before > 0.0 ? Cell(Measured{p.change / p.variance_before}) : Cell();
@@ -281,7 +280,7 @@ Table compared_budget_table(const ResultComparison& comparison, std::vector<Comp
         .window("Change of variance / %",
                 "By how much this component changes the variance of the output, in per cent of the whole "
                 "variance before; the rows add up to the change of the whole")
-        .round({.decimals = 1, .percent = true});
+        .percent(1);
     add("origin", [](P p) -> Cell {
         return p.either().origin;
     }).window("Origin", "Where the figure comes from");

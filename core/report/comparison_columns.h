@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "core/report/table.h"
 #include "core/result/comparison.h"
 #include "core/text/document_language.h"
 #include "core/text/plot_specification.h"
+#include "core/text/table.h"
 
 namespace covaria {
 

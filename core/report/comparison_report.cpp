@@ -105,7 +105,7 @@ private:
             const Message of = std::get<Message>(all.cell(row, "group"));
             if (!(of == group)) table.subhead(of);
             group = of;
-            table.row(print_row(all, keys, row, in_));
+            table.row_of(all, row);
         }
         blocks_.push_back(table.take());
     }
@@ -131,34 +131,24 @@ private:
         const Table all = compared_budget_table(comparison_, places);
         table.columns(all, keys);
         const std::size_t shown = places.size() <= most_changes ? places.size() : most_changes - 1;
-        for (std::size_t row = 0; row < shown; ++row) table.row(print_row(all, keys, row, in_));
+        for (std::size_t row = 0; row < shown; ++row) table.row_of(all, row);
         const double variance = std::pow(before.first_order.standard_uncertainty, 2);
-        const auto percent = [variance](double change) {
-            return variance > 0.0 ? TableCell(100.0 * change / variance) : TableCell();
+        const auto part = [variance](double change) {
+            return variance > 0.0 ? Cell(change / variance) : Cell();
         };
         if (shown < places.size()) {
             double rest = 0.0;
             for (std::size_t i = shown; i < places.size(); ++i) rest += places[i].component.change();
-            table.row({{},
-                       in_.say(tell<"%1 further components">(places.size() - shown)),
-                       {},
-                       {},
-                       {},
-                       {},
-                       {},
-                       {},
-                       percent(rest)});
+            table.row_with({{"component", tell<"%1 further components">(places.size() - shown)},
+                            {"change of variance", part(rest)}});
         }
         const Unit& unit = after.quantity.unit;
-        table.row({std::string("u_c"),
-                   in_.say(tell<"combined (law of propagation)">()),
-                   {},
-                   {},
-                   {},
-                   {},
-                   interval_in(unit, before.first_order.standard_uncertainty),
-                   interval_in(unit, after.first_order.standard_uncertainty),
-                   percent(std::pow(after.first_order.standard_uncertainty, 2) - variance)});
+        table.row_with(
+            {{"quantity", Symbols{"u_c"}},
+             {"component", tell<"combined (law of propagation)">()},
+             {"contribution before", interval_in(unit, before.first_order.standard_uncertainty)},
+             {"contribution after", interval_in(unit, after.first_order.standard_uncertainty)},
+             {"change of variance", part(std::pow(after.first_order.standard_uncertainty, 2) - variance)}});
         blocks_.push_back(table.take());
     }
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "core/report/table.h"
 #include "core/result/uncertainty_result.h"
 #include "core/text/document_language.h"
+#include "core/text/table.h"
 
 namespace covaria {
 

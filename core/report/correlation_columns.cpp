@@ -55,7 +55,7 @@ Table correlation_table(const UncertaintyResult& result, const std::vector<std::
             .print_symbol(q.symbol)
             .window(symbol_text(q.symbol) + (one_group || q.group.empty() ? "" : ", " + q.group))
             .tip(q.name)
-            .round({.decimals = 3});
+            .fixed(3);
     }
     return table;
 }
@@ -84,7 +84,7 @@ Table input_correlations_table(const InputSet& inputs, std::vector<ComponentCorr
     }
     table.add("r", [pairs](std::size_t i) -> Cell { return Measured{(*pairs)[i].coefficient}; })
         .print_symbol("r")
-        .digits(3);
+        .figure(3);
     return table;
 }
 

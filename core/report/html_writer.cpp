@@ -7,7 +7,6 @@
 #include "core/report/html_style.h"
 #include "core/report/prose.h"
 #include "core/report/report.h"
-#include "core/report/table_text.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -50,15 +49,16 @@ std::size_t longest_word(const std::string& text) {
 double printed_width(const TableBlock& block) {
     constexpr double letter = 1.55, gap = 3.0;
     double width = 0.0;
-    for (std::size_t c = 0; c < block.table.columns.size(); ++c) {
+    for (std::size_t c = 0; c < block.table.shown_columns(); ++c) {
+        const Column& column = block.table.columns[c];
+        const bool numbers = has_only_numbers(block.table, column);
         std::size_t longest = 0;
-        for (std::size_t r = 0; r < block.table.rows.size(); ++r) {
-            if (is_subhead(block, r)) continue;
-            const std::string text = cell_text(block, r, c);
-            // Words break, numbers do not.
-            longest = std::max(longest, is_numeric_column(block, c) ? length_of(text) : longest_word(text));
+        for (std::size_t r = 0; r < block.table.rows; ++r) {
+            if (block.table.is_subhead(r)) continue;
+            const std::string text = written(block.table, column, r, block.view).letters();
+            longest = std::max(longest, numbers ? length_of(text) : longest_word(text));  // words break
         }
-        longest = std::max(longest, longest_word(block.table.columns[c].header));
+        longest = std::max(longest, longest_word(column.title.letters()));
         width += letter * static_cast<double>(longest) + gap;
     }
     return width;
@@ -75,11 +75,11 @@ std::string printed_class(const TableBlock& block) {
 }
 
 std::vector<int> widest_decimals(const TableBlock& block) {
-    std::vector<int> widest(block.table.columns.size(), -1);
+    std::vector<int> widest(block.table.shown_columns(), -1);
     for (std::size_t c = 0; c < widest.size(); ++c)
-        for (std::size_t r = 0; r < block.table.rows.size(); ++r)
-            if (!is_subhead(block, r))
-                widest[c] = std::max(widest[c], aligned_decimals(cell_text(block, r, c)));
+        for (std::size_t r = 0; r < block.table.rows; ++r)
+            if (const auto number = rounded(block.table, block.table.columns[c], r, block.view))
+                widest[c] = std::max(widest[c], aligned_decimals(*number));
     return widest;
 }
 
@@ -172,16 +172,15 @@ struct HtmlWriter {
                "\n";
     }
     void operator()(const TableBlock& block) {
-        const DataTable& table = block.table;
+        const Table& table = block.table;
         out += "<div class=\"wide" + printed_class(block) + "\"><table>\n";
         if (!table.title.empty()) out += element("caption", rich(table.title)) + "\n";
         out += "<thead><tr>";
-        for (std::size_t c = 0; c < table.columns.size(); ++c)
-            out += element("th", to_html(head_text(table.columns[c])),
-                           is_numeric_column(block, c) ? "number" : "");
+        for (std::size_t c = 0; c < table.shown_columns(); ++c)
+            out += element("th", to_html(head_written(table.columns[c], block.view)), css_class(table, c));
         out += "</tr></thead>\n<tbody>\n";
         const std::vector<int> widest = widest_decimals(block);
-        for (std::size_t r = 0; r < table.rows.size(); ++r) row(block, r, widest);
+        for (std::size_t r = 0; r < table.rows; ++r) row(block, r, widest);
         out += "</tbody></table>\n";
         for (const Message& note : table.notes) out += element("p", rich(note.english()), "note") + "\n";
         out += "</div>\n";
@@ -199,18 +198,24 @@ struct HtmlWriter {
 
     void row(const TableBlock& block, std::size_t r, const std::vector<int>& widest) {
         out += "<tr>";
-        if (is_subhead(block, r)) {
+        const Table& table = block.table;
+        if (table.is_subhead(r)) {
             out += "<td class=\"subhead\" colspan=\"" + std::to_string(widest.size()) + "\">" +
-                   to_html(cell_typeset(block, r, 0)) + "</td>";
+                   to_html(written(table, table.columns.front(), r, block.view)) + "</td>";
         } else {
             for (std::size_t c = 0; c < widest.size(); ++c) {
-                const bool number = is_numeric_column(block, c);
-                const std::string pad =
-                    number ? padding(aligned_decimals(cell_text(block, r, c)), widest[c]) : "";
-                out += element("td", to_html(cell_typeset(block, r, c)) + pad, number ? "number" : "");
+                const Column& column = table.columns[c];
+                const auto number = rounded(table, column, r, block.view);
+                const std::string pad = number ? padding(aligned_decimals(*number), widest[c]) : "";
+                out +=
+                    element("td", to_html(written(table, column, r, block.view)) + pad, css_class(table, c));
             }
         }
         out += "</tr>\n";
+    }
+
+    static std::string css_class(const Table& table, std::size_t column) {
+        return has_only_numbers(table, table.columns[column]) ? "number" : "";
     }
 
     void figure(const std::string& file, const std::string& caption) {

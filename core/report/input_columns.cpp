@@ -154,14 +154,14 @@ private:
                            return Measured{figures().estimate, Scale::value, l.quantity().unit, {}};
                        })
             .print("Estimate")
-            .round({.match = "u", .input = true});
+            .input_of("u");
         add_of_figures("u",
                        [](L l, const auto& figures) -> Cell {
                            const double u = l.row.part ? part_uncertainty(l) : figures().u;
                            return Measured{u, Scale::interval, l.quantity().unit, {}};
                        })
             .print_symbol("u(x_i)")
-            .digits(3)
+            .uncertainty()
             .of_row({"estimate", "u"});
     }
 
@@ -178,7 +178,7 @@ private:
             .not_in_files();
         add("row degrees of freedom", row_degrees_of_freedom)
             .print_symbol("nu_i")
-            .round({.degrees_of_freedom = true})
+            .degrees_of_freedom()
             .not_in_files();
         add("row origin",
             [](L l) -> Cell {

@@ -5,7 +5,6 @@
 #include "core/base/printable.h"
 #include "core/report/prose.h"
 #include "core/report/report.h"
-#include "core/report/table_text.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -63,12 +62,10 @@ std::string words_of_block(const std::string& text) {
 }
 
 std::string table_cell(const TableBlock& block, std::size_t row, std::size_t column) {
-    const std::string text = cell_text(block, row, column);
-    if (style_of(block, column).symbol && !is_subhead(block, row))
-        return escaped(to_unicode(symbols_text(text)));
-    const auto& cells = block.table.rows[row];
-    const bool number = column < cells.size() && shown_number(cells[column], block.table.columns[column]);
-    return number ? escaped(with_decimal_sign(text, block.locale)) : words(text);
+    const Column& of = block.table.columns[column];
+    if (const auto number = rounded(block.table, of, row, block.view))
+        return escaped(with_decimal_sign(*number, block.view.language.numbers()));
+    return escaped(to_unicode(written(block.table, of, row, block.view)));
 }
 
 struct MarkdownWriter {
@@ -105,16 +102,16 @@ struct MarkdownWriter {
         out += "\n\n";
     }
     void operator()(const TableBlock& block) {
-        const DataTable& table = block.table;
+        const Table& table = block.table;
         if (!table.title.empty()) out += "**" + words(table.title) + "**\n\n";
         std::string rule;
-        for (std::size_t c = 0; c < table.columns.size(); ++c) {
-            out += "| " + escaped(to_unicode(head_text(table.columns[c]))) + " ";
-            rule += is_numeric_column(block, c) ? "|---:" : "|---";
+        for (std::size_t c = 0; c < table.shown_columns(); ++c) {
+            out += "| " + escaped(to_unicode(head_written(table.columns[c], block.view))) + " ";
+            rule += has_only_numbers(table, table.columns[c]) ? "|---:" : "|---";
         }
         out += "|\n" + rule + "|\n";
-        for (std::size_t r = 0; r < table.rows.size(); ++r) {
-            for (std::size_t c = 0; c < table.columns.size(); ++c)
+        for (std::size_t r = 0; r < table.rows; ++r) {
+            for (std::size_t c = 0; c < table.shown_columns(); ++c)
                 out += "| " + table_cell(block, r, c) + " ";
             out += "|\n";
         }

@@ -25,7 +25,6 @@ Table regions_table(const UncertaintyResult& result) {
     const auto add = [&](const char* key, auto get) -> Column& {
         return table.add(key, [&result, get](std::size_t row) -> Cell { return get(result.regions[row]); });
     };
-    const NumberRule three{.decimals = 3};
     add("group", [](R r) -> Cell { return r.group; });
     add("group in words", [](R r) -> Cell { return r.group.empty() ? tell<"all">() : said_name(r.group); })
         .print("Group")
@@ -44,16 +43,16 @@ Table regions_table(const UncertaintyResult& result) {
     add("ellipsoid first order",
         [](R r) -> Cell { return r.singular ? Cell() : Measured{r.ellipsoid_first_order}; })
         .print("ellipsoid, law of prop.")
-        .round(three);
+        .fixed(3);
     add("rectangle first order", [](R r) -> Cell { return Measured{r.rectangle_first_order}; })
         .print("rectangle, law of prop.")
-        .round(three);
+        .fixed(3);
     add("ellipsoid Monte Carlo", [](R r) { return factor(r.ellipsoid_monte_carlo); })
         .print("ellipsoid, Monte Carlo")
-        .round(three);
+        .fixed(3);
     add("rectangle Monte Carlo", [](R r) { return factor(r.rectangle_monte_carlo); })
         .print("rectangle, Monte Carlo")
-        .round(three);
+        .fixed(3);
     add("trials", [](R r) -> Cell { return Measured{static_cast<double>(r.trials)}; });
     add("singular", [](R r) -> Cell { return Answer{r.singular}; });
     return table;

@@ -51,24 +51,6 @@ struct Numbering {
     }
 };
 
-/// Where a table shows two significant digits, those that the project states. Estimates are matched to them.
-struct UncertaintyDigits {
-    int digits = 2;
-
-    void operator()(TableBlock& block) const {
-        auto& columns = block.table.columns;
-        for (std::size_t c = 0; c < block.styles.size() && digits != 2; ++c) {
-            const int match = block.styles[c].match;
-            const bool matched = match >= 0 && columns[static_cast<std::size_t>(match)].digits == 2;
-            if (matched || block.styles[c].by_spread) columns[c].digits = digits;
-        }
-        for (TableColumn& column : columns)
-            if (column.digits == 2) column.digits = digits;
-    }
-    template <class Other>
-    void operator()(Other&) const {}
-};
-
 /// Figures are files: every id is there once, whatever the names of groups become.
 struct FigureNaming {
     FileNames charts = {}, pictures = {};
@@ -134,8 +116,9 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
     if (!chapters.annex.empty()) blocks.push_back(HeadingBlock{1, in.say(tell<"Annex">())});
     std::move(chapters.annex.begin(), chapters.annex.end(), std::back_inserter(blocks));
     add_contents(blocks, in);
-    const UncertaintyDigits digits{project.results.style.digits.value_or(2)};
-    for (ReportBlock& block : document.blocks) std::visit(digits, block);
+    for (ReportBlock& block : document.blocks)
+        if (auto* table = std::get_if<TableBlock>(&block))
+            table->view.digits = project.results.style.digits.value_or(table->view.digits);
     Numbering numbering{in};
     for (ReportBlock& block : document.blocks) std::visit(numbering, block);
     FigureNaming naming;

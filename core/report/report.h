@@ -95,6 +95,9 @@ ReportDocument build_document(DocumentKind kind, const MadeProject& project,
 std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated);
 /// Of a study: one line per grid point, with the reason where it has no values. The id is "study-ID".
 DataTable study_table(const StudyResult& study);
+/// A study as people read it: axes as they were typed, what is looked at of the outputs, remarks where there
+/// are any. Reads the study when it is asked for cells.
+Table study_view(const StudyResult& study, const DocumentLanguage& in);
 /// The evaluation of each asset; ids start with the asset's.
 std::vector<DataTable> asset_tables(const AssetLibrary& assets);
 

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/project/certificate_logo.h"
+#include "core/text/cell.h"
 #include "core/text/formula.h"
 #include "core/text/numbers.h"
 #include "core/text/plot_specification.h"
@@ -70,24 +70,10 @@ struct EquationBlock {
     Formula formula = {};  ///< for writers that can set it; empty: `text` is all
 };
 
-/// How the cells of a column are set.
-struct ColumnStyle {
-    bool symbol = false;           ///< texts of the column are symbols ("alpha_7", "b_1x, b_2x")
-    bool bare = false;             ///< quantities without their units, which another column gives
-    int match = -1;                ///< column whose number (an uncertainty) decides the decimals of this one
-    int decimals = -1;             ///< fixed number of decimals; -1: from `match` or the column's digits
-    bool input = false;            ///< matched only where it was computed: a typed estimate keeps its digits
-    bool by_spread = false;        ///< TableBlock::spreads decides its decimals
-    std::vector<int> row = {};     ///< columns of its row, its own among them, that have one power of ten
-    std::vector<int> by_row = {};  ///< decimals of each row instead; -1: from the rest
-};
-/// Cells are SI numbers or quantities; writers set them with `cell_text` (table_text.h). A row of one cell is
-/// a sub-head that spans the table.
+/// A table with the view that writers set it in: the title of a column is its head, `written` its cells.
 struct TableBlock {
-    DataTable table;
-    std::vector<ColumnStyle> styles = {};  ///< empty, or one per column
-    NumberLocale locale = {};
-    std::vector<double> spreads = {};  ///< of each row: an uncertainty, SI, that no column shows
+    Table table;
+    TableView view = {};
 };
 struct PlotBlock {
     PlotSpecification plot;

@@ -21,11 +21,17 @@ double lines_of_text(const std::string& text, double letters) {
     return std::max(1.0, std::ceil(double(text.size()) / letters));
 }
 
-double lines_of_row(const std::vector<TableCell>& row) {
-    const double letters = letters_of_row / double(std::max<std::size_t>(row.size(), 1));
+double lines_of_row(const TableBlock& block, std::size_t row) {
+    const Table& table = block.table;
+    const std::size_t columns = table.is_subhead(row) ? 1 : table.shown_columns();
+    const double letters = letters_of_row / double(std::max<std::size_t>(columns, 1));
     double most = 1.0;
-    for (const TableCell& cell : row)
-        most = std::max(most, lines_of_text(english_of(cell), std::max(letters, 9.0)));
+    for (std::size_t c = 0; c < columns; ++c) {
+        const Column& column = table.columns[c];
+        if (number_in(column.cell(row))) continue;  // stands on one line
+        const std::string text = written(table, column, row, block.view).letters();
+        most = std::max(most, lines_of_text(text, std::max(letters, 9.0)));
+    }
     return most;
 }
 
@@ -44,7 +50,7 @@ struct LineCount {
     double operator()(const EquationBlock&) const { return 2.5; }
     double operator()(const TableBlock& block) const {
         double lines = 4.5;
-        for (const auto& row : block.table.rows) lines += 1.05 * lines_of_row(row);
+        for (std::size_t row = 0; row < block.table.rows; ++row) lines += 1.05 * lines_of_row(block, row);
         for (const Message& note : block.table.notes) lines += lines_of_text(note.english(), letters_of_line);
         return lines;
     }
@@ -61,15 +67,10 @@ struct LineCount {
     double operator()(const SignatureBlock&) const { return 12.0; }
 };
 
-bool is_subhead(const std::vector<TableCell>& row) {
-    return row.size() == 1;
-}
-
 /// Where the rows of a group, as its subhead says it, begin; 0 where the table has none of it.
 std::size_t begin_of(const TableBlock& block, const std::string& group) {
-    for (std::size_t row = 0; row < block.table.rows.size() && !group.empty(); ++row)
-        if (const auto& cells = block.table.rows[row]; is_subhead(cells))
-            if (const auto* text = std::get_if<std::string>(&cells[0]); text && *text == group) return row;
+    for (const auto& [row, text] : block.table.subheads)
+        if (!group.empty() && text == group) return row;
     return 0;
 }
 
@@ -128,18 +129,18 @@ Message shown_note(Shown tables, Shown charts, Elsewhere elsewhere) {
 }
 
 /// Rows without sub-heads.
-std::size_t rows_in(const std::vector<std::vector<TableCell>>& rows) {
-    return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), std::not_fn(is_subhead)));
+std::size_t rows_in(const Table& table) {
+    return table.rows - table.subheads.size();
 }
 
 /// Where the rows that are shown end: not within a group, unless it alone is far longer.
-std::size_t end_of(const std::vector<std::vector<TableCell>>& rows, std::size_t begin, std::size_t most) {
-    const std::size_t end = begin + std::min(most, rows.size() - begin);
-    if (end == rows.size() || !is_subhead(rows[begin])) return end;
+std::size_t end_of(const Table& table, std::size_t begin, std::size_t most) {
+    const std::size_t end = begin + std::min(most, table.rows - begin);
+    if (end == table.rows || !table.is_subhead(begin)) return end;
     for (std::size_t row = end; row > begin; --row)
-        if (is_subhead(rows[row])) return row;
-    for (std::size_t row = end; row <= std::min(rows.size(), begin + 2 * most); ++row)
-        if (row == rows.size() || is_subhead(rows[row])) return row;
+        if (table.is_subhead(row)) return row;
+    for (std::size_t row = end; row <= std::min(table.rows, begin + 2 * most); ++row)
+        if (row == table.rows || table.is_subhead(row)) return row;
     return end;
 }
 
@@ -188,23 +189,15 @@ private:
 
     void add_table(const TableBlock& table) {
         if (++tables_ > extent_.tables) return leave(table);
-        const auto& rows = table.table.rows;
-        if (is_budget(table) || double(rows.size()) <= tolerated * double(extent_.rows))
+        const std::size_t rows = table.table.rows;
+        if (is_budget(table) || double(rows) <= tolerated * double(extent_.rows))
             return out_.body.push_back(table);
         const std::size_t begin = begin_of(table, in_.say(said_name(group_))),
-                          end = end_of(rows, begin, extent_.rows);
-        if (end - begin == rows.size()) return out_.body.push_back(table);
-        TableBlock part = table;
-        part.table.rows.assign(rows.begin() + static_cast<std::ptrdiff_t>(begin),
-                               rows.begin() + static_cast<std::ptrdiff_t>(end));
-        const auto drop = [begin](auto& of_rows) {  // what goes with the rows that are left out before
-            const auto first = static_cast<std::ptrdiff_t>(std::min(begin, of_rows.size()));
-            of_rows.erase(of_rows.begin(), of_rows.begin() + first);
-        };
-        drop(part.spreads);
-        for (ColumnStyle& style : part.styles) drop(style.by_row);
+                          end = end_of(table.table, begin, extent_.rows);
+        if (end - begin == rows) return out_.body.push_back(table);
+        TableBlock part{table.table.part(begin, end), table.view};
         part.table.notes.push_back(in_.say(
-            rows_note(rows_in(rows), begin, rows_in(part.table.rows), said_name(group_), elsewhere_)));
+            rows_note(rows_in(table.table), begin, rows_in(part.table), said_name(group_), elsewhere_)));
         out_.body.push_back(std::move(part));
         out_.rest.push_back(table);
     }

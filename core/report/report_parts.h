@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/report/report.h"
-#include "core/report/table.h"
+#include "core/text/table.h"
 
 namespace covaria::report_parts {
 
@@ -64,8 +65,6 @@ std::string setup_text(const FieldSpec& field, const SetupValue& value, const Re
 void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& setup,
                       const ReportSource& source, const Blocks& equations = {});
 
-/// A table of a model, an asset or a design: its title and heads are the program's.
-TableBlock said_table(DataTable table, const DocumentLanguage& in);
 /// A chart; its id, which names files, begins with the analysis' id and so is unique in a report.
 PlotBlock figure(PlotSpecification plot, const EvaluatedAnalysis& evaluated, std::string caption);
 /// With its title as caption.
@@ -76,46 +75,46 @@ void add_paragraphs(Blocks& blocks, const std::string& text);
 
 // --- words and selections (report_words.cpp)
 
-/// Grows a table column by column, in a language that outlives it.
+/// Grows a table of the document, in a language that outlives it: heads are said as they are added.
 class TableBuilder {
 public:
     TableBuilder(std::string id, const Message& title,
                  const DocumentLanguage& in = DocumentLanguage::english());
-    /// Returns the column's index.
-    int text(const Message& header, bool symbol_cells = false);
-    int number(const Message& header, int digits = 0, int match = -1);
-    int symbol(const std::string& header, int digits = 0, int match = -1);
-    int fixed(const Message& header, int decimals);
-    /// Those columns of a table, as print has them.
+    Column& text(const Message& head, bool symbol_cells = false);
+    /// Its role is set on the column that is returned. `key`: by which the rules of others find it.
+    Column& number(const Message& head, const std::string& key = {});
+    Column& symbol(const std::string& head, const std::string& key = {});
+    Column& fixed(const Message& head, int decimals);
+    /// Those columns of a table, as print has them, with what the rules of their numbers read.
     void columns(const Table& table, const std::vector<std::string>& keys);
+    /// A row of the table that the columns are from.
+    void row_of(const Table& table, std::size_t row);
+    /// Those columns of a table and all its rows.
+    void all_of(const Table& table, const std::vector<std::string>& keys);
     /// Those columns of the table of results, and the rows of these outputs under sub-heads of their groups.
     void results(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
                  const std::vector<std::string>& keys);
-    void row(std::vector<TableCell> cells) { block_.table.rows.push_back(std::move(cells)); }
-    void subhead(const Message& text) { block_.table.rows.push_back({TableCell(in_.say(text))}); }
+    void row(std::vector<Cell> cells) { block_.table.row(std::move(cells)); }
+    /// A row that only the columns of these keys have something for.
+    void row_with(std::map<std::string, Cell> cells);
+    void subhead(const Message& text) { block_.table.subhead(in_.say(text)); }
     void note(const Message& text) { block_.table.notes.push_back(in_.say(text)); }
     TableBlock take() { return std::move(block_); }
 
 private:
-    int add(TableColumn column, ColumnStyle style);
+    Column& add(const std::string& key, Text head);
     const DocumentLanguage& in_;
     TableBlock block_;
 };
-
-/// The cells of a row as print has them.
-std::vector<TableCell> print_row(const Table& table, const std::vector<std::string>& keys, std::size_t row,
-                                 const DocumentLanguage& in);
 
 std::string project_fingerprint(const ReportSource& source);  ///< of the evaluated project
 std::string type_text(EvaluationType type);                   ///< "A", "B"
 std::string unit_text(const Unit& unit);                      ///< "mm", "1" for the unit one
 std::string id_part(const std::string& text);  ///< of a block's id: a part of a file's name in small letters
-/// "a, b, c" or, if longer than `most`, "a, b … z (117)".
-std::string short_list(const std::vector<std::string>& items, std::size_t most = 3);
 Text output_text(const OutputQuantity& quantity, const DocumentLanguage& in = {});  ///< "x (pose 7)"
 Message output_label(const OutputQuantity& quantity);                               ///< likewise, Unicode
-Quantity value_in(const Unit& unit, double si);
-Quantity interval_in(const Unit& unit, double si);  ///< differences and uncertainties
+Measured value_in(const Unit& unit, double si);
+Measured interval_in(const Unit& unit, double si);  ///< differences and uncertainties
 
 Message contributor_title(const ContributorResult& result);  ///< its name; "the set-up" if it has none
 bool is_measurand(const OutputResult& output);

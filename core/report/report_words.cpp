@@ -9,89 +9,80 @@
 #include "core/base/placeholders.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
-#include "core/report/table_text.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
 namespace covaria::report_parts {
 
-TableBuilder::TableBuilder(std::string id, const Message& title, const DocumentLanguage& in) : in_(in) {
-    block_.table.id = std::move(id);
-    block_.table.title = in.say(title);
-    block_.locale = in.numbers();
+TableBuilder::TableBuilder(std::string id, const Message& title, const DocumentLanguage& in)
+    : in_(in), block_{{std::move(id), in.say(title)}, {{}, 2, in}} {}
+
+Column& TableBuilder::add(const std::string& key, Text head) {
+    Column& column = block_.table.add(key.empty() ? std::to_string(block_.table.columns.size()) : key);
+    column.title = std::move(head);
+    return column;
 }
 
-int TableBuilder::add(TableColumn column, ColumnStyle style) {
-    block_.table.columns.push_back(std::move(column));
-    block_.styles.push_back(style);
-    return static_cast<int>(block_.styles.size()) - 1;
+Column& TableBuilder::text(const Message& head, bool symbol_cells) {
+    Column& column = add({}, running_text(in_.say(head)));
+    column.symbols = symbol_cells;
+    return column;
 }
 
-int TableBuilder::text(const Message& header, bool symbol_cells) {
-    return add({in_.say(header), {}, false, 0}, {symbol_cells, false, -1, -1, false});
+Column& TableBuilder::number(const Message& head, const std::string& key) {
+    return add(key, running_text(in_.say(head)));
 }
 
-int TableBuilder::number(const Message& header, int digits, int match) {
-    return add({in_.say(header), {}, false, digits}, {false, true, match, -1, false});
+Column& TableBuilder::symbol(const std::string& head, const std::string& key) {
+    return add(key, symbols_text(head));
 }
 
-int TableBuilder::symbol(const std::string& header, int digits, int match) {
-    return add({header, {}, true, digits}, {false, true, match, -1, false});
+Column& TableBuilder::fixed(const Message& head, int decimals) {
+    const std::string words = in_.say(head);
+    return add({}, looks_like_symbol(words) ? symbols_text(words) : running_text(words)).fixed(decimals);
 }
-
-int TableBuilder::fixed(const Message& header, int decimals) {
-    const std::string head = in_.say(header);
-    return add({head, {}, looks_like_symbol(head), 0}, {false, true, -1, decimals, false});
-}
-
-namespace {
-const char* const key_of_spread = "rounding";  // in the table of results
-
-/// Places of those keys that there are.
-std::vector<int> columns_of(const std::vector<std::string>& keys, const std::vector<std::string>& some) {
-    std::vector<int> columns;
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        if (std::find(some.begin(), some.end(), keys[i]) != some.end())
-            columns.push_back(static_cast<int>(i));
-    return columns;
-}
-
-}  // namespace
 
 void TableBuilder::columns(const Table& table, const std::vector<std::string>& keys) {
+    const auto take = [&](const Column& from, bool hidden) {
+        const std::vector<std::string> unit{from.unit ? from.unit->display() : ""};
+        Column column = from;
+        column.cell = {};
+        if (!from.head.empty()) {
+            const auto words = [&] {
+                return fill_placeholders<std::string>(in_.say_declared(from.head), unit);
+            };
+            column.title = from.is_symbol ? symbols_text(from.head) : running_text(words());
+            column.unit.reset();  // the head has it
+        }
+        if (from.unit) column.rule.form = form_of(table, from, *from.unit, block_.view);
+        column.hidden = hidden;
+        block_.table.columns.push_back(std::move(column));
+    };
+    for (const std::string& key : keys) take(table[key], false);
     for (const std::string& key : keys) {
-        const Column& c = table[key];
-        const auto match = std::find(keys.begin(), keys.end(), c.rule.match);
-        const std::vector<std::string> unit{c.unit ? unit_text(*c.unit) : ""};
-        const std::string head =
-            c.is_symbol ? c.head : fill_placeholders<std::string>(in_.say_declared(c.head), unit);
-        add({head, {}, c.is_symbol, c.rule.digits},
-            {c.symbols, is_numeric(c) && !c.says_unit,
-             match == keys.end() ? -1 : static_cast<int>(match - keys.begin()), c.rule.decimals, c.rule.input,
-             c.rule.match == key_of_spread, columns_of(keys, c.rule.row)});
+        std::vector<std::string> read = table[key].rule.row;
+        read.push_back(table[key].rule.of);
+        for (const std::string& other : read)
+            if (table.find(other) && !block_.table.find(other)) take(table[other], true);
     }
 }
 
-namespace {
-
-TableCell print_cell(const Column& column, std::size_t row, const DocumentLanguage& in) {
-    const Cell cell = column.cell(row);
-    if (const auto* text = std::get_if<std::string>(&cell))
-        return column.own_words ? in.say_declared(*text) : *text;
-    if (const auto* message = std::get_if<Message>(&cell)) return in.say(*message);
-    if (const auto* symbols = std::get_if<Symbols>(&cell)) return short_list(*symbols);
-    if (const auto* unit = std::get_if<Unit>(&cell)) return unit_text(*unit);
-    if (const auto* answer = std::get_if<Answer>(&cell))
-        return in.say_declared(answer->is ? answer->yes : answer->no);
-    const auto* number = std::get_if<Measured>(&cell);
-    if (!number) return {};
-    const Quantity shown = number->in({});
-    if (column.rule.degrees_of_freedom) return shown_degrees_of_freedom(shown.value);
-    if (column.rule.percent) return 100.0 * shown.value;
-    return shown.unit == Unit{} ? TableCell(shown.value) : TableCell(shown);
+void TableBuilder::row_of(const Table& table, std::size_t row) {
+    std::vector<Cell> cells;
+    for (const Column& column : block_.table.columns) cells.push_back(table.cell(row, column.key));
+    block_.table.row(std::move(cells));
 }
 
-}  // namespace
+void TableBuilder::all_of(const Table& table, const std::vector<std::string>& keys) {
+    columns(table, keys);
+    for (std::size_t row = 0; row < table.rows; ++row) row_of(table, row);
+}
+
+void TableBuilder::row_with(std::map<std::string, Cell> cells) {
+    std::vector<Cell> all;
+    for (const Column& column : block_.table.columns) all.push_back(std::move(cells[column.key]));
+    block_.table.row(std::move(all));
+}
 
 void TableBuilder::results(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
                            const std::vector<std::string>& keys) {
@@ -102,17 +93,8 @@ void TableBuilder::results(const UncertaintyResult& result, const std::vector<st
         const Name& of = result.outputs[outputs[i]].quantity.group;
         if (of != group) subhead(said_name(of));
         group = of;
-        block_.spreads.resize(block_.table.rows.size());
-        block_.spreads.push_back(std::get<Measured>(all.cell(i, key_of_spread)).si);
-        row(print_row(all, keys, i, in_));
+        row_of(all, i);
     }
-}
-
-std::vector<TableCell> print_row(const Table& table, const std::vector<std::string>& keys, std::size_t row,
-                                 const DocumentLanguage& in) {
-    std::vector<TableCell> cells;
-    for (const std::string& key : keys) cells.push_back(print_cell(table[key], row, in));
-    return cells;
 }
 
 std::string type_text(EvaluationType type) {
@@ -130,14 +112,6 @@ std::string id_part(const std::string& text) {
     return out;
 }
 
-std::string short_list(const std::vector<std::string>& items, std::size_t most) {
-    std::string out;
-    const bool whole = items.size() <= most;
-    const std::size_t shown = whole ? items.size() : most - 1;
-    for (std::size_t i = 0; i < shown; ++i) out += (i ? ", " : "") + items[i];
-    return whole ? out : out + " … " + items.back() + " (" + std::to_string(items.size()) + ")";
-}
-
 Text output_text(const OutputQuantity& quantity, const DocumentLanguage& in) {
     const Text symbol = symbol_text(quantity.symbol);
     return quantity.group.empty() ? symbol : symbol + (" (" + in.say(said_name(quantity.group)) + ")");
@@ -148,45 +122,12 @@ Message output_label(const OutputQuantity& quantity) {
     return quantity.group.empty() ? Message(symbol) : symbol + " (" + said_name(quantity.group) + ")";
 }
 
-Quantity value_in(const Unit& unit, double si) {
-    return {unit.from_si(si), unit};
+Measured value_in(const Unit& unit, double si) {
+    return {si, Measured::Scale::value, unit};
 }
 
-Quantity interval_in(const Unit& unit, double si) {
-    return {unit.interval_from_si(si), unit};
-}
-
-namespace {
-
-/// What is zero but for the rounding of a sum is shown as zero: beside the other figures of its column, of a
-/// quantity with a unit, it is nothing.
-void drop_rounding_errors(DataTable& table) {
-    constexpr double rounding = 1e-14;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-        if (table.columns[c].unit == Unit{}) continue;
-        double largest = 0.0;
-        const auto number = [c](std::vector<TableCell>& row) {
-            return c < row.size() ? std::get_if<double>(&row[c]) : nullptr;
-        };
-        for (auto& row : table.rows)
-            if (const double* value = number(row)) largest = std::max(largest, std::abs(*value));
-        for (auto& row : table.rows)
-            if (double* value = number(row); value && std::abs(*value) < rounding * largest) *value = 0.0;
-    }
-}
-
-}  // namespace
-
-TableBlock said_table(DataTable table, const DocumentLanguage& in) {
-    table.title = in.say_declared(table.title);
-    for (TableColumn& column : table.columns)
-        if (!column.is_symbol) column.header = in.say_declared(column.header);
-    for (Message& note : table.notes) note = in.say(note);
-    for (std::vector<TableCell>& row : table.rows)
-        for (TableCell& cell : row)
-            if (const auto* words = std::get_if<Message>(&cell)) cell = TableCell(in.say(*words));
-    drop_rounding_errors(table);
-    return read_table(std::move(table), in.numbers());
+Measured interval_in(const Unit& unit, double si) {
+    return {si, Measured::Scale::interval, unit};
 }
 
 Message contributor_title(const ContributorResult& result) {

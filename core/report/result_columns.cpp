@@ -84,9 +84,27 @@ void add_contributors(Table& table, const UncertaintyResult& result, const Rows&
                      return Measured{U, Scale::interval, output.quantity.unit, {}};
                  })
             .window(language.say(without, {name}), language.say(help, {name}))
-            .digits(2)
+            .uncertainty()
             .not_in_files();
     }
+}
+
+/// The result line is read across: an estimate, its uncertainties and limits have one power of ten.
+void share_powers(Table& table) {
+    static const std::set<std::string, std::less<>> line{"estimate",
+                                                         "u",
+                                                         "U",
+                                                         "interval low",
+                                                         "interval high",
+                                                         "shortest low",
+                                                         "shortest high",
+                                                         "stated low",
+                                                         "stated high",
+                                                         "estimate first order",
+                                                         "u first order",
+                                                         "U first order"};
+    for (Column& column : table.columns)
+        if (line.contains(column.key)) column.of_row({"estimate", "u", "U", "interval low", "interval high"});
 }
 
 class ResultColumns {
@@ -107,30 +125,11 @@ public:
         table_.add("U by", words(expanded_key(result_)));
         table_.add("remark", words(represents_measurand(result_) ? "" : std::string(does_not_represent)));
         add_contributors(table_, result_, outputs_, language_);
-        share_powers();
+        share_powers(table_);
         return std::move(table_);
     }
 
 private:
-    /// The result line is read across: an estimate, its uncertainties and limits have one power of ten.
-    void share_powers() {
-        static const std::set<std::string, std::less<>> line{"estimate",
-                                                             "u",
-                                                             "U",
-                                                             "interval low",
-                                                             "interval high",
-                                                             "shortest low",
-                                                             "shortest high",
-                                                             "stated low",
-                                                             "stated high",
-                                                             "estimate first order",
-                                                             "u first order",
-                                                             "U first order"};
-        for (Column& column : table_.columns)
-            if (line.contains(column.key))
-                column.of_row({"estimate", "u", "U", "interval low", "interval high"});
-    }
-
     using Cells = std::function<Cell(std::size_t)>;
 
     Cells of_output(std::function<Cell(const OutputResult&)> get) const {
@@ -180,23 +179,24 @@ private:
             .add("rounding", interval([&r = result_](const OutputResult& o) {
                      return std::optional(stated_spread(o, r));
                  }))
+            .uncertainty()
             .not_in_files();
         table_.add("estimate", value(line(&OutputResult::estimate)))
             .print_symbol("y")
             .window("Estimate", "Best value of the output quantity")
-            .match("rounding");
+            .estimate_of("rounding");
         table_.add("u", interval(line(&OutputResult::standard_uncertainty)))
             .print_symbol("u(y)")
             .window("u", "Standard uncertainty")
-            .digits(2);
+            .uncertainty();
         table_.add("k", pure(line(&OutputResult::coverage_factor)))
             .print_symbol("k")
             .window("k", "Coverage factor. " + by)
-            .round({.decimals = 2});
+            .fixed(2);
         table_.add("U", interval(line(&OutputResult::expanded_uncertainty)))
             .print_symbol("U")
             .window("U", "Expanded uncertainty. " + by)
-            .digits(2);
+            .uncertainty();
         table_.add("coverage probability",
                    [p = result_.coverage_probability](std::size_t) -> Cell { return Measured{p}; });
     }
@@ -204,7 +204,7 @@ private:
     Column& add_limit(const char* key, double CoverageInterval::*side,
                       CoverageInterval MonteCarloOutput::*which) {
         const auto limit = trials([=](const MonteCarloOutput& t) { return (t.*which).*side; });
-        return table_.add(key, value(limit)).print(key).match("rounding");
+        return table_.add(key, value(limit)).print(key).estimate_of("rounding");
     }
 
     void add_trials() {
@@ -215,10 +215,10 @@ private:
         const char* shortest = "Limit of the shortest coverage interval";
         table_.add("mean", value(trials([](T t) { return t.mean; })))
             .print("mean Monte Carlo")
-            .match("u Monte Carlo");
+            .estimate_of("u Monte Carlo");
         table_.add("u Monte Carlo", interval(trials([](T t) { return t.standard_uncertainty; })))
             .print("u Monte Carlo")
-            .digits(3);
+            .uncertainty(3);
         table_.add("standard error of mean", interval(trials([](T t) { return t.standard_error_of_mean; })));
         table_.add("standard error of u",
                    interval(trials([](T t) { return t.standard_error_of_uncertainty; })));
@@ -228,10 +228,10 @@ private:
         add_limit("shortest high", &C::high, &M::shortest).window(heads.high, shortest);
         table_.add("skewness", pure(trials([](T t) { return moment(t, t.skewness); })))
             .print("skewness")
-            .round({.decimals = 3});
+            .fixed(3);
         table_.add("excess kurtosis", pure(trials([](T t) { return moment(t, t.kurtosis); })))
             .print("excess kurtosis")
-            .round({.decimals = 3});
+            .fixed(3);
         table_.add("kurtosis", pure(trials([](T t) { return moment(t, 3.0 + t.kurtosis); }))).not_in_files();
         table_.add("coverage ratio", pure(trials([](T t) { return t.normality.coverage_ratio; })));
         table_.add("distribution", of_output([](const OutputResult& o) -> Cell {
@@ -257,7 +257,7 @@ private:
                     return Measured{o.first_order.standard_uncertainty / o.monte_carlo->standard_uncertainty};
                 }))
             .print("ratio")
-            .round({.decimals = 3})
+            .fixed(3)
             .not_in_files();
         // Of the result line: of Monte Carlo, else of the law of propagation.
         const auto stated = [&r = result_](double C::*side) -> Number {
@@ -272,7 +272,10 @@ private:
             "Limit of the coverage interval: of Monte Carlo, else of the law of propagation";
         for (const auto& [key, title, side] :
              {std::tuple("stated low", heads.low, &C::low), std::tuple("stated high", heads.high, &C::high)})
-            table_.add(key, value(stated(side))).window(title, interval).match("rounding").not_in_files();
+            table_.add(key, value(stated(side)))
+                .window(title, interval)
+                .estimate_of("rounding")
+                .not_in_files();
     }
 
     void add_first_order() {
@@ -282,42 +285,41 @@ private:
         table_.add("estimate first order", value(first(&F::estimate)))
             .print("y at the estimates")
             .window("Estimate (first order)", help)
-            .match("u first order");
+            .estimate_of("u first order");
         table_.add("u first order", interval(first(&F::standard_uncertainty)))
             .print("u law of prop.")
             .window("u (first order)", help)
-            .digits(3);
+            .uncertainty(3);
         table_.add("nu_eff", pure(first(&F::effective_degrees_of_freedom)))
             .print_symbol("nu_eff")
             .window(result_.trials > 0 ? Text("\u03bd (first order)") : symbol_text("nu_eff"),
                     "Effective degrees of freedom (JCGM 100 G.4)")
-            .round({.degrees_of_freedom = true});
+            .degrees_of_freedom();
         table_.add("k first order", pure(first(&F::coverage_factor)));
         table_.add("U first order", interval(first(&F::expanded_uncertainty)))
             .window("U (first order)", help)
-            .digits(2);
-        table_.add("delta", interval(validation(&V::tolerance))).print_symbol("delta").digits(1);
-        table_.add("d_low", interval(validation(&V::d_low))).print_symbol("d_low").match("delta");
-        table_.add("d_high", interval(validation(&V::d_high))).print_symbol("d_high").match("delta");
+            .uncertainty();
+        table_.add("delta", interval(validation(&V::tolerance))).print_symbol("delta").figure(1);
+        table_.add("d_low", interval(validation(&V::d_low))).print_symbol("d_low").estimate_of("delta");
+        table_.add("d_high", interval(validation(&V::d_high))).print_symbol("d_high").estimate_of("delta");
         table_
             .add(
                 "clause 8", of_output([](const OutputResult& o) -> Cell {
                     const auto& v = o.first_order.validation;
                     return v ? Cell(Answer{v->validated, "validated", "not validated", v->is_close}) : Cell();
                 }))
-            .print("Clause 8")
+            .print("First order validated")
             .window("First order validated",
-                    "JCGM 101 clause 8: agrees with Monte Carlo within the tolerance")
-            .of_own_words({"validated", "not validated"});
+                    "JCGM 101 clause 8: agrees with Monte Carlo within the tolerance");
         table_.add("u second order", interval(second(&F::second_order_standard_uncertainty)))
             .print("u with second-order terms")
             .window("u (second order)", "With the second-order terms of JCGM 100 5.1.2; for information")
-            .digits(3);
+            .uncertainty(3);
         table_.add("shift second order", interval(second(&F::second_order_estimate_shift)))
             .print("shift of the estimate")
             .window("shift (second order)",
                     "What the curvature of the equation adds to the estimate; for information, not added")
-            .digits(2);
+            .figure_no_fewer(2);
     }
 
     const UncertaintyResult& result_;
@@ -369,11 +371,11 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
     Table table = ResultColumns(result, std::move(outputs), language).make();
     table.add("target", [rows](std::size_t row) { return (*rows)[row].target; })
         .window("Target", "Target uncertainty that is required")
-        .digits(2)
+        .uncertainty()
         .not_in_files();
     table.add("U/target", [rows](std::size_t row) { return (*rows)[row].part; })
         .window("U / target", "Expanded uncertainty as a part of its target: above 1 the target is not met")
-        .round({.decimals = 2, .of_limit = true})
+        .part_of_limit(2)
         .not_in_files();
     table.add("met", [rows](std::size_t row) { return (*rows)[row].met; })
         .window("Requirement", "Whether the target uncertainty is met and the value is accepted")

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/report/table.h"
 #include "core/result/uncertainty_result.h"
 #include "core/text/document_language.h"
+#include "core/text/table.h"
 
 namespace covaria {
 

@@ -23,6 +23,14 @@ DataTable table_with(const std::string& id, const std::string& title, const std:
     return table;
 }
 
+Quantity stated_value(const Unit& unit, double si) {
+    return value_in(unit, si).in({});
+}
+
+Quantity stated_interval(const Unit& unit, double si) {
+    return interval_in(unit, si).in({});
+}
+
 std::size_t outputs_with_budget(const UncertaintyResult& result) {
     return std::min(result.budget.rows.size(), result.outputs.size());
 }
@@ -56,10 +64,11 @@ DataTable links_table(const std::vector<LinkedInput>& linked) {
                                  {"symbol", "name", "unit", "estimate", "u", "degrees of freedom", "analysis",
                                   "output group", "output", "linearised"});
     for (const LinkedInput& input : linked)
-        table.rows.push_back(
-            {input.symbol, input.name.english(), input.unit.text(), value_in(input.unit, input.estimate),
-             interval_in(input.unit, input.standard_uncertainty), input.degrees_of_freedom, input.analysis,
-             input.output.group, input.output.symbol, std::string(input.linearised ? "yes" : "no")});
+        table.rows.push_back({input.symbol, input.name.english(), input.unit.text(),
+                              stated_value(input.unit, input.estimate),
+                              stated_interval(input.unit, input.standard_uncertainty),
+                              input.degrees_of_freedom, input.analysis, input.output.group,
+                              input.output.symbol, std::string(input.linearised ? "yes" : "no")});
     return table;
 }
 
@@ -71,8 +80,8 @@ DataTable analyses_table(const UncertaintyResult& result) {
     for (std::size_t j = 0; j < result.outputs.size(); ++j) {
         const OutputQuantity& q = result.outputs[j].quantity;
         for (const GroupContribution& g : contributions_by_group(result.budget, j, "analysis"))
-            table.rows.push_back(
-                {q.group, q.symbol, q.unit.text(), g.group, interval_in(q.unit, g.contribution), g.share});
+            table.rows.push_back({q.group, q.symbol, q.unit.text(), g.group,
+                                  stated_interval(q.unit, g.contribution), g.share});
     }
     return table;
 }
@@ -138,8 +147,8 @@ DataTable convergence_table(const UncertaintyResult& result) {
             const double of_all = result.outputs[i].standard_uncertainty;  // infinite however it runs
             table.rows.push_back(
                 {static_cast<double>(point.trials), q.group, q.symbol, q.unit.text(),
-                 value_in(q.unit, point.mean[i]),
-                 interval_in(q.unit, std::isinf(of_all) ? of_all : point.standard_uncertainty[i])});
+                 stated_value(q.unit, point.mean[i]),
+                 stated_interval(q.unit, std::isinf(of_all) ? of_all : point.standard_uncertainty[i])});
         }
     return table;
 }
@@ -155,11 +164,11 @@ DataTable histograms_table(const UncertaintyResult& result) {
         const auto add = [&](const TableCell& low, const TableCell& high, std::uint64_t trials) {
             table.rows.push_back({q.group, q.symbol, q.unit.text(), low, high, static_cast<double>(trials)});
         };
-        if (h.below > 0) add(TableCell{}, value_in(q.unit, h.low), h.below);
+        if (h.below > 0) add(TableCell{}, stated_value(q.unit, h.low), h.below);
         for (std::size_t i = 0; i < h.counts.size(); ++i)
-            add(value_in(q.unit, h.low + width * static_cast<double>(i)),
-                value_in(q.unit, h.low + width * static_cast<double>(i + 1)), h.counts[i]);
-        if (h.above > 0) add(value_in(q.unit, h.high), TableCell{}, h.above);
+            add(stated_value(q.unit, h.low + width * static_cast<double>(i)),
+                stated_value(q.unit, h.low + width * static_cast<double>(i + 1)), h.counts[i]);
+        if (h.above > 0) add(stated_value(q.unit, h.high), TableCell{}, h.above);
     }
     return table;
 }
@@ -174,7 +183,7 @@ DataTable contributors_table(const UncertaintyResult& result) {
         for (std::size_t j = 0; j < result.outputs.size(); ++j) {
             const OutputQuantity& q = result.outputs[j].quantity;
             const auto cell = [&](const std::vector<double>& u) {
-                return u.empty() ? TableCell{} : TableCell(interval_in(q.unit, u[j]));
+                return u.empty() ? TableCell{} : TableCell(stated_interval(q.unit, u[j]));
             };
             table.rows.push_back({q.group, q.symbol, q.unit.text(), contributor_title(c).english(),
                                   cell(c.without.first_order), cell(c.alone.first_order),
@@ -212,21 +221,21 @@ DataTable requirements_table(const UncertaintyResult& result,
         const bool judged = r.not_judged.empty(), with_limits = r.lower_limit || r.upper_limit;
         const bool limited = with_limits && judged;
         const auto value = [&](const std::optional<double>& si) {
-            return si ? TableCell(value_in(q.unit, *si)) : TableCell{};
+            return si ? TableCell(stated_value(q.unit, *si)) : TableCell{};
         };
         const auto number = [](bool known, double x) { return known ? TableCell(x) : TableCell{}; };
         const auto of_prior = [&](double RequirementResult::GlobalRisks::*risk) {
             return r.global_risks ? TableCell((*r.global_risks).*risk) : TableCell{};
         };
         table.rows.push_back(
-            {q.group, q.symbol, q.unit.text(), interval_in(q.unit, output.expanded_uncertainty),
-             r.target_uncertainty ? TableCell(interval_in(q.unit, *r.target_uncertainty)) : TableCell{},
+            {q.group, q.symbol, q.unit.text(), stated_interval(q.unit, output.expanded_uncertainty),
+             r.target_uncertainty ? TableCell(stated_interval(q.unit, *r.target_uncertainty)) : TableCell{},
              r.target_uncertainty ? TableCell(std::string(!judged          ? "not judged"
                                                           : r.meets_target ? "yes"
                                                                            : "no"))
                                   : TableCell{},
              value(r.lower_limit), value(r.upper_limit),
-             limited ? TableCell(interval_in(q.unit, r.guard_band)) : TableCell{},
+             limited ? TableCell(stated_interval(q.unit, r.guard_band)) : TableCell{},
              with_limits ? TableCell(decision_key(r)) : TableCell{}, number(limited, r.conformance),
              limited ? TableCell(distribution_key(r.conformance_by)) : TableCell{},
              of_prior(&RequirementResult::GlobalRisks::consumer),

@@ -35,7 +35,7 @@ public:
         const Table budget = budget_table(result_, places_, in_);
         table_.columns(budget, keys_);
         const std::size_t shown = std::min(places_.size(), most_rows_);
-        for (std::size_t i = 0; i < shown; ++i) table_.row(print_row(budget, keys_, i, in_));
+        for (std::size_t i = 0; i < shown; ++i) table_.row_of(budget, i);
         if (shown < places_.size()) add_rest(shown);
         add_total();
         add_note_on_zeros();
@@ -54,16 +54,6 @@ private:
         const Message& name = output_.quantity.name;
         if (name.empty() || name == Message(output_.quantity.symbol)) return tell<"Budget of %1">(label);
         return tell<"Budget of %1, %2">(label, name);
-    }
-
-    /// A row that only these columns have something for.
-    void push(const std::map<std::string, TableCell>& cells) {
-        std::vector<TableCell> all;
-        for (const std::string& key : keys_) {
-            const auto found = cells.find(key);
-            all.push_back(found == cells.end() ? TableCell{} : found->second);
-        }
-        table_.row(std::move(all));
     }
 
     /// Who brings it in; where one does all, where its figure comes from.
@@ -108,9 +98,9 @@ private:
             rest.pop_back();
         }
         for (const Rest& part : rest)
-            push({{"component in words", in_.say(rest_words(part, rest.size() > 1, by_owner))},
-                  {"contribution", interval_in(output_.quantity.unit, std::sqrt(part.square))},
-                  {"share of variance", 100.0 * part.share}});
+            table_.row_with({{"component in words", rest_words(part, rest.size() > 1, by_owner)},
+                             {"contribution", interval_in(output_.quantity.unit, std::sqrt(part.square))},
+                             {"share of variance", part.share}});
     }
 
     static Message rest_words(const Rest& rest, bool several, bool by_owner) {
@@ -155,12 +145,12 @@ private:
         const Unit& unit = output_.quantity.unit;
         double share = 0.0;
         for (std::size_t i = 0; i < places_.size(); ++i) share += row(i).share;
-        push({{"quantity", std::string("u_c")},
-              {"component in words", in_.say(tell<"combined (law of propagation)">())},
-              {"unit", unit_text(unit)},
-              {"degrees of freedom", shown_degrees_of_freedom(first.effective_degrees_of_freedom)},
-              {"contribution", interval_in(unit, first.standard_uncertainty)},
-              {"share of variance", 100.0 * share}});
+        table_.row_with({{"quantity", Symbols{"u_c"}},
+                         {"component in words", tell<"combined (law of propagation)">()},
+                         {"unit", unit},
+                         {"degrees of freedom", first.effective_degrees_of_freedom},
+                         {"contribution", interval_in(unit, first.standard_uncertainty)},
+                         {"share of variance", share}});
     }
 
     /// y, u_c, nu_eff, k, U, p as EA-4/02 wants them stated, by the law of propagation.
@@ -264,9 +254,9 @@ private:
     }
 
     void add(const Name& name) {
-        std::vector<TableCell> cells{name == group_without_tag  ? in_.say(tell<"other">())
-                                     : grouping_ == "parameter" ? std::string(name)
-                                                                : in_.say(said_name(name))};
+        std::vector<Cell> cells{name == group_without_tag  ? in_.say(tell<"other">())
+                                : grouping_ == "parameter" ? std::string(name)
+                                                           : in_.say(said_name(name))};
         for (const std::size_t j : outputs_) cells.emplace_back(100.0 * shares_[{name, j}]);
         if (alike_) cells.emplace_back(100.0 * together_[name]);
         table_.row(std::move(cells));

@@ -34,12 +34,12 @@ TableBlock contributor_table(const EvaluatedAnalysis& evaluated, std::size_t fir
         tell<"U without each contributor, and of it alone">(), in);
     table.text(tell<"Quantity">(), true);
     table.text(tell<"Unit">());
-    table.symbol("U", 3);
+    table.symbol("U").uncertainty(3);
     const bool two = result.contributors.size() == 2;
     for (std::size_t i = first; i < last; ++i) {
         const Message title = contributor_title(result.contributors[i]);
-        table.number(tell<"without %1">(title), 3);
-        if (!two) table.number(tell<"%1 alone">(title), 3);
+        table.number(tell<"without %1">(title)).uncertainty(3);
+        if (!two) table.number(tell<"%1 alone">(title)).uncertainty(3);
     }
     std::string group;
     for (std::size_t j = 0; j < result.outputs.size(); ++j) {
@@ -47,8 +47,8 @@ TableBlock contributor_table(const EvaluatedAnalysis& evaluated, std::size_t fir
         const Unit& unit = output.quantity.unit;
         if (output.quantity.group != group) table.subhead(said_name(output.quantity.group));
         group = output.quantity.group;
-        std::vector<TableCell> row = {output.quantity.symbol, unit_text(unit),
-                                      interval_in(unit, output.expanded_uncertainty)};
+        std::vector<Cell> row = {output.quantity.symbol, unit,
+                                 interval_in(unit, output.expanded_uncertainty)};
         for (std::size_t i = first; i < last; ++i) {
             const ContributorResult& c = result.contributors[i];
             row.emplace_back(interval_in(unit, expanded_with(output, c.without, j)));

@@ -28,8 +28,7 @@ TableBlock matrix_block(const UncertaintyResult& result, const std::vector<std::
     std::vector<std::string> keys;
     for (const Column& column : all.columns) keys.push_back(column.key);
     TableBuilder table(id, title_of(group), in);
-    table.columns(all, keys);
-    for (std::size_t row = 0; row < all.rows; ++row) table.row(print_row(all, keys, row, in));
+    table.all_of(all, keys);
     return table.take();
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/report/design_plots.h"
 #include "core/report/design_results.h"
+#include "core/report/evaluation_table.h"
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
 
@@ -72,7 +73,7 @@ void add_designs(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
         for (DataTable& table : readable_design_tables(*design)) {
             if (table.rows.size() > most_printed) continue;
             table.id = "design-" + design->id + "-" + table.id;
-            TableBlock block = said_table(std::move(table), in);
+            TableBlock block = evaluation_block(table, in);
             block.table.title = design->name + ": " + block.table.title;
             blocks.push_back(std::move(block));
         }

@@ -67,8 +67,7 @@ void add_correlations(Blocks& blocks, const EvaluatedAnalysis& evaluated, const 
     static const std::vector<std::string> keys = {"label", "other label", "r"};
     TableBuilder table("input-correlations-" + evaluated.analysis->id,
                        tell<"Correlation coefficients of components">(), in);
-    table.columns(all, keys);
-    for (std::size_t row = 0; row < all.rows; ++row) table.row(print_row(all, keys, row, in));
+    table.all_of(all, keys);
     blocks.push_back(table.take());
 }
 
@@ -103,8 +102,7 @@ void add_inputs(Blocks& blocks, const ReportSource& source, const EvaluatedAnaly
                                                   "row origin"};
     TableBuilder table("inputs-" + evaluated.analysis->id,
                        tell<"Input quantities and the origin of their uncertainties">(), in);
-    table.columns(all, keys);
-    for (std::size_t row = 0; row < all.rows; ++row) table.row(print_row(all, keys, row, in));
+    table.all_of(all, keys);
     if (rows.size() < inputs.quantities.size())
         table.note(
             tell<"%1 input quantities; many with equal components share a row. The CSV table of inputs "

@@ -37,17 +37,16 @@ void add_links(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Documen
                        tell<"Input quantities taken from other analyses">(), in);
     table.text(tell<"Symbol">(), true);
     table.text(tell<"Quantity">());
-    table.number(tell<"Estimate">(), 0, 4);
+    table.number(tell<"Estimate">()).estimate_of("u");
     table.text(tell<"Unit">());
-    table.symbol("u(x_i)", 3);
-    table.symbol("nu_i");
+    table.symbol("u(x_i)", "u").uncertainty();
+    table.symbol("nu_i").degrees_of_freedom();
     table.text(tell<"Analysis">());
     table.text(tell<"Its result">());
     for (const LinkedInput& input : linked)
         table.row(
-            {input.symbol, in.say(input.name), value_in(input.unit, input.estimate), unit_text(input.unit),
-             interval_in(input.unit, input.standard_uncertainty),
-             shown_degrees_of_freedom(input.degrees_of_freedom),
+            {input.symbol, in.say(input.name), value_in(input.unit, input.estimate), input.unit,
+             interval_in(input.unit, input.standard_uncertainty), input.degrees_of_freedom,
              input.linearised ? in.say(tell<"%1, linearised">(upstream_title(input))) : upstream_title(input),
              in.say(output_label(input.output))});
     blocks.push_back(table.take());

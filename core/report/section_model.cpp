@@ -2,6 +2,7 @@
 // the model (help, `covaria describe`).
 #include <algorithm>
 
+#include "core/report/evaluation_table.h"
 #include "core/report/report_parts.h"
 
 namespace covaria::report_parts {
@@ -35,11 +36,11 @@ void add_models(Blocks& blocks, const ReportSource& source) {
 
 void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     if (!evaluated.analysis->model) return;
-    std::vector<DataTable> tables = evaluated.analysis->model->evaluation();
+    const std::vector<DataTable> tables = evaluated.analysis->model->evaluation();
     std::vector<PlotSpecification> plots = evaluated.analysis->model->figures();
     if (tables.empty() && plots.empty()) return;
     blocks.push_back(HeadingBlock{2, in.say(tell<"Evaluation of the set-up">())});
-    for (DataTable& table : tables) blocks.push_back(said_table(std::move(table), in));
+    for (const DataTable& table : tables) blocks.push_back(evaluation_block(table, in));
     for (PlotSpecification& plot : plots)
         blocks.push_back(titled_figure(in.say_plot(std::move(plot)), evaluated));
 }

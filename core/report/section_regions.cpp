@@ -1,4 +1,6 @@
 // Joint coverage regions of the measurands of each group (JCGM 102 6.5, 7.7).
+#include <algorithm>
+
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
 #include "core/text/numbers.h"
@@ -18,13 +20,8 @@ void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
                                      "rectangle first order"};
     if (result.trials > 0) keys.insert(keys.end(), {"ellipsoid Monte Carlo", "rectangle Monte Carlo"});
     TableBuilder table("regions-" + evaluated.analysis->id, tell<"Factors of the coverage regions">(), in);
-    table.columns(regions, keys);
-    bool singular = false;
-    for (std::size_t row = 0; row < regions.rows; ++row) {
-        singular = singular || result.regions[row].singular;
-        table.row(print_row(regions, keys, row, in));
-    }
-    if (singular)
+    table.all_of(regions, keys);
+    if (std::ranges::any_of(result.regions, &CoverageRegion::singular))
         table.note(tell<"No ellipsoid is given where the covariance matrix of the group is singular.">());
     blocks.push_back(table.take());
 }

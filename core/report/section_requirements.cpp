@@ -19,7 +19,7 @@ namespace words = certificate_words;
 
 using Verdicts = std::vector<RequirementResult>;
 
-/// So many that no U that exceeds its target is written as the target is; 2: as everywhere.
+/// So many that no U that exceeds its target is written as the target is.
 int digits_of_targets(const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
     const int everywhere = evaluated.analysis->style.digits.value_or(2);
     int digits = everywhere;
@@ -32,7 +32,7 @@ int digits_of_targets(const Verdicts& verdicts, const EvaluatedAnalysis& evaluat
         while (digits < most_digits && format_significant(U, digits) == format_significant(target, digits))
             ++digits;
     }
-    return digits == everywhere ? 2 : std::max(digits, 3);
+    return digits;
 }
 
 void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated,
@@ -41,8 +41,8 @@ void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalys
     table.text(tell<"Group">());
     table.text(tell<"Quantity">(), true);
     table.text(tell<"Unit">());
-    table.number("U", digits_of_targets(verdicts, evaluated));
-    table.number(tell<"Target">());
+    table.number("U").uncertainty(digits_of_targets(verdicts, evaluated));
+    table.number(tell<"Target">()).typed();
     table.text(tell<"Verdict">());
     bool any = false;
     for (const RequirementResult& r : verdicts) {
@@ -50,7 +50,7 @@ void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalys
         any = true;
         const OutputResult& output = evaluated.result->outputs[r.output];
         const OutputQuantity& quantity = output.quantity;
-        table.row({in.say(said_name(quantity.group)), quantity.symbol, unit_text(quantity.unit),
+        table.row({in.say(said_name(quantity.group)), quantity.symbol, quantity.unit,
                    interval_in(quantity.unit, output.expanded_uncertainty),
                    interval_in(quantity.unit, *r.target_uncertainty),
                    in.say(!r.not_judged.empty() ? tell<"not judged">()
@@ -86,9 +86,9 @@ Message remark_on(const ReverseBudget::Reduction& reduction) {
 constexpr int digits_of_reductions = 3;
 
 /// As it is printed, it suffices.
-Quantity sufficient(Quantity needed) {
-    needed.value = rounded_down(needed.value, digits_of_reductions);
-    return needed;
+Quantity sufficient(const Measured& needed) {
+    const Quantity exact = needed.in({});
+    return {rounded_down(exact.value, digits_of_reductions), exact.unit};
 }
 
 void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedAnalysis& evaluated,
@@ -105,15 +105,14 @@ void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedA
         in);
     table.text(tell<"Component">());
     table.text(tell<"Unit">());
-    table.symbol("u(x_i)", digits_of_reductions);
-    table.number(tell<"needed">(), digits_of_reductions);
+    table.symbol("u(x_i)").figure(digits_of_reductions);
+    table.number(tell<"needed">()).figure(digits_of_reductions);
     table.text(tell<"Remark">());
     for (const ReverseBudget::Reduction& reduction : budget->reductions) {
         const BudgetComponent& c = result.budget.components[reduction.component];
-        table.row(
-            {in.say(tell<"%1 (%2)">(c.name, c.id)), unit_text(c.unit), interval_in(c.unit, reduction.now),
-             reduction.needed ? TableCell(sufficient(interval_in(c.unit, *reduction.needed))) : TableCell{},
-             in.say(remark_on(reduction))});
+        table.row({in.say(tell<"%1 (%2)">(c.name, c.id)), c.unit, interval_in(c.unit, reduction.now),
+                   reduction.needed ? Cell(sufficient(interval_in(c.unit, *reduction.needed))) : Cell{},
+                   in.say(remark_on(reduction))});
     }
     table.note(reduction_words(*budget, in));
     blocks.push_back(table.take());
@@ -182,13 +181,13 @@ void add_conformity_row(TableBuilder& table, const RequirementResult& r, const O
                         const DocumentLanguage& in) {
     const bool judged = r.not_judged.empty();
     const OutputQuantity& quantity = output.quantity;
-    const auto number = [](const std::optional<double>& x) { return x ? TableCell(*x) : TableCell{}; };
-    table.row(
-        {in.say(output_label(quantity)), unit_text(quantity.unit), limits_text(r, output, 0.0, in.numbers()),
-         judged ? limits_text(r, output, r.guard_band, in.numbers()) : "", judged ? decision_rule(r, in) : "",
-         decision_words(r, in), judged ? probability_text(r.conformance, in.numbers()) : "",
-         judged ? by_words(r.conformance_by, in) : "", number(r.uncertainty_ratio),
-         number(r.capability_index)});
+    const auto number = [](const std::optional<double>& x) { return x ? Cell(*x) : Cell{}; };
+    table.row({in.say(output_label(quantity)), quantity.unit, limits_text(r, output, 0.0, in.numbers()),
+               judged ? limits_text(r, output, r.guard_band, in.numbers()) : "",
+               judged ? decision_rule(r, in) : "", decision_words(r, in),
+               judged ? probability_text(r.conformance, in.numbers()) : "",
+               judged ? by_words(r.conformance_by, in) : "", number(r.uncertainty_ratio),
+               number(r.capability_index)});
 }
 
 /// Nothing without tolerances.
@@ -199,8 +198,8 @@ std::optional<TableBlock> conformity_table(const Verdicts& verdicts, const Evalu
     for (const Phrase* head : {&words::quantity, &words::unit, &words::tolerance, &words::acceptance,
                                &words::rule, &words::decision, &words::conforming, &words::by})
         table.text(in.say(*head));
-    table.number("TUR", 3);
-    table.symbol("C_m", 3);
+    table.number("TUR").figure(3);
+    table.symbol("C_m").figure(3);
     for (const RequirementResult& r : verdicts)
         if (has_tolerance(r)) add_conformity_row(table, r, evaluated.result->outputs[r.output], in);
     table.note(in.say(words::conformity_note));

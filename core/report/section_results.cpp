@@ -18,11 +18,11 @@ TableBlock groups_as_columns(const UncertaintyResult& result, const std::vector<
     TableBuilder table("summary", title, in);
     table.text(tell<"U of">(), true);
     table.text(tell<"Unit">());
-    for (const Name& group : groups) table.number(group, 2);
+    for (const Name& group : groups) table.number(group).uncertainty();
     const std::vector<std::size_t> first = measurands_of(result, groups.front());
     for (std::size_t i = 0; i < first.size(); ++i) {
         const OutputQuantity& quantity = result.outputs[first[i]].quantity;
-        std::vector<TableCell> row = {quantity.symbol, unit_text(quantity.unit)};
+        std::vector<Cell> row = {quantity.symbol, quantity.unit};
         for (const Name& group : groups) {
             const OutputResult& output = result.outputs[measurands_of(result, group)[i]];
             row.emplace_back(interval_in(quantity.unit, output.expanded_uncertainty));
@@ -38,20 +38,16 @@ TableBlock groups_as_rows(const UncertaintyResult& result, const std::vector<Nam
     table.text(tell<"Group">());
     for (const std::size_t i : measurands_of(result, groups.front())) {
         const OutputQuantity& quantity = result.outputs[i].quantity;
-        table.symbol("U(" + quantity.symbol + ")", 2);
+        table.symbol("U(" + quantity.symbol + ")").uncertainty().in(quantity.unit);
     }
-    TableBlock block = table.take();
-    const std::vector<std::size_t> first = measurands_of(result, groups.front());
-    for (std::size_t i = 0; i < first.size(); ++i)
-        block.table.columns[i + 1].unit = result.outputs[first[i]].quantity.unit;
     for (const Name& group : groups) {
-        std::vector<TableCell> row = {group};
+        std::vector<Cell> row = {group};
         for (const std::size_t i : measurands_of(result, group))
             row.emplace_back(
                 interval_in(result.outputs[i].quantity.unit, result.outputs[i].expanded_uncertainty));
-        block.table.rows.push_back(std::move(row));
+        table.row(std::move(row));
     }
-    return block;
+    return table.take();
 }
 
 void add_run_words(Blocks& blocks, const UncertaintyResult& result, const DocumentLanguage& in) {

@@ -14,13 +14,11 @@ namespace {
 constexpr std::size_t most_setup_rows = 60;  // of a set-up table; the file has them all
 
 std::string quantity_text(double value, const Unit& unit, const DocumentLanguage& in) {
-    return grouped_digits(format_cell(Quantity{value, unit}, TableColumn{}), in.numbers());
+    return grouped_digits(format_typed(without_residue(value, unit)), in.numbers()) + unit_after_number(unit);
 }
 
 std::string triple_text(const std::array<double, 3>& values, const Unit& unit, const DocumentLanguage& in) {
-    const auto number = [&in](double value) {
-        return grouped_digits(format_cell(value, TableColumn{}), in.numbers());
-    };
+    const auto number = [&in](double value) { return grouped_digits(format_typed(value), in.numbers()); };
     const char* between = in.numbers().decimal == "," ? "; " : ", ";
     return "(" + number(values[0]) + between + number(values[1]) + between + number(values[2]) + ")\u00a0" +
            unit.display();
@@ -44,8 +42,7 @@ std::string name_of_asset(const std::string& id, const ReportSource& source) {
     return analysis && !analysis->name.empty() ? analysis->name : id;
 }
 
-TableCell cell_of(const ColumnSpec& spec, const Unit& unit, const SetupCell& cell,
-                  const ReportSource& source) {
+Cell cell_of(const ColumnSpec& spec, const Unit& unit, const SetupCell& cell, const ReportSource& source) {
     if (const auto* number = std::get_if<double>(&cell)) return Quantity{*number, unit};
     if (const auto* flag = std::get_if<bool>(&cell)) return yes_or_no(*flag, source.in);
     if (const auto* text = std::get_if<std::string>(&cell))
@@ -79,28 +76,26 @@ std::string setup_text(const FieldSpec& field, const SetupValue& value, const Re
 
 TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const ReportSource& source) {
     const DocumentLanguage& in = source.in;
-    TableBlock block{{}, {}, in.numbers()};
-    block.table.id = "setup-" + id_part(field.key);
-    block.table.title = in.say_declared(field.title);
+    TableBuilder block("setup-" + id_part(field.key), Message::declared(field.title), in);
     const std::size_t rows = std::min(table.rows.size(), most_setup_rows);
-    block.table.rows.resize(rows);
+    std::vector<std::vector<Cell>> cells(rows);
     for (std::size_t c = 0; c < field.columns.size(); ++c) {
         if (!is_used(table, c)) continue;
         const ColumnSpec& spec = field.columns[c];
         const Unit unit = c < table.units.size() ? table.units[c] : spec.unit;
-        const bool symbol = looks_like_symbol(spec.title);
-        block.styles.push_back(
-            {.symbol = names_quantities(spec), .by_row = shared_decimals(field, table, c)});
-        block.table.columns.push_back({symbol ? spec.title : in.say_declared(spec.title), unit, symbol, 0});
+        Column& column = looks_like_symbol(spec.title) ? block.symbol(spec.title)
+                                                       : block.text(Message::declared(spec.title));
+        column.in(unit).symbols = names_quantities(spec);
+        column.rule.by_row = shared_decimals(field, table, c);
         for (std::size_t r = 0; r < rows; ++r)
-            block.table.rows[r].push_back(
-                c < table.rows[r].size() ? cell_of(spec, unit, table.rows[r][c], source) : TableCell{});
+            cells[r].push_back(c < table.rows[r].size() ? cell_of(spec, unit, table.rows[r][c], source)
+                                                        : Cell{});
     }
-    if (!table.csv_file.empty()) block.table.notes.push_back(in.say(tell<"Read from %1.">(table.csv_file)));
+    for (std::vector<Cell>& row : cells) block.row(std::move(row));
+    if (!table.csv_file.empty()) block.note(tell<"Read from %1.">(table.csv_file));
     if (rows < table.rows.size())
-        block.table.notes.push_back(
-            in.say(tell<"The first %1 of %2 rows; the project file has them all.">(rows, table.rows.size())));
-    return block;
+        block.note(tell<"The first %1 of %2 rows; the project file has them all.">(rows, table.rows.size()));
+    return block.take();
 }
 
 void add_paragraphs(Blocks& blocks, const std::string& text) {

@@ -4,7 +4,6 @@
 #include "core/report/report_parts.h"
 #include "core/report/study_plots.h"
 #include "core/result/representation.h"
-#include "core/text/head_with_unit.h"
 #include "core/text/numbers.h"
 
 namespace covaria::report_parts {
@@ -40,22 +39,13 @@ std::string what_was_done(const StudyResult& study, const DocumentLanguage& in) 
 
 TableBlock sweep_table(const StudyResult& study, const DocumentLanguage& in) {
     TableBuilder table("study-" + study.id, study.name, in);
-    const StudyAxisValues& axis = study.axes.front();
-    const auto head = [](const Text& name, const Unit& unit) {
-        return to_unicode(head_with_unit(name, unit));
-    };
-    table.number(head(in.say(axis.title.message()), axis.unit), 4);
-    const std::vector<StudyQuantity> all = study_quantities(study, in);
-    const std::size_t shown = std::min(all.size(), most_quantities);
-    for (std::size_t q = 0; q < shown; ++q) table.number(head(all[q].title, all[q].unit), 3);
-    for (std::size_t i = 0; i < study.points.size(); ++i) {
-        std::vector<TableCell> row{axis.values[i]};
-        for (std::size_t q = 0; q < shown && study.points[i].has_values(); ++q)
-            row.emplace_back(all[q].unit.interval_from_si(value_at(study, all[q], i)));
-        row.resize(shown + 1);
-        table.row(std::move(row));
-    }
-    if (all.size() > shown) table.note(tell<"The CSV table of the study has all output quantities.">());
+    const Table all = study_view(study, in);
+    const std::size_t quantities = study_quantities(study, in).size(),
+                      shown = std::min(quantities, most_quantities);
+    std::vector<std::string> keys;
+    for (std::size_t c = 0; c <= shown; ++c) keys.push_back(all.columns[c].key);
+    table.all_of(all, keys);
+    if (quantities > shown) table.note(tell<"The CSV table of the study has all output quantities.">());
     return table.take();
 }
 
@@ -63,9 +53,9 @@ TableBlock extremes_table(const StudyResult& study, const DocumentLanguage& in) 
     TableBuilder table("study-" + study.id, tell<"%1: best and worst grid points">(study.name), in);
     table.text(tell<"Quantity">());
     table.text(tell<"Unit">());
-    table.number(tell<"least">(), 3);
+    table.number(tell<"least">()).figure(3);
     table.text(tell<"at">());
-    table.number(tell<"greatest">(), 3);
+    table.number(tell<"greatest">()).figure(3);
     table.text(tell<"at">());
     const std::vector<StudyQuantity> all = study_quantities(study, in);
     for (std::size_t q = 0; q < std::min(all.size(), most_quantities); ++q) {
@@ -74,7 +64,7 @@ TableBlock extremes_table(const StudyResult& study, const DocumentLanguage& in) 
         const auto cell = [&](std::size_t point) {
             return interval_in(all[q].unit, value_at(study, all[q], point));
         };
-        table.row({to_unicode(all[q].title), unit_text(all[q].unit), cell(extremes.best),
+        table.row({to_unicode(all[q].title), all[q].unit, cell(extremes.best),
                    point_words(study, extremes.best, in), cell(extremes.worst),
                    point_words(study, extremes.worst, in)});
     }

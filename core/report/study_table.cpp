@@ -1,4 +1,6 @@
 // A study as one table: axes, outputs, points in space, remarks.
+#include <cmath>
+
 #include "core/report/report.h"
 #include "core/result/representation.h"
 
@@ -75,6 +77,35 @@ DataTable study_table(const StudyResult& study) {
     add_heads(study, table);
     for (std::size_t i = 0; i < study.points.size(); ++i)
         table.rows.push_back(row_of(study, i, table.columns.size()));
+    return table;
+}
+
+Table study_view(const StudyResult& study, const DocumentLanguage& in) {
+    Table table{"study-" + study.id, study.name, study.points.size()};
+    for (std::size_t i = 0; i < study.axes.size(); ++i) {
+        const StudyAxisValues& axis = study.axes[i];
+        table
+            .add(axis.title.message().english(),
+                 [&study, &axis, i](std::size_t row) -> Cell {
+                     return Quantity{axis.values[study.indices_of(row)[i]], axis.unit};
+                 })
+            .window(axis.title.in(in))
+            .typed()
+            .in(axis.unit);
+    }
+    for (const StudyQuantity& quantity : study_quantities(study, in))
+        table
+            .add(quantity.id,
+                 [&study, quantity](std::size_t row) -> Cell {
+                     const double si = value_at(study, quantity, row);
+                     if (!std::isfinite(si)) return {};
+                     return Measured{si, Measured::Scale::interval, quantity.unit};
+                 })
+            .window(quantity.title)
+            .figure(3)
+            .in(quantity.unit);
+    if (study.failed() > 0 || !not_representing(study).empty())
+        table.add("remark", [&study](std::size_t row) -> Cell { return remark_on(study, row); });
     return table;
 }
 

@@ -66,14 +66,14 @@ Table AllResultsModel::joined(const std::vector<std::vector<std::size_t>>& outpu
                             "stated high", "target", "U/target", "met"}) {
         Column column = parts->front().table[key];
         column.unit.reset();  // each row has its own
-        column.cell = [=](std::size_t row) {
+        column.cell = Cells([=](std::size_t row) {
             return (*parts)[(*rows)[row].analysis].table.cell((*rows)[row].row, key);
-        };
+        });
         all.columns.push_back(std::move(column));
     }
     const auto limit = [&](const char* key, const std::string& head) {
         const auto column = std::ranges::find(all.columns, key, &Column::key);
-        column->window(head, to_std(tr("Coverage interval of the result line"))).match("rounding");
+        column->window(head, to_std(tr("Coverage interval of the result line"))).estimate_of("rounding");
     };
     const IntervalHeads heads = interval_heads(coverage_probability(), language_of_window());
     limit("stated low", heads.low);

@@ -4,7 +4,6 @@
 #include <QPalette>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -65,16 +64,6 @@ double without_noise(double mean) {
     return QString::number(mean, 'g', 12).toDouble();
 }
 
-/// The row of a table that a JSON pointer names: "/quantities/rows/3".
-std::optional<std::size_t> row_of(const std::string& source, const std::string& table) {
-    const std::string before = "/" + table + "/rows/";
-    if (!source.starts_with(before)) return std::nullopt;
-    std::size_t row = 0;
-    const auto [end, status] =
-        std::from_chars(source.data() + before.size(), source.data() + source.size(), row);
-    return status == std::errc() ? std::optional(row) : std::nullopt;
-}
-
 }  // namespace
 
 BudgetSheetModel::BudgetSheetModel(Document& document, const SetupAddress& address, const FieldSpec& field,
@@ -83,7 +72,8 @@ BudgetSheetModel::BudgetSheetModel(Document& document, const SetupAddress& addre
       document_(document),
       address_(address),
       field_(field),
-      sheet_(document, address, field.key) {
+      sheet_(document, address, field.key),
+      figures_([this](std::size_t row) { return unit_of(static_cast<int>(row)); }) {
     follow_sheet();
     follow_observations();
     connect(&document_, &Document::project_changed, this, &BudgetSheetModel::follow_observations);
@@ -101,13 +91,13 @@ void BudgetSheetModel::follow_sheet() {
     connect(&sheet_, &QAbstractItemModel::rowsAboutToBeInserted, this,
             [this](const QModelIndex&, int first, int last) {
                 beginInsertRows({}, first, last);
-                move_computed(first, last - first + 1);
+                figures_.move(first, last - first + 1);
             });
     connect(&sheet_, &QAbstractItemModel::rowsInserted, this, [this] { endInsertRows(); });
     connect(&sheet_, &QAbstractItemModel::rowsAboutToBeRemoved, this,
             [this](const QModelIndex&, int first, int last) {
                 beginRemoveRows({}, first, last);
-                move_computed(first, first - last - 1);
+                figures_.move(first, first - last - 1);
             });
     connect(&sheet_, &QAbstractItemModel::rowsRemoved, this, [this] { endRemoveRows(); });
     connect(&sheet_, &QAbstractItemModel::modelAboutToBeReset, this, [this] { beginResetModel(); });
@@ -122,53 +112,16 @@ void BudgetSheetModel::set_result(std::shared_ptr<const UncertaintyResult> resul
     result_ = std::move(result);
     output_ = output;
     current_ = current;
-    if (!is_followed) refresh_computed();
+    if (!is_followed) figures_.follow(result_, output_, field_.key);
     emit headerDataChanged(Qt::Horizontal, 0, sections - 1);
     emit dataChanged(index(0, 0), index(rowCount() - 1, sections - 1));
 }
 
 void BudgetSheetModel::set_units(const DisplayUnits& units) {
     units_ = units;
+    figures_.set_units(units);
     emit headerDataChanged(Qt::Horizontal, 0, sections - 1);
     emit dataChanged(index(0, 0), index(rowCount() - 1, sections - 1));
-}
-
-/// What was computed for the rows goes with them.
-void BudgetSheetModel::move_computed(int first, int count) {
-    const auto move = [&](auto& of_rows) {
-        const auto size = static_cast<int>(of_rows.size());
-        const auto at = of_rows.begin() + std::min(first, size);
-        if (count > 0 && first <= size)
-            of_rows.insert(at, static_cast<std::size_t>(count), {});
-        else if (count < 0)
-            of_rows.erase(at, of_rows.begin() + std::min(first - count, size));
-    };
-    move(components_);
-    move(lines_);
-}
-
-/// Which component each row states; of a chain of analyses only those of this one's set-up.
-void BudgetSheetModel::refresh_computed() {
-    lines_.clear();
-    components_.clear();
-    budget_ = {};
-    if (!result_) return;
-    const auto at = [](auto& list, std::size_t row) -> auto& {
-        if (list.size() <= row) list.resize(row + 1);
-        return list[row];
-    };
-    for (const InputQuantity& quantity : result_->inputs->quantities) {
-        if (!quantity.analysis.empty()) continue;
-        for (const Share& part : quantity.shares)
-            if (const auto row = row_of(result_->inputs->components[part.component].source, field_.key))
-                at(components_, *row) = part.component;
-    }
-    budget_ = budget_table(*result_, budget_places(*result_, output_));
-    const std::vector<BudgetRow>& rows = result_->budget.rows[output_];
-    lines_.resize(components_.size());
-    for (std::size_t row = 0; row < components_.size(); ++row)
-        for (std::size_t line = 0; components_[row] && line < rows.size(); ++line)
-            if (rows[line].component == *components_[row]) lines_[row] = line;
 }
 
 void BudgetSheetModel::follow_observations() {
@@ -186,9 +139,8 @@ std::string BudgetSheetModel::symbol_of(int row) const {
 }
 
 std::string BudgetSheetModel::component_of(int row) const {
-    const auto at = static_cast<std::size_t>(row);
-    const bool known = result_ && at < components_.size() && components_[at];
-    return known ? result_->budget.components[*components_[at]].id : std::string();
+    const BudgetComponent* of = row < 0 ? nullptr : figures_.component(static_cast<std::size_t>(row));
+    return of ? of->id : std::string();
 }
 
 int BudgetSheetModel::rowCount(const QModelIndex& parent) const {
@@ -291,33 +243,6 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
     return kind.data(role);
 }
 
-/// In the units of the result below and of the row: "-575 nm/K".
-QVariant BudgetSheetModel::sensitivity(int row, int role) const {
-    const auto at = static_cast<std::size_t>(row);
-    if (!lines_[at]) return role == Qt::DisplayRole ? QVariant(QStringLiteral("0")) : QVariant();
-    const Unit& of_row = result_->budget.components[*components_[at]].unit;
-    const Unit& of_result = units_.of(result_->outputs[output_].quantity.unit);
-    const double si = result_->budget.rows[output_][*lines_[at]].sensitivity;
-    const double value = of_result.interval_from_si(of_row.interval_to_si(si));
-    if (role == exact_role) return value;
-    if (role != Qt::DisplayRole) return {};
-    return to_qt(
-        grouped_digits(format_significant(value, std::max(digits_, sensitivity_digits)), user_numbers()) +
-        unit_after_number(quotient(of_result, of_row)));
-}
-
-/// In the row's unit, and written out where the estimate beside it is: 0.000 025 as 50.000 623.
-QVariant BudgetSheetModel::uncertainty(int row, int role) const {
-    const BudgetComponent& component =
-        result_->budget.components[*components_[static_cast<std::size_t>(row)]];
-    const double value = component.unit.interval_from_si(component.standard_uncertainty);
-    if (role == exact_role) return value;
-    if (role != Qt::DisplayRole) return {};
-    if (!std::isfinite(value) || value == 0.0) return localized(format_significant(value, digits_));
-    const double largest = std::max(value, std::abs(component.unit.from_si(component.estimate)));
-    return to_qt(grouped_digits(format_in_row(value, decimals_for(value, digits_), largest), user_numbers()));
-}
-
 QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     const auto at = static_cast<std::size_t>(row);
     if (role == Qt::ForegroundRole && !current_)
@@ -328,42 +253,19 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     if (role == Qt::ToolTipRole && !current_) return tr("Out of date: being computed.");
     if (role == Qt::ToolTipRole && !sheet_.taken_words(row, column("statement")).isEmpty())
         return sheet_.taken_words(row, column("statement"));
-    if (!result_ || at >= components_.size() || !components_[at]) return {};
+    if (!figures_.component(at)) return {};
+    if (section == estimate && row > 0 && symbol_of(row) == symbol_of(row - 1)) return {};  // it stands above
+    const char* key = section == estimate ? "estimate" : head_of(section).of_budget;
+    if (!key) return {};
     // What is stated stays in the row's unit, what comes of it is in that of the results below.
     const TableView view{section == contribution ? units_ : DisplayUnits(), digits_, language_of_window()};
-    const BudgetComponent& component = result_->budget.components[*components_[at]];
-    if (section == estimate && role == Qt::DisplayRole) {
-        if (row > 0 && symbol_of(row) == symbol_of(row - 1)) return {};  // it stands above
-        const double decisive = unit_of(row).interval_from_si(component.standard_uncertainty);
-        return to_qt(grouped_digits(format_estimate(unit_of(row).from_si(component.estimate), decisive),
-                                    user_numbers()));
+    const Column& of = figures_.table()[key];
+    if (role == exact_role) {
+        const auto number = exact_number(of, at, view.units);
+        return number ? QVariant(*number) : QVariant();
     }
-    if (section == distribution)
-        return role == Qt::DisplayRole ? QVariant(core_text(component.distribution)) : QVariant();
-    if (section == c) return sensitivity(row, role);
-    if (section == u) return uncertainty(row, role);
-    const char* key = head_of(section).of_budget;
-    if (!key) return {};
-    if (lines_[at]) {
-        const Column& of = budget_[key];
-        if (role == exact_role) {
-            const auto number = exact_number(of, *lines_[at], view.units);
-            return number ? QVariant(*number) : QVariant();
-        }
-        if (role == Qt::DisplayRole) return to_qt(to_unicode(cell_shown(budget_, of, *lines_[at], view)));
-        if (role == typeset_role) return QVariant::fromValue(cell_shown(budget_, of, *lines_[at], view));
-        return {};
-    }
-    if (role != Qt::DisplayRole) return {};
-    // A quantity that the result does not depend on, to first order.
-    if (section == type)
-        return component.type == EvaluationType::type_a ? QStringLiteral("A") : QStringLiteral("B");
-    if (section == nu) return localized(format_degrees_of_freedom(component.degrees_of_freedom));
-    const bool of_nothing =
-        section == share && !(result_->outputs[output_].first_order.standard_uncertainty > 0.0);
-    if (of_nothing) return QStringLiteral("–");
-    if (section == contribution || section == share) return QStringLiteral("0");
-    return {};
+    if (role == Qt::DisplayRole) return to_qt(to_unicode(written(figures_.table(), of, at, view)));
+    return role == typeset_role ? QVariant::fromValue(written(figures_.table(), of, at, view)) : QVariant();
 }
 
 QVariant BudgetSheetModel::data(const QModelIndex& index, int role) const {
@@ -510,14 +412,14 @@ bool BudgetSheetModel::state_u(int row, const QString& text) {
                                                        "rectangular",        "triangular",    "arcsine",
                                                        "trapezoidal",        "resolution"};
     const auto read = read_typed(row, text);
-    const auto at = static_cast<std::size_t>(row);
+    const BudgetComponent* of = figures_.component(static_cast<std::size_t>(row));
     const std::optional<double> a = number_at(row, "a");
-    const bool scales = read && read->kind == "standard" && a && current_ && at < components_.size() &&
-                        components_[at] && by_their_figure.contains(text_at(row, "statement"));
+    const bool scales = read && read->kind == "standard" && a && current_ && of &&
+                        by_their_figure.contains(text_at(row, "statement"));
     const Unit of_row = unit_of(row).interval();
     const Unit typed =
         scales && !read->unit.empty() ? Unit::parse(read->unit).value_or(of_row).interval() : of_row;
-    const double now = scales ? result_->budget.components[*components_[at]].standard_uncertainty : 0.0;
+    const double now = scales ? of->standard_uncertainty : 0.0;
     const double wanted = scales ? typed.interval_to_si(*read->a) : 0.0;
     if (!(now > 0.0) || !(wanted > 0.0) || typed.dimension() != of_row.dimension()) {
         write(row, stated, text, next_step());

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "core/quantity/statement_text.h"
-#include "core/report/table.h"
 #include "core/result/uncertainty_result.h"
+#include "core/text/cell.h"
 #include "ui/models/setup_table_model.h"
+#include "ui/models/sheet_figures.h"
 
 namespace covaria::ui {
 
@@ -76,14 +77,10 @@ public:
 private:
     using Cells = std::map<int, SetupTableModel::TypedCell>;
     void follow_sheet();
-    void refresh_computed();
-    void move_computed(int first, int count);
     bool is_new_row(int row) const { return row == sheet_.rowCount(); }
     int column(const char* key) const;
     /// Of the set-up's table; -1: the section has none of its own.
     int column_of(int section) const;
-    QVariant sensitivity(int row, int role) const;
-    QVariant uncertainty(int row, int role) const;
     QVariant computed(int row, int section, int role) const;
     QVariant of_sheet(int row, int section, int role) const;
     QVariant stated_cell(int row, int role) const;
@@ -118,6 +115,7 @@ private:
     mutable std::map<std::string, std::vector<double>> observed_;
     const FieldSpec& field_;
     SetupTableModel sheet_;
+    SheetFigures figures_;  ///< what comes of the result shown
     std::shared_ptr<const UncertaintyResult> result_;
     std::size_t output_ = 0;
     DisplayUnits units_;
@@ -125,9 +123,6 @@ private:
     bool current_ = true;
     int steps_ = 0;
     int typed_with_unit_ = -1;  ///< row whose estimate was typed last, with a unit behind it
-    Table budget_;              ///< of the result's output, a line for each row there
-    std::vector<std::optional<std::size_t>> lines_;       ///< of `budget_`, for each row of the sheet
-    std::vector<std::optional<std::size_t>> components_;  ///< of the result, likewise
 };
 
 }  // namespace covaria::ui

@@ -16,6 +16,7 @@ namespace {
 /// SI, so that rows in different units compare.
 std::optional<double> sort_number(const Cell& cell) {
     if (const auto* number = std::get_if<Measured>(&cell)) return number->si;
+    if (const auto* number = std::get_if<Quantity>(&cell)) return number->si();
     return std::holds_alternative<std::monostate>(cell) ? std::optional(std::nan("")) : std::nullopt;
 }
 
@@ -55,7 +56,7 @@ QVariant ColumnTableModel::data(const QModelIndex& index, int role) const {
             return number ? QVariant(*number) : QVariant();
         }
         case Qt::TextAlignmentRole:
-            return QVariant((is_numeric(of) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+            return QVariant((of.of_numbers ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         case Qt::ForegroundRole:
             return current_ ? extra(row, static_cast<std::size_t>(index.column()), role)
                             : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
@@ -77,16 +78,16 @@ QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, 
     if (role == id_role) return to_qt(to_unicode(of.title));
     if (role == Qt::ToolTipRole) return to_qt(of.help);
     if (role == Qt::TextAlignmentRole)
-        return QVariant((is_numeric(of) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return QVariant((of.of_numbers ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     return {};
 }
 
 Text ColumnTableModel::head(const Column& column) const {
-    return head_shown(core_title(column.title), column, view());
+    return head_written(core_title(column.title), column, view());
 }
 
 Text ColumnTableModel::shown(const Column& column, std::size_t row) const {
-    return cell_shown(table_, column, row, view());
+    return written(table_, column, row, view());
 }
 
 void ColumnTableModel::set_units(const DisplayUnits& units) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/report/table.h"
+#include "core/text/cell.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/document_language.h"
 

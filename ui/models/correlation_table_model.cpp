@@ -16,10 +16,7 @@ void CorrelationTableModel::set_result(std::shared_ptr<const UncertaintyResult> 
     if (!result) return set_contents({}, {}, {}, current);
     Table table = correlation_table(*result, outputs_to_correlate(*result, group));
     std::vector<std::string> keys;
-    for (std::size_t c = 1; c < table.columns.size(); ++c) {
-        table.columns[c].rule.decimals = 2;
-        keys.push_back(table.columns[c].key);
-    }
+    for (std::size_t c = 1; c < table.columns.size(); ++c) keys.push_back(table.columns[c].key);
     set_contents(result, std::move(table), std::move(keys), current);
 }
 

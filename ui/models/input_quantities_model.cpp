@@ -140,13 +140,13 @@ Text InputQuantitiesModel::typeset(int row, int column) const {
     const TableView view{{}, 2, language_of_window()};
     switch (column) {
         case symbol_column:
-            return cell_shown(table_, table_["symbol"], std::size_t(row), view);
+            return written(table_, table_["symbol"], std::size_t(row), view);
         case name_column:
-            return cell_shown(table_, table_["name"], std::size_t(row), view);
+            return written(table_, table_["name"], std::size_t(row), view);
         case unit_column:
-            return cell_shown(table_, table_["unit"], std::size_t(row), view);
+            return written(table_, table_["unit"], std::size_t(row), view);
         case uncertainty_column:
-            return cell_shown(table_, table_["u"], std::size_t(row), view);
+            return written(table_, table_["u"], std::size_t(row), view);
         default:
             return {};
     }

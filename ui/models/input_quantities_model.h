@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "core/made/prepared_analysis.h"
-#include "core/report/table.h"
+#include "core/text/cell.h"
 #include "ui/document/document.h"
 
 namespace covaria::ui {

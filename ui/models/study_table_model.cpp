@@ -1,7 +1,8 @@
 #include "ui/models/study_table_model.h"
 
-#include <cmath>
+#include <algorithm>
 
+#include "core/report/report.h"
 #include "core/result/representation.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
@@ -19,35 +20,15 @@ const char* const expanded_help = QT_TR_NOOP("Expanded uncertainty");
 void StudyTableModel::set_study(std::shared_ptr<const StudyResult> study, bool current) {
     study_ = std::move(study);
     if (!study_) return set_contents({}, {}, {}, current);
-    const StudyResult& shown = *study_;
-    set_digits(0);
     const DocumentLanguage language = language_of_window();
-    Table table{"study-" + shown.id, shown.name, shown.points.size()};
-    for (const StudyAxisValues& axis : shown.axes) {
-        const auto value = [&shown, &axis,
-                            i = std::size_t(&axis - shown.axes.data())](std::size_t row) -> Cell {
-            const double typed = axis.values[shown.indices_of(row)[i]];
-            return Measured{axis.unit.to_si(typed), Measured::Scale::value, axis.unit, {}};
-        };
-        table.add(axis.title.message().english(), value)
-            .window(axis.title.in(language))
-            .round({.typed = true})
-            .in(axis.unit);
+    Table table = study_view(*study_, language);
+    for (const StudyQuantity& quantity : study_quantities(*study_, language)) {
+        const auto column = std::ranges::find(table.columns, quantity.id, &Column::key);
+        column->tip(to_std(quantity.position ? ui::tr(position_help) : ui::tr(expanded_help)));
     }
-    for (const StudyQuantity& quantity : study_quantities(shown, language)) {
-        const auto value = [&shown, quantity](std::size_t row) -> Cell {
-            const double si = value_at(shown, quantity, row);
-            return std::isfinite(si) ? Cell(Measured{si, Measured::Scale::interval, quantity.unit, {}})
-                                     : Cell();
-        };
-        table.add(quantity.id, value)
-            .window(quantity.title, to_std(quantity.position ? ui::tr(position_help) : ui::tr(expanded_help)))
-            .digits(3)
-            .in(quantity.unit);
-    }
-    if (shown.failed() > 0 || !not_representing(shown).empty())
-        table.add("remark", [&shown](std::size_t row) -> Cell { return remark_on(shown, row); })
-            .window(to_std(tr("Remark")), to_std(tr("Why there are no values, or what is wrong with them")));
+    if (table.find("remark"))
+        table.columns.back().window(to_std(tr("Remark")),
+                                    to_std(tr("Why there are no values, or what is wrong with them")));
     std::vector<std::string> keys;
     for (const Column& column : table.columns) keys.push_back(column.key);
     set_contents(study_, std::move(table), std::move(keys), current);

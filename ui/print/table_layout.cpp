@@ -7,7 +7,6 @@
 #include <numeric>
 #include <optional>
 
-#include "core/report/table_text.h"
 #include "core/text/symbol.h"
 #include "ui/print/number_text.h"
 #include "ui/print/rich_text.h"
@@ -34,6 +33,10 @@ struct Column {
 };
 
 using ColumnIndices = std::vector<std::size_t>;
+
+std::string cell_html(const TableBlock& block, std::size_t row, std::size_t column) {
+    return to_html(written(block.table, block.table.columns[column], row, block.view));
+}
 
 class TableLayout {
 public:
@@ -74,31 +77,31 @@ public:
 
 private:
     std::size_t count() const { return shown_.size(); }
+    bool is_subhead(std::size_t row) const { return block_.table.is_subhead(row); }
 
     void make_cells() {
         for (const std::size_t column : shown_) {
-            const bool numeric = is_numeric_column(block_, column);
-            columns_.push_back({});
-            columns_.back().numeric = numeric;
+            const bool numeric = has_only_numbers(block_.table, block_.table.columns[column]);
+            columns_.push_back({.numeric = numeric});
             heads_.emplace_back(fonts_, TextRole::table_head,
-                                to_qt(to_html(head_text(block_.table.columns[column]))),
+                                to_qt(to_html(head_written(block_.table.columns[column], block_.view))),
                                 numeric ? Qt::AlignRight : Qt::AlignLeft);
         }
-        for (std::size_t r = 0; r < block_.table.rows.size(); ++r) {
+        for (std::size_t r = 0; r < block_.table.rows; ++r) {
             cells_.emplace_back();
-            for (std::size_t c = 0; c < count(); ++c)
-                if (shown_[c] < block_.table.rows[r].size()) cells_[r].push_back(make_cell(r, c));
+            for (std::size_t c = 0; c < (is_subhead(r) ? 1 : count()); ++c)
+                cells_[r].push_back(make_cell(r, c));
         }
     }
 
     Cell make_cell(std::size_t r, std::size_t c) {
-        const std::string html = to_html(cell_typeset(block_, r, shown_[c]));
+        const std::string html = cell_html(block_, r, shown_[c]);
         Cell cell;
         if (html.empty()) return cell;
-        if (is_subhead(block_, r)) {
+        if (is_subhead(r)) {
             cell.text.emplace(fonts_, TextRole::table_head, "<b>" + to_qt(html) + "</b>");
         } else if (columns_[c].numeric) {
-            cell.number.emplace(fonts_, QString::fromStdString(html), block_.locale);
+            cell.number.emplace(fonts_, QString::fromStdString(html), block_.view.language.numbers());
             columns_[c].before_point = std::max(columns_[c].before_point, cell.number->before_point());
             columns_[c].after_point = std::max(columns_[c].after_point, cell.number->after_point());
         } else {
@@ -118,7 +121,7 @@ private:
         }
         ColumnWish wish{head, heads_[c].narrowest_width(), false};
         for (std::size_t r = 0; r < cells_.size(); ++r) {
-            if (is_subhead(block_, r) || c >= cells_[r].size() || !cells_[r][c].text) continue;
+            if (is_subhead(r) || c >= cells_[r].size() || !cells_[r][c].text) continue;
             wish.natural = std::max(wish.natural, cells_[r][c].text->natural_width());
             wish.narrowest = std::max(wish.narrowest, cells_[r][c].text->narrowest_width());
         }
@@ -149,7 +152,7 @@ private:
             heads_[c].set_width(widths[c]);
             for (std::size_t r = 0; r < cells_.size(); ++r) {
                 if (c >= cells_[r].size() || !cells_[r][c].text) continue;
-                cells_[r][c].text->set_width(is_subhead(block_, r) ? available_ : widths[c]);
+                cells_[r][c].text->set_width(is_subhead(r) ? available_ : widths[c]);
             }
         }
         width_ = x - gap_;
@@ -189,7 +192,7 @@ private:
     }
 
     FlowItem row_item(std::size_t r, const std::shared_ptr<const RepeatedHead>& head, bool last_part) const {
-        const bool subhead = is_subhead(block_, r);
+        const bool subhead = is_subhead(r);
         const bool last = r + 1 == cells_.size();
         const double height = row_height(r);
         const double line = style_.points(last ? 0.8 : 0.4);
@@ -215,12 +218,12 @@ private:
     bool keeps_with_next(std::size_t r, bool last_part) const {
         const std::size_t rows = cells_.size();
         if (r + 1 == rows) return last_part && !block_.table.notes.empty();
-        if (is_subhead(block_, r) || r == 0 || r + 2 == rows) return true;
-        if (is_subhead(block_, r + 1)) return false;
+        if (is_subhead(r) || r == 0 || r + 2 == rows) return true;
+        if (is_subhead(r + 1)) return false;
         std::size_t first = r, last = r;
-        while (first > 0 && !is_subhead(block_, first)) --first;
-        while (last + 1 < rows && !is_subhead(block_, last + 1)) ++last;
-        return is_subhead(block_, first) && last - first <= largest_whole_group;
+        while (first > 0 && !is_subhead(first)) --first;
+        while (last + 1 < rows && !is_subhead(last + 1)) ++last;
+        return is_subhead(first) && last - first <= largest_whole_group;
     }
 
     /// Of the first line of a text cell: numbers stand on the same line.
@@ -250,7 +253,7 @@ private:
 };
 
 ColumnIndices all_columns(const TableBlock& block) {
-    ColumnIndices all(block.table.columns.size());
+    ColumnIndices all(block.table.shown_columns());
     std::iota(all.begin(), all.end(), std::size_t{0});
     return all;
 }

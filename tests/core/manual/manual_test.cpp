@@ -118,8 +118,8 @@ std::vector<std::string> frame_of(const std::vector<ReportBlock>& blocks) {
             take_code(prose->spans);
         }
         if (const auto* table = std::get_if<TableBlock>(&block))
-            words += " " + std::to_string(table->table.columns.size()) + "x" +
-                     std::to_string(table->table.rows.size());
+            words +=
+                " " + std::to_string(table->table.columns.size()) + "x" + std::to_string(table->table.rows);
         frame.push_back(words);
     }
     frame.insert(frame.end(), code.begin(), code.end());
@@ -172,10 +172,10 @@ TEST(Markdown, ReadsWhatHelpPagesHave) {
         "Words <b>strong</b> and <i>less</i>, <code>a_1*b</code> and <a href=\"results.md#b\">there</a>.");
     EXPECT_EQ(prose_words(std::get<ProseBlock>(blocks[2]).spans), "first goes on");
     EXPECT_EQ(std::get<ProseBlock>(blocks[3]).mark, "–");
-    const DataTable& table = std::get<TableBlock>(blocks[4]).table;
+    const Table& table = std::get<TableBlock>(blocks[4]).table;
     ASSERT_EQ(table.columns.size(), 2u);
-    EXPECT_EQ(table.columns[1].header, "b");
-    EXPECT_EQ(std::get<std::string>(table.rows.at(0).at(1)), "x|y");
+    EXPECT_EQ(table.columns[1].key, "b");
+    EXPECT_EQ(std::get<std::string>(table.columns[1].cell(0)), "x|y");
     EXPECT_EQ(std::get<CodeBlock>(blocks[5]).text, "code  = 1");
     EXPECT_EQ(std::get<HeadingBlock>(blocks[6]).anchor, "p-a-page-again");
 }

@@ -7,8 +7,8 @@
 #include "core/report/certificate_words.h"
 #include "core/report/report.h"
 #include "core/report/result_statement.h"
-#include "core/report/table_text.h"
 #include "tests/core/report/sample_report.h"
+#include "tests/core/report/shown_cells.h"
 
 namespace covaria::certificate_language_test {
 namespace {
@@ -122,9 +122,9 @@ TEST(CertificateLanguage, NumbersHaveItsDecimalSign) {
     for (const Sample& sample : samples())
         for (const ReportBlock& block : certificate_of(sample, brackets.language).blocks) {
             if (const auto* table = std::get_if<TableBlock>(&block)) {
-                for (std::size_t r = 0; r < table->table.rows.size(); ++r)
-                    for (std::size_t c = 0; c < table->table.rows[r].size(); ++c) {
-                        const std::string cell = to_html(cell_typeset(*table, r, c));
+                for (std::size_t r = 0; r < table->table.rows; ++r)
+                    for (std::size_t c = 0; c < table->table.shown_columns(); ++c) {
+                        const std::string cell = to_html(test::typeset_cell(*table, r, c));
                         EXPECT_FALSE(std::regex_search(cell, with_point)) << cell;
                     }
             }

@@ -5,9 +5,10 @@
 
 #include "core/report/design_plots.h"
 #include "core/report/design_results.h"
+#include "core/report/evaluation_table.h"
 #include "core/report/report.h"
-#include "core/report/table_text.h"
 #include "tests/core/report/sample_report.h"
+#include "tests/core/report/shown_cells.h"
 
 namespace covaria::design_report_test {
 namespace {
@@ -120,10 +121,10 @@ TEST(DesignTables, TheChangeIsInPerCentForPeopleAndAPartOfOneInFiles) {
         return *std::find_if(tables.begin(), tables.end(),
                              [](const DataTable& table) { return table.id == "curve"; });
     };
-    const TableBlock block{curve(readable_design_tables(of_rows())), {}, {}};
-    EXPECT_EQ(to_unicode(head_text(block.table.columns.at(2))), "change / %");
-    EXPECT_EQ(cell_text(block, 1, 2), "-50.0");
-    EXPECT_EQ(cell_text(block, 2, 2), "-6.3");
+    const TableBlock block = evaluation_block(curve(readable_design_tables(of_rows())), {});
+    EXPECT_EQ(test::head_of(block, 2), "change / %");
+    EXPECT_EQ(test::plain_cell(block, 1, 2), "-50.0");
+    EXPECT_EQ(test::plain_cell(block, 2, 2), "-6.3");
     const DataTable file = curve(design_tables(of_rows()));
     EXPECT_EQ(file.columns.at(2).header, "change");
     EXPECT_NEAR(std::get<double>(file.rows[1][2]), -0.5, 1e-12);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tests/core/report/sample_report.h"
+#include "tests/core/report/shown_cells.h"
 
 namespace covaria::report_extent_test {
 namespace {
@@ -31,7 +32,7 @@ std::size_t rows_of(const ReportDocument& document, const std::string& id) {
     std::size_t rows = 0;
     for (const ReportBlock& block : document.blocks)
         if (const auto* table = std::get_if<TableBlock>(&block); table && table->table.id == id)
-            rows = std::max(rows, table->table.rows.size());
+            rows = std::max(rows, table->table.rows);
     return rows;
 }
 
@@ -131,13 +132,10 @@ TEST(ReportExtent, TheRowsShownAreOfTheGroupWithTheLargestUncertainties) {
     for (const ReportBlock& block : body.blocks) {
         const auto* table = std::get_if<TableBlock>(&block);
         if (!table || table->table.id != "results-" + sample.analyses[0].analysis->id) continue;
-        EXPECT_EQ(std::get<std::string>(table->table.rows[0][0]), group);
+        EXPECT_EQ(table->table.subheads.at(0), group);
         EXPECT_NE(table->table.notes.back().english().find("of 360 rows"), std::string::npos)
             << table->table.notes.back() << ": sub-heads are no rows";
-        const std::size_t sub_heads =
-            std::size_t(std::count_if(table->table.rows.begin(), table->table.rows.end(),
-                                      [](const auto& row) { return row.size() == 1; }));
-        EXPECT_EQ(table->table.rows.size(), sub_heads * 7) << "no group is cut";
+        EXPECT_EQ(table->table.rows, table->table.subheads.size() * 7) << "no group is cut";
     }
 }
 
@@ -145,23 +143,30 @@ TEST(ReportExtent, WhatDecidesTheDecimalsOfARowStaysWithIt) {
     Extent extent;
     extent.rows = 6;
     TableBlock table;
-    table.table.columns.resize(2);
-    table.styles.resize(2);
+    std::vector<int> decimals;
+    table.table.add("estimate").estimate_of("spread");
+    table.table.add("reading");
+    table.table.add("spread").uncertainty(2).hidden = true;
     for (const char* group : {"a", "b"}) {
-        table.table.rows.push_back({std::string(group)});
-        table.spreads.push_back(0.0);
-        table.styles[1].by_row.push_back(-1);
+        table.table.subhead(group);
+        decimals.push_back(-1);
         for (int row = 0; row < 20; ++row) {
-            table.table.rows.push_back({1.0, 2.0});
-            table.spreads.push_back(group[0] == 'a' ? 0.1 : 0.01);
-            table.styles[1].by_row.push_back(group[0] == 'a' ? 1 : 2);
+            table.table.row({1.0, 2.0, group[0] == 'a' ? 0.11 : 0.011});
+            decimals.push_back(group[0] == 'a' ? 1 : 2);
         }
     }
+    table.table.columns[1].rule.by_row = decimals;
     const ShortenedChapter part = shorten({table}, extent, "b", Elsewhere::files, {});
     const auto& shown = std::get<TableBlock>(part.body.front());
-    ASSERT_EQ(std::get<std::string>(shown.table.rows.at(0).at(0)), "b");
-    EXPECT_EQ(shown.spreads.at(1), 0.01);
-    EXPECT_EQ(shown.styles.at(1).by_row.at(1), 2);
+    ASSERT_EQ(shown.table.subheads.at(0), "b");
+    EXPECT_EQ(test::plain_cell(shown, 1, 0), "1.000");
+    EXPECT_EQ(test::plain_cell(shown, 1, 1), "2.00");
+}
+
+TableBlock of_two_columns() {
+    TableBlock block;
+    for (const char* key : {"a", "b"}) block.table.add(key);
+    return block;
 }
 
 TEST(ReportExtent, ATableThatIsCutSaysSoAndNoOther) {
@@ -169,21 +174,21 @@ TEST(ReportExtent, ATableThatIsCutSaysSoAndNoOther) {
     extent.rows = 6;
     for (const bool groups : {false, true})
         for (std::size_t rows = 1; rows < 40; ++rows) {
-            TableBlock table;
+            TableBlock table = of_two_columns();
             for (std::size_t row = 0; row < rows; ++row) {
-                if (groups && row % 4 == 0) table.table.rows.push_back({std::string("group")});
-                table.table.rows.push_back({1.0, 2.0});
+                if (groups && row % 4 == 0) table.table.subhead("group");
+                table.table.row({1.0, 2.0});
             }
             const ShortenedChapter part = shorten({table}, extent, "", Elsewhere::files, {});
             const auto& shown = std::get<TableBlock>(part.body.front()).table;
-            EXPECT_EQ(shown.notes.empty(), shown.rows.size() == table.table.rows.size()) << rows;
-            EXPECT_LE(shown.rows.size(), 12U) << rows << " rows" << (groups ? " in groups" : "");
+            EXPECT_EQ(shown.notes.empty(), shown.rows == table.table.rows) << rows;
+            EXPECT_LE(shown.rows, 12U) << rows << " rows" << (groups ? " in groups" : "");
         }
 }
 
 TEST(ReportExtent, AHeadingGoesWithTheTablesThatWereUnderIt) {
-    TableBlock table;
-    table.table.rows = {{1.0, 2.0}, {2.0, 3.0}};
+    TableBlock table = of_two_columns();
+    for (const double x : {1.0, 2.0}) table.table.row({x, x + 1.0});
     Blocks chapter{HeadingBlock{2, "Chapter"}};
     for (const char* name : {"first", "second", "third"}) {
         chapter.push_back(HeadingBlock{3, name});

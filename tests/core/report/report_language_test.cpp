@@ -12,10 +12,10 @@
 #include "core/report/design_results.h"
 #include "core/report/report.h"
 #include "core/report/result_columns.h"
-#include "core/report/table_text.h"
 #include "core/text/symbol.h"
 #include "tests/core/report/compared_sample.h"
 #include "tests/core/report/sample_report.h"
+#include "tests/core/report/shown_cells.h"
 #include "tests/core/result/changed_inputs.h"
 
 namespace covaria::report_language_test {
@@ -191,10 +191,11 @@ struct Texts {
     }
     void operator()(const TableBlock& block) {
         texts.push_back(block.table.title);
-        for (const TableColumn& column : block.table.columns) texts.push_back(to_unicode(head_text(column)));
-        for (std::size_t r = 0; r < block.table.rows.size(); ++r)
-            for (std::size_t c = 0; c < block.table.rows[r].size(); ++c)
-                texts.push_back(to_unicode(cell_typeset(block, r, c)));
+        for (std::size_t c = 0; c < block.table.shown_columns(); ++c) {
+            texts.push_back(test::head_of(block, c));
+            for (std::size_t r = 0; r < block.table.rows; ++r)
+                texts.push_back(to_unicode(test::typeset_cell(block, r, c)));
+        }
         for (const Message& note : block.table.notes) texts.push_back(note.english());
     }
     void operator()(const PlotBlock& block) {

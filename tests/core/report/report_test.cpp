@@ -8,13 +8,14 @@
 #include <set>
 
 #include "core/project/stated_requirements.h"
+#include "core/report/evaluation_table.h"
 #include "core/report/plots.h"
 #include "core/report/result_columns.h"
 #include "core/report/result_statement.h"
-#include "core/report/table_text.h"
 #include "core/result/representation.h"
 #include "core/text/symbol.h"
 #include "tests/core/report/sample_report.h"
+#include "tests/core/report/shown_cells.h"
 
 namespace covaria::report_test {
 namespace {
@@ -40,9 +41,8 @@ const TableBlock* table_with_id(const ReportDocument& document, const std::strin
     return nullptr;
 }
 
-std::string head_of(const TableColumn& column) {
-    return to_unicode(head_text(column));
-}
+using test::head_of;
+using test::plain_cell;
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -70,53 +70,50 @@ TEST(Report, BeginsWithTheFactsAndTheMatrixOfExpandedUncertainties) {
     ASSERT_TRUE(std::holds_alternative<FactsBlock>(document.blocks[0]));
     const TableBlock* summary = table_with_id(document, "summary-typed");
     ASSERT_NE(summary, nullptr);
-    EXPECT_EQ(summary->table.columns.size(), 2U + 13U);
-    ASSERT_EQ(summary->table.rows.size(), 6U);
-    EXPECT_EQ(cell_text(*summary, 0, 2), "0.74");
-    EXPECT_EQ(cell_text(*summary, 3, 2), "0.10");
-    EXPECT_EQ(cell_text(*summary, 3, 1), "°");
+    EXPECT_EQ(summary->table.shown_columns(), 2U + 13U);
+    ASSERT_EQ(summary->table.rows, 6U);
+    EXPECT_EQ(plain_cell(*summary, 0, 2), "0.74");
+    EXPECT_EQ(plain_cell(*summary, 3, 2), "0.10");
+    EXPECT_EQ(plain_cell(*summary, 3, 1), "°");
 }
 
 TEST(Report, ManyGroupsBecomeRowsOfTheMatrix) {
     const ReportDocument document = test::sample_report({20, 3, 3, true, "pose"});
     const TableBlock* summary = table_with_id(document, "summary-typed");
     ASSERT_NE(summary, nullptr);
-    EXPECT_EQ(summary->table.rows.size(), 20U);
-    EXPECT_EQ(head_of(summary->table.columns[1]), "U(x) / mm");
-    EXPECT_EQ(cell_text(*summary, 0, 1), "0.74");
+    EXPECT_EQ(summary->table.rows, 20U);
+    EXPECT_EQ(head_of(*summary, 1), "U(x) / mm");
+    EXPECT_EQ(plain_cell(*summary, 0, 1), "0.74");
 }
 
 TEST(Report, ValuesMatchTheirExpandedUncertainty) {
     const ReportDocument document = test::sample_report();
     const TableBlock* results = table_with_id(document, "results-typed");
     ASSERT_NE(results, nullptr);
-    ASSERT_TRUE(is_subhead(*results, 0));
-    EXPECT_EQ(cell_text(*results, 1, 2), "-119.00");  // U = 0.74 mm
-    EXPECT_EQ(cell_text(*results, 1, 4), "∞");
-    EXPECT_EQ(cell_text(*results, 1, 5), "2.00");
-    EXPECT_EQ(cell_text(*results, 4, 2), "5.00");  // U = 0.10 deg
+    ASSERT_TRUE(results->table.is_subhead(0));
+    EXPECT_EQ(plain_cell(*results, 1, 2), "-119.00");  // U = 0.74 mm
+    EXPECT_EQ(plain_cell(*results, 1, 4), "∞");
+    EXPECT_EQ(plain_cell(*results, 1, 5), "2.00");
+    EXPECT_EQ(plain_cell(*results, 4, 2), "5.00");  // U = 0.10 deg
 }
 
 TEST(Report, NumbersOfARowHaveOnePowerOfTenAndThoseOfAColumnOneForm) {
     const Unit mm = Unit::of("mm");
     TableBlock block;
-    block.table.columns.resize(3);
-    for (TableColumn& column : block.table.columns) column.digits = 2;
-    block.styles.resize(3);
-    block.styles[0] = {.bare = true, .match = 1, .row = {0, 1}};
-    block.styles[1] = {.bare = true, .row = {0, 1}};
-    block.styles[2] = {.bare = true};
+    block.table.add("y").estimate_of("u").of_row({"y", "u"});
+    block.table.add("u").uncertainty().of_row({"y", "u"});
+    block.table.add("s").uncertainty();
     const auto add = [&](double y, double u, double s) {
-        block.table.rows.push_back({Quantity{y, mm}, Quantity{u, mm}, Quantity{s, mm}});
+        block.table.row({Quantity{y, mm}, Quantity{u, mm}, Quantity{s, mm}});
     };
     add(50.000838, 8.4e-5, 0.0012);
     add(1.234e-5, 1.2e-6, 3.4e-5);
-    EXPECT_EQ(cell_text(block, 0, 0), "50.000838");
-    EXPECT_EQ(cell_text(block, 0, 1), "0.000084");
-    EXPECT_EQ(cell_text(block, 1, 0), "1.23e-05");
-    EXPECT_EQ(cell_text(block, 1, 1), "0.12e-05");
-    EXPECT_EQ(cell_text(block, 0, 2), "0.0012");
-    EXPECT_EQ(cell_text(block, 1, 2), "0.000034");
+    EXPECT_EQ(plain_cell(block, 0, 0), "50.000838");
+    EXPECT_EQ(plain_cell(block, 0, 1), "0.000084");
+    EXPECT_EQ(plain_cell(block, 1, 0), "1.23e-05");
+    EXPECT_EQ(plain_cell(block, 1, 1), "0.12e-05");
+    EXPECT_EQ(plain_cell(block, 0, 2), "0.0012");
+    EXPECT_EQ(plain_cell(block, 1, 2), "0.000034");
 }
 
 TEST(Report, TheResultLineHasOnePowerOfTenInTheWindow) {
@@ -128,7 +125,7 @@ TEST(Report, TheResultLineHasOnePowerOfTenInTheWindow) {
     output.standard_uncertainty = 1e-7;
     output.expanded_uncertainty = 2e-7;
     const Table table = results_table(result, {0});
-    const auto shown = [&](const char* key) { return to_unicode(cell_shown(table, table[key], 0, {})); };
+    const auto shown = [&](const char* key) { return to_unicode(written(table, table[key], 0, {})); };
     EXPECT_EQ(shown("estimate"), "1.235×10⁻⁵");
     EXPECT_EQ(shown("u"), "0.010×10⁻⁵");
     EXPECT_EQ(shown("U"), "0.020×10⁻⁵");
@@ -147,7 +144,7 @@ TEST(Report, ALineARowAndAChartAgreeWhetherAResultIsWrittenOut) {
             output.standard_uncertainty = u;
             output.expanded_uncertainty = 1.45 * u;
             const Table table = results_table(result, {0});
-            const std::string row = to_unicode(cell_shown(table, table["estimate"], 0, {}));
+            const std::string row = to_unicode(written(table, table["estimate"], 0, {}));
             const std::string line = result_statement(output, result);
             const bool power = line.find("×10") != std::string::npos;
             EXPECT_EQ(row.find("×10") != std::string::npos, power) << row << " in " << line;
@@ -156,25 +153,25 @@ TEST(Report, ALineARowAndAChartAgreeWhetherAResultIsWrittenOut) {
         }
 }
 
-TEST(ReadTable, HasTheUnitInTheHeadAndEvenDecimals) {
+TEST(EvaluationTable, HasTheUnitInTheHeadAndEvenDecimals) {
     const Unit mm = Unit::of("mm"), deg = Unit::of("deg");
     DataTable table{
         "t", "T", {{.header = "same"}, {.header = "other"}, {.header = "rounded", .digits = 2}}, {}, {}};
     table.rows = {{Quantity{1.5, mm}, Quantity{1.5, mm}, Quantity{1.234, mm}},
                   {Quantity{2.0, mm}, Quantity{2.0, deg}, Quantity{0.1234, mm}},
                   {TableCell{}, Quantity{0.25, mm}, TableCell{}}};
-    const TableBlock block = read_table(table, {});
-    EXPECT_EQ(head_of(block.table.columns[0]), "same / mm");
-    EXPECT_EQ(cell_text(block, 0, 0), "1.5");
-    EXPECT_EQ(cell_text(block, 1, 0), "2.0");
-    EXPECT_EQ(head_of(block.table.columns[1]), "other");
-    EXPECT_EQ(cell_text(block, 1, 1), "2°");
-    EXPECT_EQ(cell_text(block, 0, 1), "1.5\u00a0mm");
-    EXPECT_EQ(head_of(block.table.columns[2]), "rounded / mm");
-    EXPECT_EQ(cell_text(block, 1, 2), "0.12");
+    const TableBlock block = evaluation_block(table, {});
+    EXPECT_EQ(head_of(block, 0), "same / mm");
+    EXPECT_EQ(plain_cell(block, 0, 0), "1.5");
+    EXPECT_EQ(plain_cell(block, 1, 0), "2.0");
+    EXPECT_EQ(head_of(block, 1), "other");
+    EXPECT_EQ(plain_cell(block, 1, 1), "2°");
+    EXPECT_EQ(plain_cell(block, 0, 1), "1.5\u00a0mm");
+    EXPECT_EQ(head_of(block, 2), "rounded / mm");
+    EXPECT_EQ(plain_cell(block, 1, 2), "0.12");
 }
 
-TEST(ReadTable, ComputedNumbersAndDeviationsOfAColumnShareTheirDecimals) {
+TEST(EvaluationTable, ComputedNumbersAndDeviationsOfAColumnShareTheirDecimals) {
     const Unit mm = Unit::of("mm");
     DataTable table{"t",
                     "T",
@@ -186,22 +183,22 @@ TEST(ReadTable, ComputedNumbersAndDeviationsOfAColumnShareTheirDecimals) {
                     {}};
     table.rows = {{1.571031123456789, 2.79123e-7, 1.86e-5, 500.0},
                   {0.000664026123456789, -5.65321e-6, 3.3e-4, 1e-10}};
-    const TableBlock block = read_table(table, {});
-    EXPECT_EQ(cell_text(block, 0, 0), "1571.031");
-    EXPECT_EQ(cell_text(block, 1, 0), "0.664");
-    EXPECT_EQ(cell_text(block, 0, 1), "0.00028");
-    EXPECT_EQ(cell_text(block, 1, 1), "-0.00565");
-    EXPECT_EQ(cell_text(block, 0, 2), "0.019");
-    EXPECT_EQ(cell_text(block, 1, 2), "0.33") << "each with its own digits";
-    EXPECT_EQ(cell_text(block, 1, 3), "1e-07") << "nothing is lost";
+    const TableBlock block = evaluation_block(table, {});
+    EXPECT_EQ(plain_cell(block, 0, 0), "1571.031");
+    EXPECT_EQ(plain_cell(block, 1, 0), "0.664");
+    EXPECT_EQ(plain_cell(block, 0, 1), "0.00028");
+    EXPECT_EQ(plain_cell(block, 1, 1), "-0.00565");
+    EXPECT_EQ(plain_cell(block, 0, 2), "0.019");
+    EXPECT_EQ(plain_cell(block, 1, 2), "0.33") << "each with its own digits";
+    EXPECT_EQ(plain_cell(block, 1, 3), "1e-07") << "nothing is lost";
 }
 
-TEST(ReadTable, ATemperatureHasNoMoreDecimalsThanWereRead) {
+TEST(EvaluationTable, ATemperatureHasNoMoreDecimalsThanWereRead) {
     DataTable table{"t", "T", {{.header = "t", .unit = Unit::of("degC")}}, {}, {}};
     for (const double t : {21.521, 22.012, 26.01}) table.rows.push_back({Unit::of("degC").to_si(t)});
-    const TableBlock block = read_table(table, {});
-    EXPECT_EQ(cell_text(block, 0, 0), "21.521");
-    EXPECT_EQ(cell_text(block, 2, 0), "26.010");
+    const TableBlock block = evaluation_block(table, {});
+    EXPECT_EQ(plain_cell(block, 0, 0), "21.521");
+    EXPECT_EQ(plain_cell(block, 2, 0), "26.010");
 }
 
 TEST(Report, BudgetsAreShownInFullForTheGroupWithTheLargestUncertainties) {
@@ -211,7 +208,7 @@ TEST(Report, BudgetsAreShownInFullForTheGroupWithTheLargestUncertainties) {
         if (table->table.id.rfind("budget-", 0) == 0) {
             ++budgets;
             EXPECT_TRUE(table->table.id.ends_with("pose-4")) << table->table.id;
-            EXPECT_EQ(table->table.rows.size(), 18U + 1U);
+            EXPECT_EQ(table->table.rows, 18U + 1U);
         }
     EXPECT_EQ(budgets, 6);
 }
@@ -226,14 +223,14 @@ TEST(Report, InputsWithEqualComponentsShareARow) {
     const ReportDocument long_report = test::sample_report();
     const TableBlock* many = table_with_id(long_report, "inputs-typed");
     ASSERT_NE(many, nullptr);
-    ASSERT_EQ(many->table.rows.size(), 2U);
-    EXPECT_EQ(cell_text(*many, 1, 0), "p_1_1x, p_1_1y … p_13_3z (117)");
-    EXPECT_EQ(cell_text(*many, 1, 4), "0.236");
+    ASSERT_EQ(many->table.rows, 2U);
+    EXPECT_EQ(plain_cell(*many, 1, 0), to_unicode(symbols_text("p_1_1x, p_1_1y … p_13_3z (117)")));
+    EXPECT_EQ(plain_cell(*many, 1, 4), "0.24");
     const ReportDocument short_report = test::sample_report({1, 3, 3, true, "pose"});
     const TableBlock* few = table_with_id(short_report, "inputs-typed");
     ASSERT_NE(few, nullptr);
-    EXPECT_EQ(few->table.rows.size(), 18U);
-    EXPECT_EQ(cell_text(*few, 0, 2), "344.000");
+    EXPECT_EQ(few->table.rows, 18U);
+    EXPECT_EQ(plain_cell(*few, 0, 2), "344.000");
 }
 
 TEST(Report, SetupLeavesOutEmptyColumns) {
@@ -241,19 +238,19 @@ TEST(Report, SetupLeavesOutEmptyColumns) {
     const TableBlock* points = table_with_id(document, "setup-points");
     ASSERT_NE(points, nullptr);
     ASSERT_EQ(points->table.columns.size(), 3U);
-    EXPECT_EQ(head_of(points->table.columns[2]), "uₓ / mm");
-    EXPECT_EQ(cell_text(*points, 0, 1), "-344");
-    EXPECT_EQ(cell_text(*points, 0, 2), "0.066");
+    EXPECT_EQ(head_of(*points, 2), "uₓ / mm");
+    EXPECT_EQ(plain_cell(*points, 0, 1), "-344");
+    EXPECT_EQ(plain_cell(*points, 0, 2), "0.066");
 }
 
 TEST(Report, RequirementsAreJudged) {
     const ReportDocument document = test::sample_report();
     const TableBlock* verdicts = table_with_id(document, "requirements-typed");
     ASSERT_NE(verdicts, nullptr);
-    ASSERT_EQ(verdicts->table.rows.size(), 2U);
-    EXPECT_EQ(cell_text(*verdicts, 0, 5), "not met");
-    EXPECT_EQ(cell_text(*verdicts, 1, 4), "0.5");
-    EXPECT_EQ(cell_text(*verdicts, 1, 5), "met");
+    ASSERT_EQ(verdicts->table.rows, 2U);
+    EXPECT_EQ(plain_cell(*verdicts, 0, 5), "not met");
+    EXPECT_EQ(plain_cell(*verdicts, 1, 4), "0.5");
+    EXPECT_EQ(plain_cell(*verdicts, 1, 5), "met");
 }
 
 TEST(Report, WhatExceedsItsTargetIsNotWrittenAsTheTarget) {
@@ -270,11 +267,11 @@ TEST(Report, WhatExceedsItsTargetIsNotWrittenAsTheTarget) {
         build_report(*MadeProject::make(project), {test::sample_analysis(result)});
     const TableBlock* verdicts = table_with_id(document, "requirements-typed");
     ASSERT_NE(verdicts, nullptr);
-    EXPECT_EQ(cell_text(*verdicts, 0, 5), "not met");
-    EXPECT_NE(cell_text(*verdicts, 0, 3), format_significant(U / 1.003, 2));
+    EXPECT_EQ(plain_cell(*verdicts, 0, 5), "not met");
+    EXPECT_NE(plain_cell(*verdicts, 0, 3), format_significant(U / 1.003, 2));
     const auto made = judge(result, project.analyses.front());
     const Table table = results_table(result, {made.front().output}, made);
-    EXPECT_EQ(to_unicode(cell_shown(table, table["U/target"], 0, {})), "1.003");
+    EXPECT_EQ(to_unicode(written(table, table["U/target"], 0, {})), "1.003");
 }
 
 TEST(Report, SaysWhatWentWrongInTheRun) {
@@ -364,7 +361,7 @@ TEST(Report, ShowsWhatRemainsWithoutAContributor) {
                      {{}, {"budgets", "comparison", "distributions"}, false});
     const TableBlock* table = table_with_id(document, "contributors-typed");
     ASSERT_NE(table, nullptr);
-    EXPECT_GT(table->table.rows.size(), result.outputs.size()) << "every output, and heads of groups";
+    EXPECT_GT(table->table.rows, result.outputs.size()) << "every output, and heads of groups";
 }
 
 TEST(Report, FigureNamesAreUniqueAndCarryTheAnalysis) {
@@ -405,11 +402,11 @@ TEST(Report, ZeroUncertaintyMakesNoNonsense) {
 /// Every cell of every table, as the writer shows it.
 void expect_every_cell(const ReportDocument& document, const std::string& text, bool html) {
     for (const TableBlock* table : tables_of(document))
-        for (std::size_t r = 0; r < table->table.rows.size(); ++r)
-            for (std::size_t c = 0; c < table->table.rows[r].size(); ++c) {
-                if (!shown_number(table->table.rows[r][c], table->table.columns[c])) continue;
+        for (std::size_t r = 0; r < table->table.rows; ++r)
+            for (std::size_t c = 0; c < table->table.shown_columns(); ++c) {
+                if (!test::is_number(*table, r, c)) continue;
                 const std::string shown =
-                    html ? to_html(cell_typeset(*table, r, c)) : cell_text(*table, r, c);
+                    html ? to_html(test::typeset_cell(*table, r, c)) : plain_cell(*table, r, c);
                 ASSERT_TRUE(contains(text, shown)) << table->table.title << ": " << shown;
             }
 }
@@ -440,8 +437,8 @@ TEST(Report, ComponentsThatOnlyRoundingMakesCountAreLeftOut) {
     result.budget.rows[0][17].contribution = 1e-16 * result.outputs[0].standard_uncertainty;
     const ReportDocument document =
         build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)});
-    EXPECT_EQ(table_with_id(document, "budget-typed-x-pose-1")->table.rows.size(), 17U + 1U);
-    EXPECT_EQ(table_with_id(document, "budget-typed-y-pose-1")->table.rows.size(), 18U + 1U);
+    EXPECT_EQ(table_with_id(document, "budget-typed-x-pose-1")->table.rows, 17U + 1U);
+    EXPECT_EQ(table_with_id(document, "budget-typed-y-pose-1")->table.rows, 18U + 1U);
 }
 
 /// The notes of the budget of x.
@@ -494,15 +491,15 @@ TEST(Report, FurtherComponentsAreBrokenDownByWhoBringsThemIn) {
         const TableBlock* budget = table_with_id(document, "budget-typed-x-pose-1");
         ASSERT_NE(budget, nullptr);
         std::size_t name = 0, share = 0, rest = 0;
-        for (std::size_t c = 0; c < budget->table.columns.size(); ++c) {
-            if (budget->table.columns[c].header == "Component") name = c;
-            if (contains(budget->table.columns[c].header, "Share of variance")) share = c;
+        for (std::size_t c = 0; c < budget->table.shown_columns(); ++c) {
+            if (head_of(*budget, c) == "Component") name = c;
+            if (contains(head_of(*budget, c), "Share of variance")) share = c;
         }
         double sum = 0.0;
         std::string words;
-        for (std::size_t r = 0; r + 1 < budget->table.rows.size(); ++r) {
-            sum += std::get<double>(budget->table.rows[r][share]);
-            const std::string text = cell_text(*budget, r, name);
+        for (std::size_t r = 0; r + 1 < budget->table.rows; ++r) {
+            sum += *exact_number(budget->table.columns[share], r);
+            const std::string text = plain_cell(*budget, r, name);
             if (!contains(text, "further component")) continue;
             ++rest;
             words += text + "\n";
@@ -556,7 +553,7 @@ TEST(Report, AQuantityHasOneEstimateAndOneUnitInItsBudget) {
     EXPECT_TRUE(std::holds_alternative<std::monostate>(table.cell(2, "estimate"))) << "it stands above";
     for (const std::size_t row : {0u, 2u}) {
         EXPECT_EQ(std::get<Unit>(table.cell(row, "unit")), Unit::of("deg"));
-        EXPECT_EQ(to_unicode(cell_shown(table, table["sensitivity"], row, {})), "0.0349\u00a0nm/°");
+        EXPECT_EQ(to_unicode(written(table, table["sensitivity"], row, {})), "0.0349\u00a0nm/°");
     }
     EXPECT_EQ(std::get<Unit>(table.cell(1, "sensitivity unit")), Unit::of("nm/mm"));
 }

@@ -5,7 +5,7 @@
 #include "core/made/made_project.h"
 #include "core/project/kind_lookup.h"
 #include "core/report/report.h"
-#include "core/report/table_text.h"
+#include "tests/core/report/shown_cells.h"
 
 namespace covaria::setup_symbols_test {
 namespace {
@@ -20,11 +20,10 @@ TEST(SetupSymbols, AreSetHoweverShort) {
     for (const ReportBlock& block : report.blocks) {
         const auto* table = std::get_if<TableBlock>(&block);
         if (!table || table->table.id != "setup-quantities") continue;
-        for (std::size_t row = 0; row < table->table.rows.size(); ++row)
-            if (table->table.rows[row][0] == TableCell(std::string("theta"))) {
-                EXPECT_EQ(to_unicode(cell_typeset(*table, row, 0)), "θ");
-                EXPECT_EQ(to_unicode(cell_typeset(*table, row, 1)),
-                          "deviation of the bed's temperature from 20 °C");
+        for (std::size_t row = 0; row < table->table.rows; ++row)
+            if (std::get<std::string>(table->table.columns[0].cell(row)) == "theta") {
+                EXPECT_EQ(test::plain_cell(*table, row, 0), "θ");
+                EXPECT_EQ(test::plain_cell(*table, row, 1), "deviation of the bed's temperature from 20 °C");
                 return;
             }
     }

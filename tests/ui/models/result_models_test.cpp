@@ -182,8 +182,8 @@ TEST(CorrelationTableModel, ShowsTheMatrixOfAGroup) {
     model.set_result(sample_result(), "pose 1", true);
     ASSERT_EQ(model.rowCount(), 2);
     ASSERT_EQ(model.columnCount(), 2);
-    EXPECT_EQ(model.index(0, 0).data().toString(), "1.00");
-    EXPECT_EQ(model.index(0, 1).data().toString(), QString(QChar(0x2212)) + "0.50");
+    EXPECT_EQ(model.index(0, 0).data().toString(), "1.000");
+    EXPECT_EQ(model.index(0, 1).data().toString(), QString(QChar(0x2212)) + "0.500");
     EXPECT_EQ(model.headerData(1, Qt::Vertical).toString(), QString::fromUtf8("α"));
     model.set_result(sample_result(), "", true);
     EXPECT_EQ(model.rowCount(), 3);

@@ -14,9 +14,9 @@
 #include <iterator>
 #include <sstream>
 
-#include "core/report/table_text.h"
 #include "core/text/text.h"
 #include "tests/core/report/sample_report.h"
+#include "tests/core/report/shown_cells.h"
 
 namespace covaria::ui::pdf_report_test {
 namespace {
@@ -95,11 +95,12 @@ TEST_F(PdfReport, EveryNumberOfEveryTableIsPrinted) {
     for (const ReportBlock& block : document.blocks) {
         const auto* table = std::get_if<TableBlock>(&block);
         if (!table) continue;
-        for (std::size_t r = 0; r < table->table.rows.size(); ++r)
-            for (std::size_t c = 0; c < table->table.rows[r].size(); ++c)
-                if (shown_number(table->table.rows[r][c], table->table.columns[c])) {
-                    ASSERT_TRUE(contains(text, without_spaces(to_html(cell_typeset(*table, r, c)))))
-                        << table->table.title << " row " << r << ": " << to_html(cell_typeset(*table, r, c));
+        for (std::size_t r = 0; r < table->table.rows; ++r)
+            for (std::size_t c = 0; c < table->table.shown_columns(); ++c)
+                if (test::is_number(*table, r, c)) {
+                    const std::string cell = to_html(test::typeset_cell(*table, r, c));
+                    ASSERT_TRUE(contains(text, without_spaces(cell)))
+                        << table->table.title << " row " << r << ": " << cell;
                 }
     }
 }
@@ -113,8 +114,8 @@ TEST_F(PdfReport, WordsStayWithTheTableTheyLeadTo) {
         document.blocks.push_back(ParagraphBlock{"This leads to the table."});
         TableBlock table;
         table.table.title = "Caption of the table";
-        table.table.columns = {{"value"}};
-        table.table.rows = {{std::string("first")}, {std::string("second")}};
+        table.table.add("value").title = "value";
+        for (const std::string word : {"first", "second"}) table.table.row({word});
         document.blocks.push_back(table);
         document.blocks.push_back(ParagraphBlock{"Before the signature."});
         document.blocks.push_back(SignatureBlock{"statement", "date", "name", "function", "The end."});
@@ -129,17 +130,21 @@ TEST_F(PdfReport, WordsStayWithTheTableTheyLeadTo) {
 /// A table of so many columns of numbers behind two of text.
 ReportDocument with_wide_table(int columns) {
     TableBlock block;
-    block.table.columns = {{"Quantity"}, {"Unit"}};
-    std::vector<TableCell> row{std::string("x"), std::string("mm")};
+    const auto add = [&block](const std::string& head) -> Column& {
+        Column& column = block.table.add(head);
+        column.title = head;
+        return column;
+    };
+    add("Quantity");
+    add("Unit");
+    std::vector<Cell> row{std::string("x"), std::string("mm")};
     for (int c = 0; c < columns; ++c) {
-        TableColumn column{"uncertainty measurements" + std::to_string(c)};
-        column.decimals = 4;
-        block.table.columns.push_back(column);
+        add("uncertainty measurements" + std::to_string(c)).fixed(4);
         row.emplace_back(100.0 + c);
     }
-    block.table.columns.push_back({"Verdict"});
+    add("Verdict");
     row.emplace_back(std::string("normal as far as so few trials can tell"));
-    block.table.rows = {row, row};
+    for (int i = 0; i < 2; ++i) block.table.row(row);
     ReportDocument document;
     document.title = "Wide";
     document.blocks = {block};
@@ -232,8 +237,9 @@ TEST_F(PdfReport, LongTablesRepeatTheirHeadsOnEveryPage) {
     document.title = document.running_head = "Long table";
     TableBlock block;
     block.table.title = "Table 1. Many rows";
-    block.table.columns = {{"Name of the row", {}, false, 0}, {"Value", {}, false, 3}};
-    for (int i = 0; i < 200; ++i) block.table.rows.push_back({"row " + std::to_string(i), 0.001 * i});
+    block.table.add("name").title = "Name of the row";
+    block.table.add("value").figure(3).title = "Value";
+    for (int i = 0; i < 200; ++i) block.table.row({"row " + std::to_string(i), 0.001 * i});
     document.blocks = {block};
     const std::vector<std::string> pages = pages_of(text_of(document, options()));
     ASSERT_GE(pages.size(), 3U);

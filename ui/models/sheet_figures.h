@@ -1,0 +1,51 @@
+// What a result says about the rows of a budget sheet: a table with a row for each of them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result/uncertainty_result.h"
+#include "core/text/table.h"
+
+namespace covaria::ui {
+
+class SheetFigures {
+public:
+    /// `unit_of_row` is the unit in which a row states its figures.
+    explicit SheetFigures(std::function<Unit(std::size_t row)> unit_of_row)
+        : unit_of_row_(std::move(unit_of_row)) {}
+    SheetFigures(const SheetFigures&) = delete;
+    SheetFigures& operator=(const SheetFigures&) = delete;
+
+    /// Finds the component that each row of the set-up's table `key` states; of a chain of analyses only
+    /// those of this one's set-up. Null: there is no result.
+    void follow(std::shared_ptr<const UncertaintyResult> result, std::size_t output, const std::string& key);
+    /// What was computed for the rows goes with them: so many are inserted, or (below zero) removed.
+    void move(int first, int count);
+    /// Units of results, in which sensitivity coefficients are.
+    void set_units(const DisplayUnits& units) { units_ = units; }
+    /// Null: the row states none.
+    const BudgetComponent* component(std::size_t row) const;
+    /// Its columns have the keys of the budget's. What is stated stays in the row's unit.
+    const Table& table() const { return table_; }
+
+private:
+    void make_table();
+    Cell sensitivity(std::size_t row, const BudgetComponent& component) const;
+    Cell without_influence(std::string_view key, const BudgetComponent& component) const;
+
+    std::function<Unit(std::size_t row)> unit_of_row_;
+    std::shared_ptr<const UncertaintyResult> result_;
+    std::size_t output_ = 0;
+    DisplayUnits units_;
+    Table budget_;                                        ///< of the output, a line for each row there
+    std::vector<std::optional<std::size_t>> lines_;       ///< of `budget_`, for each row of the sheet
+    std::vector<std::optional<std::size_t>> components_;  ///< of the result, for each row of the sheet
+    Table table_;
+};
+
+}  // namespace covaria::ui
