@@ -114,6 +114,7 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
     const LayerVisibility before = renderer.layers();
     renderer.set_layers(look.layers);
     renderer.set_view(view.view);  // with room for axes, which are shown
+    const bool is_small = view.size.width < 600;  // the legend of all layers takes a third of it
     look.camera = renderer.camera();
     detail::Overlay bare(scene, look, image, masks);
     bare.paint();
@@ -125,7 +126,7 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
             return word.role == Role::text && !word.is_label &&
                    (text == name || text.starts_with(name + " / "));
         };
-        if (scene.axes && !from_its_end && std::ranges::none_of(bare.words(), is_name))
+        if (scene.axes && !is_small && !from_its_end && std::ranges::none_of(bare.words(), is_name))
             counts.nameless.push_back(view_words(scene, view) + name);
     }
     renderer.set_layers(before);
