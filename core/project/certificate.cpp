@@ -235,20 +235,20 @@ bool is_missing(const CertificateField& field, const Certificate& certificate, C
 }
 
 Message complaint_about(const CertificateField& field, const std::string& text) {
+    const Message title = Message::declared(field.title);
     if (field.kind == CertificateText::country && !text.empty() && !is_country(text))
-        return tell<"'%1' must be two capital letters, such as DE; it is '%2'">(std::string(field.key), text);
+        return tell<"'%1' must be two capital letters, such as DE; it is '%2'">(title, text);
     if (field.kind == CertificateText::language && !text.empty() && !is_language(text))
-        return tell<"'%1' must be one of %2; it is '%3'">(std::string(field.key), codes_of_languages(), text);
+        return tell<"'%1' must be one of %2; it is '%3'">(title, codes_of_languages(), text);
     if (field.kind == CertificateText::site && !text.empty() && !find_site(text))
-        return tell<"'%1' must be one of %2; it is '%3'">(Message::declared(field.title), keys_of_sites(),
-                                                          text);
+        return tell<"'%1' must be one of %2; it is '%3'">(title, keys_of_sites(), text);
     const bool interval = field.kind == CertificateText::dates;
     const bool dated = interval || field.kind == CertificateText::date;
     if (!dated || text.empty() || period_of(text, field.kind)) return Message{};
     return interval ? tell<
                           "'%1' must be a date of the form 2026-04-17 or an interval 2026-04-17/2026-04-18; "
-                          "it is '%2'">(field.key, text)
-                    : tell<"'%1' must be a date of the form 2026-04-17; it is '%2'">(field.key, text);
+                          "it is '%2'">(title, text)
+                    : tell<"'%1' must be a date of the form 2026-04-17; it is '%2'">(title, text);
 }
 
 void check_certificate(const Certificate& certificate, Problems& problems) {

@@ -29,8 +29,9 @@ struct OptionReader {
     EvaluationOptions& options;
 
     void refuse(const Message& demand, const Message& given) {
-        reader.problems().error(reader.path_of(field.key),
-                                tell<"'%1' must be %2; it is %3">(field.key, demand, given));
+        reader.problems().error(
+            reader.path_of(field.key),
+            tell<"'%1' must be %2; it is %3">(Message::declared(field.title), demand, given));
     }
 
     bool is_text() { return reader.has(field.key) && value.at(field.key).is_string(); }

@@ -103,7 +103,7 @@ TEST(Certificate, DatesAreDates) {
     for (const char* wrong : {"2026-02-29", "2026-13-01", "2026-4-20", "20260420", "2026-04-20/2026-04-21",
                               "+026-04-20", " 2026-04-20", "today"})
         EXPECT_NE(problems_with(&Certificate::issued, wrong)
-                      .find("/certificate/dates/issued: 'issued' must be a date"),
+                      .find("/certificate/dates/issued: 'Date of issue' must be a date"),
                   std::string::npos)
             << wrong;
     EXPECT_EQ(problems_with(&Certificate::calibrated, "2026-04-17"), "");
