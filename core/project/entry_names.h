@@ -11,14 +11,27 @@
 
 namespace covaria {
 
+/// Entries that share a name are counted in the order of the tree: "Tracker (1)", "Tracker (2)".
+template <class Entry>
+std::string name_among(const std::vector<Entry>& entries, const Entry& entry) {
+    if (entry.name.empty()) return entry.id;
+    std::size_t alike = 0, place = 0;
+    for (const Entry& other : entries) {
+        if (other.name != entry.name) continue;
+        ++alike;
+        if (other.id == entry.id) place = alike;
+    }
+    return alike < 2 ? entry.name : entry.name + " (" + std::to_string(place) + ")";
+}
+
 /// Of an asset or analysis; what has no name, and what is not in the project, is called as it is referred to.
 inline std::string shown_name(const Project& project, const std::string& id, bool of_analysis) {
     if (of_analysis) {
         const AnalysisEntry* analysis = project.find_analysis(id);
-        return analysis && !analysis->name.empty() ? analysis->name : id;
+        return analysis ? name_among(project.analyses, *analysis) : id;
     }
     const AssetEntry* asset = project.find_asset(id);
-    return asset && !asset->name.empty() ? asset->name : id;
+    return asset ? name_among(project.assets, *asset) : id;
 }
 
 /// " (did you mean 'Laser tracker'?)": the entry with the nearest id or name, by its name.
@@ -32,7 +45,7 @@ Message did_you_mean_entry(const std::string& reference, const std::vector<Entry
     const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
         return entry.id == nearest || entry.name == nearest;
     });
-    return tell<" (did you mean %1?)">(in_quotes(found->name.empty() ? found->id : found->name));
+    return tell<" (did you mean %1?)">(in_quotes(name_among(entries, *found)));
 }
 
 }  // namespace covaria

@@ -233,13 +233,8 @@ private:
     }
 
     /// As the window's tree has it.
-    static std::string name_of(const AnalysisEntry& entry) {
-        return entry.name.empty() ? entry.id : entry.name;
-    }
-    std::string name_of(const std::string& id) const {
-        const AnalysisEntry* entry = project_.find_analysis(id);
-        return entry ? name_of(*entry) : id;
-    }
+    std::string name_of(const AnalysisEntry& entry) const { return name_among(project_.analyses, entry); }
+    std::string name_of(const std::string& id) const { return shown_name(project_, id, true); }
 
     Index add_whole(const AnalysisEntry& entry, Problems& problems) {
         const ModelOfAnalysis own = make_own_(entry, problems);

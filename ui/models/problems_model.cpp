@@ -6,6 +6,7 @@
 #include <QPalette>
 #include <algorithm>
 
+#include "core/project/entry_names.h"
 #include "core/project/remedies.h"
 #include "core/text/symbol.h"
 #include "ui/document/correlated_pair.h"
@@ -181,12 +182,7 @@ QString ProblemsModel::place_words(const Project& project, const std::string& pa
     const SetupAddress address = address_of_path(project, path);
     if (address.owner == SetupOwner::project) return words_of_project(path);
     if (address.id.empty()) return to_qt(path);
-    QString name = to_qt(address.id);
-    if (const AssetEntry* asset = project.find_asset(address.id); asset && address.owner == SetupOwner::asset)
-        name = to_qt(asset->name);
-    if (const AnalysisEntry* analysis = project.find_analysis(address.id);
-        analysis && address.owner == SetupOwner::analysis)
-        name = to_qt(analysis->name);
+    const QString name = to_qt(shown_name(project, address.id, address.owner == SetupOwner::analysis));
     const QString part = part_words(project, address, path.substr(entry_path(project, address).size()));
     return part.isEmpty() ? name : name + ": " + part;
 }

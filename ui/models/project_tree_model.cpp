@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/kinds/registries.h"
+#include "core/project/entry_names.h"
 #include "core/project/stated_requirements.h"
 #include "ui/document/missing_fields.h"
 #include "ui/document/project_edits.h"
@@ -188,7 +189,8 @@ QVariant ProjectTreeModel::asset_data(const AssetEntry& asset, int column, int r
     const QString problems = problems_of({SetupOwner::asset, asset.id});
     const AssetDescriptor* kind = find_asset_kind(asset.kind);
     if (role == Qt::DisplayRole || role == Qt::EditRole) {
-        if (column == name_column) return to_qt(asset.name);
+        if (column == name_column && role == Qt::EditRole) return to_qt(asset.name);
+        if (column == name_column) return to_qt(shown_name(document_.project(), asset.id, false));
         return problems.isEmpty()                             ? QString()
                : is_incomplete({SetupOwner::asset, asset.id}) ? tr("incomplete")
                                                               : tr("has problems");
@@ -210,8 +212,10 @@ QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int colu
     const AnalysisStatus& status = runner_.status(to_qt(analysis.id));
     if (role == state_role) return static_cast<int>(status.state);
     if (role == verdict_role) return verdict_words(analysis, status);
+    if (role == Qt::EditRole && column == name_column) return to_qt(analysis.name);
     if (role == Qt::DisplayRole || role == Qt::EditRole)
-        return column == name_column ? to_qt(analysis.name) : words(status.state);
+        return column == name_column ? to_qt(shown_name(document_.project(), analysis.id, true))
+                                     : words(status.state);
     if (role != Qt::ToolTipRole) return {};
     if (status.state == RunState::failed || status.state == RunState::incomplete) return status.message;
     const ModelDescriptor* model = find_model(analysis.model);

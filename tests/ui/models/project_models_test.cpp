@@ -180,6 +180,19 @@ TEST_F(ProjectModelsTest, PlacesInListsAreNamedByWhatTheyHold) {
     EXPECT_EQ(words("requirements/0/upperLimit"), "Budget: requirement on y");
 }
 
+TEST_F(ProjectModelsTest, EntriesThatShareANameAreCounted) {
+    Project project;
+    for (const char* id : {"a", "b", "c"})
+        project.analyses.push_back({id, "measurement-equation", "Length", {}, {}, {}, {}, {}, {}});
+    project.analyses[1].name = "Width";
+    const auto words = [&](const char* place) {
+        return ProblemsModel::place_words(project, place).toStdString();
+    };
+    EXPECT_EQ(words("/analyses/0"), "Length (1)");
+    EXPECT_EQ(words("/analyses/1"), "Width");
+    EXPECT_EQ(words("/analyses/2"), "Length (2)");
+}
+
 // What is wrong with a whole row is one cell, where the row begins; what is wrong with a cell is that cell.
 TEST_F(ProjectModelsTest, OneProblemIsOneCell) {
     AnalysisEntry budget{"budget", "measurement-equation", "Budget", {}, {}, {}, {}, {}, {}};

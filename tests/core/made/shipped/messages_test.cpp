@@ -151,6 +151,14 @@ TEST(Messages, ACircleOfLinksIsNamedByItsAnalyses) {
     expect_no_ids(problems, "circle");
     EXPECT_NE(problems.items().front().message.english().find("Gauge A"), std::string::npos)
         << problems.items().front().message.english();
+
+    // Two that share a name are told apart as in the tree.
+    for (auto& analysis : project["analyses"]) analysis["name"] = "Gauge";
+    const Problems alike = parse_project(project.dump(), ".", "circle").problems;
+    ASSERT_TRUE(alike.has_errors());
+    const std::string words = alike.items().front().message.english();
+    EXPECT_NE(words.find("'Gauge (1)'"), std::string::npos) << words;
+    EXPECT_NE(words.find("Gauge (2)"), std::string::npos) << words;
 }
 
 }  // namespace
