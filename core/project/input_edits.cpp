@@ -9,6 +9,7 @@
 #include "core/project/component_edit.h"
 #include "core/project/edit_fields.h"
 #include "core/quantity/component_pairs.h"
+#include "core/setup/difference_remedy.h"
 #include "core/setup/message_text.h"
 #include "core/setup/setup_schema.h"
 #include "core/text/symbol.h"
@@ -58,8 +59,13 @@ public:
 private:
     void set_estimate() {
         const Message objection = unit_objection(edit_.symbol, *edit_.estimate, quantity_.unit);
-        if (!objection.empty())
-            return problems_.error(path_ + input_edit_fields().place(&InputEdit::estimate), objection);
+        if (!objection.empty()) {
+            const std::string place = path_ + input_edit_fields().place(&InputEdit::estimate);
+            problems_.error(place, objection);
+            problems_.items().back().remedies =
+                remedies_as_difference(*edit_.estimate, quantity_.unit, place);
+            return;
+        }
         quantity_.offset += edit_.estimate->si() - estimate_of(inputs_, index_);
     }
 

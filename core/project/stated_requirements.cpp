@@ -7,6 +7,7 @@
 #include "core/base/temperature.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/requirement_fields.h"
+#include "core/setup/difference_remedy.h"
 #include "core/setup/message_text.h"
 #include "core/setup/setup_schema.h"
 #include "core/text/numbers.h"
@@ -63,7 +64,10 @@ private:
         // A temperature has its limits in degC also where it is given in K.
         const Unit scale = is_reading(output_.unit, output_.temperature) ? Unit::of("degC") : output_.unit;
         const Message objection = unit_objection(title(what), *typed, scale);
-        if (!objection.empty()) problems_.error(place(figure), objection);
+        if (!objection.empty()) {
+            problems_.error(place(figure), objection);
+            problems_.items().back().remedies = remedies_as_difference(*typed, scale, place(figure));
+        }
         return typed->si();
     }
 

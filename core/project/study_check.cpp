@@ -13,6 +13,7 @@
 #include "core/project/project_id.h"
 #include "core/project/study_fields.h"
 #include "core/project/study_target.h"
+#include "core/setup/difference_remedy.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
@@ -117,12 +118,20 @@ private:
             return;
         }
         if (target.kind == Kind::estimate && !inputs_) return;
-        if (axis.change == StudyChange::added && is_reading(axis.unit))
-            return problems_.error(path + at(&StudyAxis::unit),
-                                   tell<"a difference of temperatures is given in K">());
+        const std::string unit_place = path + at(&StudyAxis::unit);
+        const Message in_kelvin = tell<"a difference: %1 in K">(target.title.message());
+        if (axis.change == StudyChange::added && is_reading(axis.unit)) {
+            problems_.error(unit_place, tell<"a difference of temperatures is given in K">());
+            problems_.items().back().remedies =
+                remedies_as_difference(in_kelvin, axis.unit, Unit::of("K"), unit_place);
+            return;
+        }
         const Message objection = unit_objection(target.title.message(), {axis.from, axis.unit}, target.unit);
-        if (!objection.empty() && std::isfinite(axis.from))
-            problems_.error(path + at(&StudyAxis::unit), objection);
+        if (!objection.empty() && std::isfinite(axis.from)) {
+            problems_.error(unit_place, objection);
+            problems_.items().back().remedies =
+                remedies_as_difference(in_kelvin, axis.unit, target.unit, unit_place);
+        }
     }
 
     const Project& project_;

@@ -4,6 +4,7 @@
 
 #include "core/base/in_quotes.h"
 #include "core/base/temperature.h"
+#include "core/setup/difference_remedy.h"
 #include "core/setup/message_text.h"
 #include "core/setup/setup_schema.h"
 
@@ -241,9 +242,12 @@ void check_field(const FieldSpec& field, const SetupValue& value, Problems& prob
                                                 in_quotes(Message::declared(field.title)), field.key));
         return;
     }
-    if (const Message objection = value_objection(field, value); !objection.empty())
-        problems.error("/" + field.key, objection);
-    else if (const SetupTable* table = std::get_if<SetupTable>(&value))
+    if (const Message objection = value_objection(field, value); !objection.empty()) {
+        const std::string place = "/" + field.key;
+        problems.error(place, objection);
+        if (const Quantity* number = std::get_if<Quantity>(&value); number && is_numeric(field.kind))
+            problems.items().back().remedies = remedies_as_difference(*number, field.unit, place);
+    } else if (const SetupTable* table = std::get_if<SetupTable>(&value))
         TableCheck(field, *table, problems).run();
 }
 

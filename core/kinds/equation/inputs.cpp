@@ -225,6 +225,8 @@ private:
         refuse(row, &StatedComponent::statement, message);
         if (is_reading(draft.unit) && draft.estimate)
             problems_.items().back().remedies = remedies_for_part(stated_, row, draft.unit, *draft.estimate);
+        else if (!is_reading(draft.unit))
+            problems_.items().back().remedies = remedies_for_limits(stated_, row, draft.unit);
     }
 
     bool observed(Draft& draft, std::size_t row, const std::string& kind, UncertaintyComponent& made) {

@@ -104,5 +104,8 @@ void report(const equation::TextProblems& found, const StatedEquations& stated, 
 /// reading, in K. `estimate`: SI.
 std::vector<Remedy> remedies_for_part(const StatedEquations& stated, std::size_t row, const Unit& unit,
                                       double estimate);
+/// Of limits in degC of a quantity in `unit`, which may be a difference: both are one, or both are
+/// temperatures.
+std::vector<Remedy> remedies_for_limits(const StatedEquations& stated, std::size_t row, const Unit& unit);
 
 }  // namespace covaria::equation_model

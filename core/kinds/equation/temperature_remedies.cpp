@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/in_quotes.h"
+#include "core/base/temperature.h"
 #include "core/kinds/equation/setup.h"
 #include "core/quantity/statement.h"
 #include "core/setup/message_text.h"
@@ -159,6 +160,21 @@ std::vector<Remedy> remedies_for_part(const StatedEquations& stated, std::size_t
     if (kind->b_has_unit && !kind->b.empty() && component.b)
         remedy.values.push_back(cell(row, &StatedComponent::b, figure(*component.b)));
     return {remedy};
+}
+
+std::vector<Remedy> remedies_for_limits(const StatedEquations& stated, std::size_t row, const Unit& unit) {
+    const StatedComponent& component = stated.components[row];
+    const Result<Unit> typed = Unit::parse(component.stated_unit);
+    if (component.statement != "limits" || !typed || typed->dimension() != unit.dimension() ||
+        !is_reading_for_difference(*typed, unit))
+        return {};
+    const std::string symbol = plain_symbol(component.symbol);
+    std::vector<Remedy> remedies{{tell<"a difference: %1 in K">(symbol),
+                                  {cell(row, &StatedComponent::stated_unit, std::string("K"))}}};
+    if (first_row(stated, symbol) == &component)
+        remedies.push_back({tell<"a temperature: %1 in degC">(symbol),
+                            {cell(row, &StatedComponent::unit, std::string("degC"))}});
+    return remedies;
 }
 
 }  // namespace covaria::equation_model

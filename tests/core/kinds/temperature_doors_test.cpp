@@ -346,6 +346,22 @@ TEST(TemperatureDoors, OneClickLeadsOut) {
         mended_by(analysis("a", "y = t", row("t", "20", "degC", "rectangular", "1", "null", "%")), 0);
     EXPECT_NEAR(part.u, 0.2 / std::sqrt(3.0), 1e-12);
     EXPECT_NEAR(part.estimate, 293.15, 1e-12);
+    // Limits in degC of what is given in K: a difference, or a temperature.
+    const std::string limits = analysis("a", "y = t", row("t", "null", "K", "limits", "19", "21", "degC"));
+    EXPECT_NEAR(mended_by(limits, 0).estimate, 20.0, 1e-12);
+    EXPECT_NEAR(mended_by(limits, 1).estimate, 293.15, 1e-12);
+    const std::string difference = row("t", "20", "K", "standard", "0.1", "null", "K");
+    for (
+        const char* place :
+        {R"("requirements": [{"symbol": "y", "lowerLimit": {"value": 20, "unit": "degC"}}])",
+         R"("requirements": [{"symbol": "y", "lowerLimit": {"value": 1, "unit": "K"}, "priorMean": {"value": 20, "unit": "degC"}, "priorStandardDeviation": {"value": 1, "unit": "K"}}])",
+         R"("inputs": [{"symbol": "t", "estimate": {"value": 20, "unit": "degC"}}])",
+         R"("studies": [{"id": "s", "axes": [{"target": "/inputs/t/estimate", "from": 18, "to": 22, "unit": "degC"}]}])",
+         R"("studies": [{"id": "s", "axes": [{"target": "/inputs/t/estimate", "change": "added", "from": 1, "to": 2, "unit": "degC"}]}])"}) {
+        const Found mended = mended_by(analysis("a", "y = t", difference, "K", place), 0);
+        EXPECT_EQ(mended.objection, "") << place;
+        EXPECT_NEAR(mended.estimate, 20.0, 1e-12) << place;
+    }
     const std::string upstream = analysis("up", "y = t - 15 [degC]", t, "K");
     const std::string link = R"("links": [{"input": "t", "analysis": "up", "output": "y"}])";
     EXPECT_NEAR(mended_by(upstream + ", " + analysis("a", "y = t", t, "", link), 0).estimate, 5.0, 1e-12);
