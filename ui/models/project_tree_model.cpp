@@ -15,6 +15,20 @@
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
+namespace {
+
+QString title_of_kind(const AssetEntry& asset) {
+    const AssetDescriptor* kind = find_asset_kind(asset.kind);
+    return core_text(kind ? kind->title : asset.kind);
+}
+
+/// As it was typed where it is edited, else told apart from others of that name.
+template <class Entry>
+QString name_for(int role, const Project& project, const Entry& entry, bool of_analysis) {
+    return to_qt(role == Qt::EditRole ? entry.name : shown_name(project, entry.id, of_analysis));
+}
+
+}  // namespace
 
 ProjectTreeModel::ProjectTreeModel(Document& document, AnalysisRunner& runner, QObject* parent)
     : QAbstractItemModel(parent), document_(document), runner_(runner), ids_(read()) {
@@ -187,17 +201,14 @@ QVariant ProjectTreeModel::project_data(int column, int role) const {
 
 QVariant ProjectTreeModel::asset_data(const AssetEntry& asset, int column, int role) const {
     const QString problems = problems_of({SetupOwner::asset, asset.id});
-    const AssetDescriptor* kind = find_asset_kind(asset.kind);
     if (role == Qt::DisplayRole || role == Qt::EditRole) {
-        if (column == name_column && role == Qt::EditRole) return to_qt(asset.name);
-        if (column == name_column) return to_qt(shown_name(document_.project(), asset.id, false));
+        if (column == name_column) return name_for(role, document_.project(), asset, false);
         return problems.isEmpty()                             ? QString()
                : is_incomplete({SetupOwner::asset, asset.id}) ? tr("incomplete")
                                                               : tr("has problems");
     }
     if (role != Qt::ToolTipRole) return {};
-    return to_qt(asset.name) + QLatin1Char('\n') +
-           (problems.isEmpty() ? core_text(kind ? kind->title : asset.kind) : problems);
+    return to_qt(asset.name) + QLatin1Char('\n') + (problems.isEmpty() ? title_of_kind(asset) : problems);
 }
 
 QString ProjectTreeModel::verdict_words(const AnalysisEntry& analysis, const AnalysisStatus& status) {
@@ -212,9 +223,8 @@ QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int colu
     const AnalysisStatus& status = runner_.status(to_qt(analysis.id));
     if (role == state_role) return static_cast<int>(status.state);
     if (role == verdict_role) return verdict_words(analysis, status);
-    if (role == Qt::EditRole && column == name_column) return to_qt(analysis.name);
     if (role == Qt::DisplayRole || role == Qt::EditRole)
-        return column == name_column ? to_qt(shown_name(document_.project(), analysis.id, true))
+        return column == name_column ? name_for(role, document_.project(), analysis, true)
                                      : words(status.state);
     if (role != Qt::ToolTipRole) return {};
     if (status.state == RunState::failed || status.state == RunState::incomplete) return status.message;

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "core/made/load_project.h"
+#include "core/project/entry_names.h"
 #include "core/report/comparison_columns.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
@@ -43,13 +44,6 @@ QString time_of(const KeptResult& kept) {
     const QLocale locale = QLocale::system();
     return at.date() == QDate::currentDate() ? locale.toString(at.time(), QLocale::ShortFormat)
                                              : locale.toString(at, QLocale::ShortFormat);
-}
-
-/// With its id where another one is called so, too.
-QString name_among(const std::vector<AnalysisEntry>& all, const AnalysisEntry& entry) {
-    if (entry.name.empty()) return to_qt(entry.id);
-    const bool is_unique = std::ranges::count(all, entry.name, &AnalysisEntry::name) == 1;
-    return to_qt(is_unique ? entry.name : entry.name + " (" + entry.id + ")");
 }
 
 }  // namespace
@@ -187,7 +181,7 @@ void CompareTab::list_others() {
     others_->clear();
     for (const AnalysisEntry& entry : document_.project().analyses) {
         if (entry.id == to_std(selection_.analysis())) continue;
-        const QString name = name_among(document_.project().analyses, entry);
+        const QString name = to_qt(name_among(document_.project().analyses, entry));
         others_->addAction(QString(name).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
                            [this, id = entry.id, name] {
                                finish_typing();
@@ -209,7 +203,7 @@ void CompareTab::compare_with_file() {
         return;
     }
     QStringList names;
-    for (const AnalysisEntry& entry : all) names << name_among(all, entry);
+    for (const AnalysisEntry& entry : all) names << to_qt(name_among(all, entry));
     if (names.isEmpty()) {
         emit message(tr("%1 has no analysis.").arg(QFileInfo(file).fileName()));
         return;

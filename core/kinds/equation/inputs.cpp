@@ -223,10 +223,7 @@ private:
 
     void refuse_statement(const Draft& draft, std::size_t row, const Message& message) {
         refuse(row, &StatedComponent::statement, message);
-        if (is_reading(draft.unit) && draft.estimate)
-            problems_.items().back().remedies = remedies_for_part(stated_, row, draft.unit, *draft.estimate);
-        else if (!is_reading(draft.unit))
-            problems_.items().back().remedies = remedies_for_limits(stated_, row, draft.unit);
+        problems_.items().back().remedies = remedies_for_statement(stated_, row, draft.unit, draft.estimate);
     }
 
     bool observed(Draft& draft, std::size_t row, const std::string& kind, UncertaintyComponent& made) {

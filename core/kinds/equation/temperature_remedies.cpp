@@ -162,7 +162,10 @@ std::vector<Remedy> remedies_for_part(const StatedEquations& stated, std::size_t
     return {remedy};
 }
 
-std::vector<Remedy> remedies_for_limits(const StatedEquations& stated, std::size_t row, const Unit& unit) {
+std::vector<Remedy> remedies_for_statement(const StatedEquations& stated, std::size_t row, const Unit& unit,
+                                           const std::optional<double>& estimate) {
+    if (is_reading(unit))
+        return estimate ? remedies_for_part(stated, row, unit, *estimate) : std::vector<Remedy>();
     const StatedComponent& component = stated.components[row];
     const Result<Unit> typed = Unit::parse(component.stated_unit);
     if (component.statement != "limits" || !typed || typed->dimension() != unit.dimension() ||
