@@ -31,6 +31,8 @@ PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWid
         column = new QGridLayout(part);
         column->setContentsMargins(0, 0, 0, 0);
         column->setHorizontalSpacing(4);
+        column->setColumnStretch(1,
+                                 1);  // fields that want no width by themselves would share it with a letter
         flow->addWidget(part);
     }
     for (std::size_t i = 0; i < edits_.size(); ++i) {

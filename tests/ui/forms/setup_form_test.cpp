@@ -66,6 +66,22 @@ TEST_F(SetupFormTest, HasAnEditorForEveryFieldWithNameAndHelp) {
     EXPECT_EQ(find<QLineEdit>("length")->text(), "100 mm") << "the default";
 }
 
+TEST_F(SetupFormTest, NoFieldOfAPoseIsCutByWhatItStandsIn) {
+    for (const int width : {600, 380, 300}) {
+        form->resize(width, 900);
+        QApplication::processEvents();
+        for (int part = 0; part < 6; ++part) {
+            const auto* edit = find<QLineEdit>(("pose_" + std::to_string(part)).c_str());
+            for (const QWidget *inner = edit, *outer = edit->parentWidget(); outer != form.get();
+                 inner = outer, outer = outer->parentWidget()) {
+                if (qobject_cast<const QAbstractScrollArea*>(outer->parentWidget())) break;
+                EXPECT_GE(inner->x(), 0) << width << ", " << part;
+                EXPECT_LE(inner->geometry().right(), outer->rect().right()) << width << ", " << part;
+            }
+        }
+    }
+}
+
 TEST_F(SetupFormTest, NumbersAreWrittenAsTyped) {
     type("length", "0.5 um");
     EXPECT_EQ(setup().values.at("length"), SetupValue(Quantity{0.5, Unit::of("um")}));
