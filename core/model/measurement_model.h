@@ -19,6 +19,9 @@
 namespace covaria {
 
 class Asset;  // core/model/asset.h
+namespace evidence {
+struct RedundantReadings;  // core/evidence/redundant_readings.h
+}
 
 /// A block of trials, structure of arrays: quantity i of trial t is inputs[i * stride + t], output j is
 /// outputs[j * stride + t]. `stride` is a multiple of 8 and all rows are 64-byte aligned; lanes from `trials`
@@ -79,6 +82,10 @@ public:
     virtual std::vector<DataTable> evaluation() const { return {}; }
     /// The same as charts; ids are unique in the model.
     virtual std::vector<PlotSpecification> figures() const { return {}; }
+
+    /// Readings that are more than its unknowns need, which speak for or against what is stated of them.
+    /// Null: it has none.
+    virtual std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const { return nullptr; }
 
     /// What stands for an analysis of this model (`id`) where a set-up asks for an asset: its outputs as
     /// points, or as a robot. Null: nothing does.

@@ -2,6 +2,7 @@
 // its points and sights are.
 #include "core/base/name.h"
 #include "core/kinds/network/adjusted_setup.h"
+#include "core/text/numbers.h"
 
 namespace covaria::network {
 
@@ -21,13 +22,22 @@ InputSet adjustment_inputs(const AdjustedNetwork& network) {
                                        .distribution = Distribution::of(Normal{0.0, reading.u}),
                                        .origin = tell<"as stated">(),
                                        .source = reading.source};
+        const bool seen = reading.estimate != AdjustedReading::no_round;
+        if (seen) {
+            component.type = EvaluationType::type_a;
+            component.degrees_of_freedom = reading.degrees_of_freedom;
+            component.origin = tell<"as seen: %1 times what was stated">(
+                Message::number(format_significant(reading.factor, 3)));
+        }
         InputQuantity quantity{.symbol = reading.symbol,
                                .name = words_of(network, reading),
                                .unit = unit,
                                .offset = reading.value,
                                .group = network.points[reading.from].name,
                                .source = reading.source};
-        quantity.shares.push_back({inputs.add(std::move(component)), 1.0});
+        const std::size_t added = inputs.add(std::move(component));
+        if (seen) inputs.rest_on_estimate("seen." + std::to_string(reading.estimate), added);
+        quantity.shares.push_back({added, 1.0});
         inputs.quantities.push_back(std::move(quantity));
     }
     for (const ReadingCorrelation& c : network.correlations)

@@ -33,6 +33,9 @@ public:
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double>) const override { return network::adjustment_layout(network_); }
     std::vector<DataTable> evaluation() const override { return tables_; }
+    std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
+        return network_.evidence;
+    }
     std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
         return std::make_shared<OutputPoints>(id, outputs_);
     }
@@ -225,6 +228,11 @@ std::unique_ptr<MeasurementModel> create_adjustment(const SetupReader& reader, c
     network::adjust(*made, problems);
     if (problems.has_errors()) return nullptr;
     network::check_adjustment(*made, problems);
+    if (made->adjusted->degrees_of_freedom() > 0)
+        made->evidence =
+            std::make_shared<const evidence::RedundantReadings>(network::redundant_readings(*made));
+    network::take_as_seen(*made, stated.uncertainties, problems);
+    if (problems.has_errors()) return nullptr;
     return std::make_unique<NetworkAdjustment>(std::move(*made));
 }
 

@@ -78,7 +78,12 @@ Columns<Stated::Reading> reading_columns() {
         .add(&Row::height_from, "height_from", "height from", "Height of the instrument above its point.",
              {.unit = m, .optional = true})
         .add(&Row::height_to, "height_to", "height to", "Height of the target above its point.",
-             {.unit = m, .optional = true});
+             {.unit = m, .optional = true})
+        .add(
+            &Row::instrument, "instrument", "instrument",
+            "Which instrument read it: readings of one kind by one instrument rest on one figure when stated "
+            "uncertainties are held against the residuals.",
+            {.optional = true});
 }
 
 Columns<Stated::Correlation> correlation_columns() {
@@ -131,6 +136,15 @@ const Fields<StatedAdjustment>& adjustment_fields() {
             .table(&Stated::readings, "readings", "Readings",
                    "What was read between the points, one row for each figure, typed or from a CSV file.",
                    reading_columns(), {.min_rows = 1, .measured = true})
+            .choice(
+                &Stated::uncertainties, "uncertainties", "Uncertainties of the readings",
+                "As typed in the table; or as the residuals of this adjustment see them: typed ones times "
+                "one common factor s_0, or times the factor of each kind of reading and instrument "
+                "(variance components). Either has the degrees of freedom of its estimate.",
+                {{ReadingUncertainties::stated, "stated", "as stated"},
+                 {ReadingUncertainties::one_factor, "one-factor", "as seen, one factor s_0"},
+                 {ReadingUncertainties::seen, "seen", "as seen, a factor for each figure"}},
+                ReadingUncertainties::stated)
             .table(&Stated::stations, "stations", "Instruments that are not levelled",
                    "Where an instrument stands that is not levelled, or not exactly; all others are.",
                    station_columns(), {.optional = true})

@@ -112,9 +112,8 @@ private:
         const auto to = is_of_one_point(typed.kind) ? from : called(typed.to, path);
         const auto second = typed.kind == ReadingKind::angle ? called(typed.second, path) : to;
         if (!from || !to || !second) return;
-        reading.from = *from;
-        reading.to = *to;
-        reading.second = *second;
+        reading.instrument = typed.instrument;
+        reading.from = *from, reading.to = *to, reading.second = *second;
         reading.height_from = typed.height_from;
         reading.height_to = typed.height_to;
         if (!is_of_one_point(typed.kind) && (*from == *to || *from == *second))

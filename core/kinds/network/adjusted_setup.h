@@ -11,6 +11,7 @@
 #include "core/adjustment/adjustment.h"
 #include "core/adjustment/reliability.h"
 #include "core/base/data_table.h"
+#include "core/evidence/redundant_readings.h"
 #include "core/model/layout.h"
 #include "core/quantity/input_quantity.h"
 #include "core/setup/fields.h"
@@ -50,6 +51,13 @@ bool needs_heights(ReadingKind kind);
 /// It needs their places in the plane.
 bool needs_plane(ReadingKind kind);
 
+/// Where the standard uncertainties of the readings come from.
+enum class ReadingUncertainties {
+    stated,
+    one_factor,  ///< the stated ones times s_0 of this adjustment
+    seen,        ///< the stated ones times what the residuals see of each figure
+};
+
 /// As typed, SI.
 struct StatedAdjustment {
     struct Point {
@@ -59,10 +67,10 @@ struct StatedAdjustment {
         std::array<std::optional<double>, 3> u;
     };
     struct Reading {
-        std::string label;
+        std::string label = {};
         ReadingKind kind = ReadingKind::slope_distance;
-        std::string from, to, second, round;
-        std::optional<double> length, angle, u_length, u_angle;
+        std::string from = {}, to = {}, second = {}, round = {}, instrument = {};
+        std::optional<double> length = {}, angle = {}, u_length = {}, u_angle = {};
         double height_from = 0.0, height_to = 0.0;
     };
     struct Correlation {
@@ -83,6 +91,7 @@ struct StatedAdjustment {
     std::vector<Station> stations;
     std::vector<Distance> distances;
     bool clockwise = false;
+    ReadingUncertainties uncertainties = ReadingUncertainties::stated;
 };
 const Fields<StatedAdjustment>& adjustment_fields();
 
@@ -104,6 +113,11 @@ struct AdjustedReading {
     double value = 0.0, u = 0.0;               ///< SI
     double height_from = 0.0, height_to = 0.0;
     std::string label = {};
+    std::string instrument = {};
+    /// The readings themselves gave the u, as one estimate with others: its number, and how well it is known.
+    std::size_t estimate = no_round;
+    double factor = 1.0;  ///< of the u that was stated
+    double degrees_of_freedom = infinity;
     std::string source = {};  ///< place in the set-up
     std::string symbol = {};  ///< of its input quantity
 };
@@ -139,6 +153,8 @@ struct AdjustedNetwork {
     std::vector<adjustment::CovarianceBlock> blocks;
     adjustment::SparseRows whitening;
     std::shared_ptr<const adjustment::Adjustment> adjusted;  ///< at the estimates
+    /// With the uncertainties that were stated, whatever those in use are; null: nothing is redundant.
+    std::shared_ptr<const evidence::RedundantReadings> evidence;
 
     std::size_t at(std::size_t point, std::size_t axis) const { return 3 * point + axis; }
     std::size_t orientation(std::size_t round) const { return 3 * points.size() + round; }
@@ -180,6 +196,13 @@ void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading,
 /// Derivatives of all readings by the unknowns.
 adjustment::SparseRows design_of(const AdjustedNetwork& network, const double* state);
 Eigen::VectorXd residuals_of(const AdjustedNetwork& network, const double* state);
+
+/// What the residuals may say about the stated uncertainties: readings of one kind by one instrument rest on
+/// one figure, and kinds that are correlated with each other on one together.
+evidence::RedundantReadings redundant_readings(const AdjustedNetwork& network);
+/// The readings with the uncertainties that the residuals see, and the least sum of squares anew. A figure of
+/// which they tell too little keeps what was stated; a warning says which.
+void take_as_seen(AdjustedNetwork& network, ReadingUncertainties from, Problems& problems);
 
 InputSet adjustment_inputs(const AdjustedNetwork& network);
 Layout adjustment_layout(const AdjustedNetwork& network);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,10 @@
 #include "core/kinds/robot_identification/identified_parameters.h"
 #include "core/math/rotation.h"
 #include "core/quantity/input_quantity.h"
+
+namespace covaria::evidence {
+struct RedundantReadings;
+}
 
 namespace covaria::pose_calibration {
 
@@ -56,6 +61,7 @@ struct FitStatistics {
     Eigen::VectorXd weakest;                   ///< direction of the unknowns that belongs to the last
     double scatter = 0.0;  ///< root mean square of residuals over what their uncertainties explain
     double limit = 0.0;    ///< of |residual|/u, family-wise 5 %
+    std::shared_ptr<const evidence::RedundantReadings> evidence;  ///< of measured poses
 };
 
 /// A row of the measured poses, SI.

@@ -366,16 +366,16 @@ private:
 
     void find_statistics(const Calibration& nominal) {
         FitStatistics& s = c_.statistics;
-        const MatrixXd from_inputs = residual_sensitivity(fitted(c_));
-        const MatrixXd unknowns = c_.gain * from_inputs;
+        const MatrixXd from_inputs = residual_sensitivity(fitted(c_)), unknowns = c_.gain * from_inputs;
         s.covariance = unknowns * unknowns.transpose();
         s.residuals = residuals_of(c_, c_.solution, fitted(c_));
-        const MatrixXd left = from_inputs - jacobian_of(c_, c_.solution, fitted(c_)) * unknowns;
-        s.u_residuals = left.rowwise().norm();
+        const MatrixXd design = jacobian_of(c_, c_.solution, fitted(c_));
+        s.u_residuals = (from_inputs - design * unknowns).rowwise().norm();
         const double expected = w_.cwiseProduct(s.u_residuals).squaredNorm();
         s.scatter = expected > 0.0 ? w_.cwiseProduct(s.residuals).norm() / std::sqrt(expected) : 0.0;
         const auto rows = static_cast<double>(s.residuals.size());
         s.limit = t_quantile(1.0 - 0.025 / rows, infinity);
+        if (!c_.simulated) s.evidence = redundant_readings(c_, design, from_inputs);
         if (checks(c_).count() == 0) return;
         const MatrixXd D =
             jacobian_of(c_, c_.solution, checks(c_)) * unknowns - residual_sensitivity(checks(c_));

@@ -29,6 +29,9 @@ public:
     const InputSet& inputs() const override { return c_.inputs; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     std::vector<DataTable> evaluation() const override { return tables(c_); }
+    std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
+        return c_.statistics.evidence;
+    }
     Layout layout(std::span<const double>) const override { return pose_calibration::layout(c_); }
 
     std::shared_ptr<const Asset> as_asset(const std::string& id) const override {

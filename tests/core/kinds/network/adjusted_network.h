@@ -79,7 +79,10 @@ struct TrueNetwork {
 
 private:
     /// Between -1 and 1, the same in every run.
-    double next() { return std::sin(++count_ * 12.9898) * std::cos(count_ * 4.1414); }
+    double next() {
+        ++count_;
+        return std::sin(count_ * 12.9898) * std::cos(count_ * 4.1414);
+    }
     int count_ = 0;
 };
 

@@ -1,0 +1,58 @@
+// Readings that are more than their unknowns need, each with the stated uncertainty that it rests on: what
+// any family of models offers that residuals may speak for or against.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/adjustment/sparse_factor.h"
+#include "core/base/message.h"
+#include "core/base/unit.h"
+
+namespace covaria::evidence {
+
+/// A standard uncertainty that a project states, for one reading or for many of one kind.
+struct StatedFigure {
+    Message name = {};        ///< "slope distances of TS1"
+    Unit unit = {};           ///< it is shown in this one
+    double least = 0.0;       ///< the smallest standard uncertainty of a reading that rests on it, SI
+    double most = 0.0;        ///< the largest
+    std::size_t count = 0;    ///< of readings
+    std::string source = {};  ///< place in the set-up
+};
+
+/// The choice in the set-up by which uncertainties are those that the residuals see, and stay so when
+/// readings change.
+struct TakeOver {
+    std::string field;               ///< key; empty: there is no such choice
+    std::string as_stated, as_seen;  ///< its values
+};
+
+/// At the least sum of squares with the uncertainties that are stated, about which the readings count as
+/// linear in their unknowns.
+struct RedundantReadings {
+    static constexpr std::size_t no_figure = static_cast<std::size_t>(-1);
+
+    adjustment::SparseRows design = {};  ///< readings x unknowns
+    /// As `adjustment::whitening`; none of its blocks joins figures. Empty: readings share what makes them
+    /// uncertain, and `shares` says so.
+    adjustment::SparseRows whitening = {};
+    Eigen::VectorXd residuals = {};           ///< reading less adjusted reading, SI
+    std::vector<std::size_t> datum = {};      ///< unknowns
+    std::vector<std::size_t> figure_of = {};  ///< of each reading, or `no_figure`: its u is not asked about
+    /// Of each figure, readings x components of one standard uncertainty: their product with its transpose is
+    /// the figure's part of the covariance.
+    std::vector<Eigen::MatrixXd> shares = {};
+    Eigen::MatrixXd others = {};  ///< the same of what is not asked about
+    std::vector<StatedFigure> figures = {};
+    std::vector<Message> names = {};        ///< of the readings
+    std::vector<std::string> sources = {};  ///< of the readings, places in the set-up
+    std::vector<double> w = {};  ///< standardised residuals as stated; NaN where nothing controls a reading
+    std::vector<std::size_t> measurands = {};  ///< unknowns whose mean u says what follows
+    Unit unit_of_measurands = {};
+    TakeOver take_over = {};
+};
+
+}  // namespace covaria::evidence
