@@ -13,6 +13,7 @@
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
 #include "core/project/stated_requirements.h"
+#include "core/report/seen_table.h"
 #include "core/text/numbers.h"
 
 namespace covaria {
@@ -21,6 +22,7 @@ namespace {
 struct CheckArguments {
     RunRequest request;
     std::string junit;
+    std::optional<double> level;  ///< of stated figures against residuals; empty: not asked
 };
 
 /// One requirement on one output, judged.
@@ -56,8 +58,23 @@ TestCase tolerance_case(const std::string& name, const RequirementResult& verdic
     return made;
 }
 
-TestSuite suite_of(const EvaluatedAnalysis& evaluated, const Project& project) {
+/// A stated figure that the residuals contradict is a failure.
+TestCase seen_case(const evidence::StatedFigure& figure, const evidence::SeenFigure& seen) {
+    TestCase made{"seen, " + figure.name.english(), {}};
+    if (seen.verdict == evidence::Verdict::larger)
+        made.failure = verdict_words(seen.verdict).english() + ": " + format_significant(seen.factor, 3) +
+                       " (" + format_significant(seen.low, 3) + " to " + format_significant(seen.high, 3) +
+                       ") times what is stated";
+    return made;
+}
+
+TestSuite suite_of(const EvaluatedAnalysis& evaluated, const Project& project, std::optional<double> level) {
     TestSuite suite{evaluated.analysis->id, {}, {}};
+    const auto redundant =
+        level && evaluated.analysis->model ? evaluated.analysis->model->redundant_readings() : nullptr;
+    const evidence::Seen seen = redundant ? evidence::see(*redundant, *level) : evidence::Seen();
+    for (std::size_t k = 0; k < seen.figures.size(); ++k)
+        suite.cases.push_back(seen_case(redundant->figures[k], seen.figures[k]));
     for (const RequirementResult& verdict :
          judge(*evaluated.result, *project.find_analysis(suite.analysis))) {
         const OutputResult& output = evaluated.result->outputs[verdict.output];
@@ -127,7 +144,7 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
     if (!evaluation) return fail(evaluation.error());
     std::vector<TestSuite> suites;
     for (const EvaluatedAnalysis& one : evaluation->analyses)
-        suites.push_back(suite_of(one, (*opened)->project()));
+        suites.push_back(suite_of(one, (*opened)->project(), arguments.level));
     for (const FailedAnalysis& failed : evaluation->failed)
         suites.push_back({failed.id, {}, failed.cause.english()});
     if (!arguments.junit.empty())
@@ -148,8 +165,15 @@ Command check_command(CLI::App& app) {
         "check", "Evaluate a project and judge its requirements; status 3 if one is not met");
     add_examples(*command, {{"check projects/conformity-micrometer.covaria", "every requirement, one a line"},
                             {"check projects/conformity-micrometer.covaria --junit requirements.xml",
-                             "as test cases for a build server"}});
+                             "as test cases for a build server"},
+                            {"check projects/er10l-c10.covaria --first-order --seen 0.05",
+                             "whether residuals contradict what is stated, too"}});
     add_run_options(*command, arguments->request);
+    command
+        ->add_option("--seen", arguments->level,
+                     "hold stated uncertainties against residuals too, at this level (0.05)")
+        ->type_name("LEVEL")
+        ->check(CLI::Range(1e-6, 0.5));
     command->add_option("--junit", arguments->junit, "write the requirements as test cases (JUnit XML)")
         ->type_name("FILE");
     return {command, [arguments](const std::stop_token& stop) {

@@ -24,6 +24,7 @@ Command part_command(CLI::App& app);
 Command merge_command(CLI::App& app);
 Command submit_command(CLI::App& app);
 Command check_command(CLI::App& app);
+Command seen_command(CLI::App& app);
 Command compare_command(CLI::App& app);
 Command design_command(CLI::App& app);
 Command report_command(CLI::App& app);

@@ -8,6 +8,7 @@
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
 #include "core/report/result_tables.h"
+#include "core/report/seen_table.h"
 #include "core/result/result_line.h"
 
 namespace covaria {
@@ -276,8 +277,11 @@ void each_further_table(const Project& project, const EvaluatedAnalysis& evaluat
         take(links_table(evaluated.analysis->linked));
         take(analyses_table(result));
     }
-    if (evaluated.analysis && evaluated.analysis->model)
+    if (evaluated.analysis && evaluated.analysis->model) {
         for (DataTable& table : evaluated.analysis->model->evaluation()) take(std::move(table));
+        if (const auto redundant = evaluated.analysis->model->redundant_readings())
+            take(data_table(seen_table(*redundant, evidence::see(*redundant))));
+    }
     for (const auto& study : evaluated.studies) take(study_table(*study));
 }
 

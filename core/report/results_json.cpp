@@ -8,6 +8,7 @@
 #include "core/report/json_values.h"
 #include "core/report/report.h"
 #include "core/report/result_columns.h"
+#include "core/report/seen_json.h"
 #include "core/report/study_results_json.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
@@ -349,6 +350,9 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     }
     for (const RequirementResult& r : judge(result, project, evaluated.analysis->id))
         json["requirements"].push_back(requirement_json(evaluated, r));
+    if (const auto readings =
+            evaluated.analysis->model ? evaluated.analysis->model->redundant_readings() : nullptr)
+        json["seen"] = seen_json(*readings, evidence::see(*readings));
     for (const auto& study : evaluated.studies) json["studies"].push_back(study_json(*study));
     return json;
 }

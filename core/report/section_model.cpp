@@ -4,6 +4,7 @@
 
 #include "core/report/evaluation_table.h"
 #include "core/report/report_parts.h"
+#include "core/report/seen_table.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -38,9 +39,15 @@ void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated, co
     if (!evaluated.analysis->model) return;
     const std::vector<DataTable> tables = evaluated.analysis->model->evaluation();
     std::vector<PlotSpecification> plots = evaluated.analysis->model->figures();
-    if (tables.empty() && plots.empty()) return;
+    const auto redundant = evaluated.analysis->model->redundant_readings();
+    if (tables.empty() && plots.empty() && !redundant) return;
     blocks.push_back(HeadingBlock{2, in.say(tell<"Evaluation of the set-up">())});
     for (const DataTable& table : tables) blocks.push_back(evaluation_block(table, in));
+    if (redundant) {
+        Table seen = seen_table(*redundant, evidence::see(*redundant), in);
+        for (Message& note : seen.notes) note = Message(in.say(note));
+        blocks.push_back(TableBlock{std::move(seen), {{}, 2, in}});
+    }
     for (PlotSpecification& plot : plots)
         blocks.push_back(titled_figure(in.say_plot(std::move(plot)), evaluated));
 }
