@@ -25,6 +25,7 @@
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/second_part.h"
+#include "ui/pages/seen_tab.h"
 #include "ui/pages/side_by_side.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/stage.h"
@@ -39,6 +40,22 @@
 #include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
+namespace {
+
+/// Views that some models have nothing for.
+void add_unoffered(QTabWidget& tabs, QWidget* view, const QString& title) {
+    tabs.addTab(view, title);
+    show_tab(tabs, view, false);
+}
+void offer(Stage& stage, QTabWidget& tabs, const QWidget& view, bool any) {
+    const int tab = stage.tab_of(&view);
+    tabs.setTabEnabled(tab, any);
+    tabs.setTabVisible(tab, any);
+    stage.second().take_names();
+}
+
+}  // namespace
+
 ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection,
                          PreferenceStore& preferences, QWidget* parent)
     : QWidget(parent),
@@ -51,14 +68,12 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     tabs_->addTab(budget_tab_ = make_budget_tab(), tr("Budget"));
     tabs_->addTab(charts_tab_ = make_charts_tab(), tr("Charts"));
     auto* evaluation = new EvaluationTab(runner, selection);
-    tabs_->addTab(evaluation, tr("Evaluation"));
-    show_tab(*tabs_, evaluation, false);
-    connect(evaluation, &EvaluationTab::filled, tabs_, [this, evaluation](bool any) {
-        const int tab = stage_->tab_of(evaluation);
-        tabs_->setTabEnabled(tab, any);
-        tabs_->setTabVisible(tab, any);
-        stage_->second().take_names();
-    });
+    add_unoffered(*tabs_, evaluation, tr("Evaluation"));
+    connect(evaluation, &EvaluationTab::filled, tabs_,
+            [this, evaluation](bool any) { offer(*stage_, *tabs_, *evaluation, any); });
+    seen_ = new SeenTab(document, runner, selection);
+    add_unoffered(*tabs_, seen_, tr("Seen"));
+    connect(seen_, &SeenTab::filled, tabs_, [this](bool any) { offer(*stage_, *tabs_, *seen_, any); });
     study_ = new StudyTab(document, runner, selection);
     tabs_->addTab(study_, tr("Study"));
     design_ = new DesignTab(document, runner, selection);

@@ -32,6 +32,7 @@ class CompareTab;
 class ReportPreview;
 class SortableTable;
 class DesignTab;
+class SeenTab;
 class Stage;
 class StudyTab;
 class UnitButton;
@@ -64,6 +65,7 @@ public:
     SortableTable& budget_table() { return *budget_; }
     UnitButton& units() { return *units_; }
     QSpinBox& digits() { return *digits_; }
+    SeenTab& seen_tab() { return *seen_; }
     StudyTab& study_tab() { return *study_; }
     DesignTab& design_tab() { return *design_; }
     CompareTab& compare_tab() { return *compare_; }
@@ -124,14 +126,13 @@ private:
     QTabWidget* tabs_ = nullptr;
     QLineEdit* filter_ = nullptr;
     QCheckBox *only_not_met_ = nullptr, *all_groups_ = nullptr;
-    SortableTable* results_ = nullptr;
-    SortableTable* budget_ = nullptr;
-    SortableTable* correlation_ = nullptr;
+    SortableTable *results_ = nullptr, *budget_ = nullptr, *correlation_ = nullptr;
     ChartView* contributions_ = nullptr;
     ChartView* histogram_ = nullptr;
     ChartView* quantiles_ = nullptr;
     ChartView* correlation_map_ = nullptr;
     ChartView* convergence_ = nullptr;
+    SeenTab* seen_ = nullptr;
     StudyTab* study_ = nullptr;
     DesignTab* design_ = nullptr;
     CompareTab* compare_ = nullptr;

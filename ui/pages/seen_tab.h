@@ -1,0 +1,64 @@
+// Uncertainties as stated against those that the residuals of the analysis see: a table with a mark for each
+// factor, the residuals, and the step that takes them over.
+#pragma once
+
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/jobs/latest_job.h"
+#include "ui/models/seen_table_model.h"
+#include "ui/run/analysis_runner.h"
+
+class QComboBox;
+
+namespace covaria::ui {
+
+class ChartView;
+class SortableTable;
+
+/// Of the analysis being looked at; the components are computed in a worker thread. Models without redundant
+/// readings need no tab.
+class SeenTab : public QWidget {
+    Q_OBJECT
+public:
+    SeenTab(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
+
+    SortableTable& table() { return *table_; }
+    QLabel& summary() { return *summary_; }
+    QPushButton& take_over_button() { return *take_over_; }
+    /// Null while they are computed, and without redundant readings.
+    const std::shared_ptr<const evidence::Seen>& seen() const { return seen_; }
+
+signals:
+    /// Whether there is anything to show.
+    void filled(bool any);
+
+private:
+    QWidget* make_head();
+    void refresh();
+    void start();
+    void show_seen(std::shared_ptr<const evidence::Seen> seen);
+    void show_charts();
+    void show_take_over();
+    void take_over();
+    bool is_taken_over() const;
+    double level() const;
+
+    Document& document_;
+    AnalysisRunner& runner_;
+    Selection& selection_;
+    SeenTableModel model_;
+    std::shared_ptr<const evidence::RedundantReadings> readings_;
+    std::shared_ptr<const evidence::Seen> seen_;
+    SortableTable* table_ = nullptr;
+    QComboBox* level_ = nullptr;
+    QPushButton* take_over_ = nullptr;
+    QLabel* summary_ = nullptr;
+    ChartView *residuals_ = nullptr, *quantiles_ = nullptr;
+    LatestJob job_{Execution::threads};  ///< last member: its thread ends first
+};
+
+}  // namespace covaria::ui
