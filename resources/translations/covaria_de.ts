@@ -11643,18 +11643,6 @@
         <translation>u Fortpfl.-Gesetz</translation>
     </message>
     <message>
-        <source>Clause 8</source>
-        <translation>Abschnitt 8</translation>
-    </message>
-    <message>
-        <source>validated</source>
-        <translation>validiert</translation>
-    </message>
-    <message>
-        <source>not validated</source>
-        <translation>nicht validiert</translation>
-    </message>
-    <message>
         <source>u with second-order terms</source>
         <translation>u mit Gliedern zweiter Ordnung</translation>
     </message>
@@ -15067,6 +15055,198 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>ellipsoids %1, %2</source>
         <translation>Ellipsoide %1, %2</translation>
+    </message>
+    <message>
+        <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals.</source>
+        <translation>Welches Messgerät sie abgelesen hat: Ablesungen einer Art von einem Messgerät beruhen auf einer Angabe, wenn angegebene Unsicherheiten an den Residuen geprüft werden.</translation>
+    </message>
+    <message>
+        <source>Uncertainties of the readings</source>
+        <translation>Unsicherheiten der Ablesungen</translation>
+    </message>
+    <message>
+        <source>As typed in the table; or as the residuals of this adjustment see them: typed ones times one common factor s_0, or times the factor of each kind of reading and instrument (variance components). Either has the degrees of freedom of its estimate.</source>
+        <translation>Wie in der Tabelle eingegeben; oder wie die Residuen dieser Ausgleichung sie sehen: die eingegebenen mal einem gemeinsamen Faktor s_0 oder mal dem Faktor jeder Art von Ablesung und jedes Messgeräts (Varianzkomponenten). Beide haben die Freiheitsgrade ihrer Schätzung.</translation>
+    </message>
+    <message>
+        <source>as seen, one factor s_0</source>
+        <translation>wie gesehen, ein Faktor s_0</translation>
+    </message>
+    <message>
+        <source>as seen, a factor for each figure</source>
+        <translation>wie gesehen, ein Faktor je Angabe</translation>
+    </message>
+    <message>
+        <source>Are the figures of the data sheet true?</source>
+        <translation>Stimmen die Angaben des Datenblatts?</translation>
+    </message>
+    <message>
+        <source>A section of a barrel, 8 m long, with 20 targets, read by a total station from three places that nobody measured.</source>
+        <translation>Eine tonnenförmige Sektion, 8 m lang, mit 20 Zielpunkten, von einer Totalstation von drei Orten aus abgelesen, die niemand gemessen hat.</translation>
+    </message>
+    <message>
+        <source>slope distances</source>
+        <translation>Schrägdistanzen</translation>
+    </message>
+    <message>
+        <source>horizontal distances</source>
+        <translation>Horizontaldistanzen</translation>
+    </message>
+    <message>
+        <source>directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>azimuths</source>
+        <translation>Azimute</translation>
+    </message>
+    <message>
+        <source>zenith angles</source>
+        <translation>Zenitwinkel</translation>
+    </message>
+    <message>
+        <source>height differences</source>
+        <translation>Höhenunterschiede</translation>
+    </message>
+    <message>
+        <source>tilts of instruments</source>
+        <translation>Neigungen von Messgeräten</translation>
+    </message>
+    <message>
+        <source>stated coordinates</source>
+        <translation>angegebene Koordinaten</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <translation>Koordinaten</translation>
+    </message>
+    <message>
+        <source>coordinate differences</source>
+        <translation>Koordinatendifferenzen</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>The readings have no residuals that could tell their uncertainty: it stays as stated</source>
+        <translation>Die Ablesungen haben keine Residuen, die ihre Unsicherheit zeigen könnten: sie bleibt wie angegeben</translation>
+    </message>
+    <message>
+        <source>Nothing is redundant: uncertainties of the readings stay as stated</source>
+        <translation>Nichts ist redundant: Unsicherheiten der Ablesungen bleiben wie angegeben</translation>
+    </message>
+    <message>
+        <source>The residuals give no factors: uncertainties of the readings stay as stated</source>
+        <translation>Die Residuen ergeben keine Faktoren: Unsicherheiten der Ablesungen bleiben wie angegeben</translation>
+    </message>
+    <message>
+        <source>Too little redundancy to say, so they stay as stated: %1</source>
+        <translation>Zu wenig Redundanz für ein Urteil, also bleiben sie wie angegeben: %1</translation>
+    </message>
+    <message>
+        <source>as seen: %1 times what was stated</source>
+        <translation>wie gesehen: %1 mal das Angegebene</translation>
+    </message>
+    <message>
+        <source>measured places</source>
+        <translation>gemessene Orte</translation>
+    </message>
+    <message>
+        <source>encoders of the joints</source>
+        <translation>Drehgeber der Gelenke</translation>
+    </message>
+    <message>
+        <source>repeatability of the joints</source>
+        <translation>Wiederholpräzision der Gelenke</translation>
+    </message>
+    <message>
+        <source>Residuals over their standard uncertainties as stated</source>
+        <translation>Residuen geteilt durch ihre Standardunsicherheiten wie angegeben</translation>
+    </message>
+    <message>
+        <source>others</source>
+        <translation>weitere</translation>
+    </message>
+    <message>
+        <source>Quantiles of the residuals</source>
+        <translation>Quantile der Residuen</translation>
+    </message>
+    <message>
+        <source>normal distribution</source>
+        <translation>Normalverteilung</translation>
+    </message>
+    <message>
+        <source>The readings cannot tell apart, and give one factor to: %1.</source>
+        <translation>Nach den Ablesungen nicht zu unterscheiden, daher mit einem gemeinsamen Faktor: %1.</translation>
+    </message>
+    <message>
+        <source>The estimate of the variance was negative, so it is zero, of: %1.</source>
+        <translation>Der Schätzwert der Varianz war negativ und ist daher null, bei: %1.</translation>
+    </message>
+    <message>
+        <source>The global test does not see that figures which are too large and figures which are too small make up for each other: %1.</source>
+        <translation>Der Globaltest sieht nicht, dass zu große und zu kleine Angaben einander ausgleichen: %1.</translation>
+    </message>
+    <message>
+        <source>seen is smaller</source>
+        <translation>gesehen ist kleiner</translation>
+    </message>
+    <message>
+        <source>seen is larger</source>
+        <translation>gesehen ist größer</translation>
+    </message>
+    <message>
+        <source>too little to say</source>
+        <translation>zu wenig für ein Urteil</translation>
+    </message>
+    <message>
+        <source>Stated and seen uncertainties</source>
+        <translation>Angegebene und gesehene Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>Angabe</translation>
+    </message>
+    <message>
+        <source>stated u</source>
+        <translation>angegebenes u</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>seen u</source>
+        <translation>gesehenes u</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Nothing is redundant: the readings say nothing.</source>
+        <translation>Nichts ist redundant: die Ablesungen sagen nichts.</translation>
+    </message>
+    <message>
+        <source>More than %1 readings: their factors are not computed.</source>
+        <translation>Mehr als %1 Ablesungen: ihre Faktoren werden nicht berechnet.</translation>
+    </message>
+    <message>
+        <source>The factors of the figures do not come to rest.</source>
+        <translation>Die Faktoren der Angaben konvergieren nicht.</translation>
+    </message>
+    <message>
+        <source>Global test: s₀ = %1 with %2 degrees of freedom passes (%3 to %4).</source>
+        <translation>Globaltest bestanden: s₀ = %1 mit %2 Freiheitsgraden (%3 bis %4).</translation>
+    </message>
+    <message>
+        <source>Global test: s₀ = %1 with %2 degrees of freedom fails (%3 to %4).</source>
+        <translation>Globaltest nicht bestanden: s₀ = %1 mit %2 Freiheitsgraden (%3 bis %4).</translation>
+    </message>
+    <message>
+        <source>Mean u of a coordinate: %1 as stated, %2 as seen.</source>
+        <translation>Mittleres u einer Koordinate: %1 wie angegeben, %2 wie gesehen.</translation>
     </message>
 </context>
 <context>
@@ -18930,6 +19110,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <source>Contributions</source>
         <translation>Beiträge</translation>
     </message>
+    <message>
+        <source>Seen</source>
+        <translation>Gesehen</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
@@ -19278,6 +19462,60 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Close this part</source>
         <translation>Diesen Teil schließen</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTableModel</name>
+    <message>
+        <source>interval of the factor</source>
+        <translation>Intervall des Faktors</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTab</name>
+    <message>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <source>What the residuals say</source>
+        <translation>Was die Residuen sagen</translation>
+    </message>
+    <message>
+        <source>Level of the tests</source>
+        <translation>Niveau der Tests</translation>
+    </message>
+    <message>
+        <source>How often a figure that is right is contradicted by chance</source>
+        <translation>Wie oft einer richtigen Angabe durch Zufall widersprochen wird</translation>
+    </message>
+    <message>
+        <source>Level %1 %</source>
+        <translation>Niveau %1 %</translation>
+    </message>
+    <message>
+        <source>Back to Stated</source>
+        <translation>Zurück zu den Angaben</translation>
+    </message>
+    <message>
+        <source>Take Over as Seen</source>
+        <translation>Wie gesehen übernehmen</translation>
+    </message>
+    <message>
+        <source>The results follow from the stated uncertainties again</source>
+        <translation>Die Ergebnisse folgen wieder aus den angegebenen Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>The results, and all that hang on them, follow from the uncertainties that the residuals see, and change with the readings; can be undone</source>
+        <translation>Die Ergebnisse und alles, was von ihnen abhängt, folgen aus den Unsicherheiten, die die Residuen sehen, und ändern sich mit den Ablesungen; kann rückgängig gemacht werden</translation>
+    </message>
+    <message>
+        <source>Back to stated uncertainties</source>
+        <translation>Zurück zu den angegebenen Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>Take over uncertainties as seen</source>
+        <translation>Unsicherheiten wie gesehen übernehmen</translation>
     </message>
 </context>
 <context>

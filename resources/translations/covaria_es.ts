@@ -11643,18 +11643,6 @@
         <translation>u ley de prop.</translation>
     </message>
     <message>
-        <source>Clause 8</source>
-        <translation>Capítulo 8</translation>
-    </message>
-    <message>
-        <source>validated</source>
-        <translation>validado</translation>
-    </message>
-    <message>
-        <source>not validated</source>
-        <translation>no validado</translation>
-    </message>
-    <message>
         <source>u with second-order terms</source>
         <translation>u con términos de segundo orden</translation>
     </message>
@@ -15067,6 +15055,198 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>ellipsoids %1, %2</source>
         <translation>elipsoides %1, %2</translation>
+    </message>
+    <message>
+        <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals.</source>
+        <translation>Qué instrumento la leyó: las lecturas de una clase hechas con un mismo instrumento se basan en una sola cifra cuando las incertidumbres indicadas se comparan con los residuos.</translation>
+    </message>
+    <message>
+        <source>Uncertainties of the readings</source>
+        <translation>Incertidumbres de las lecturas</translation>
+    </message>
+    <message>
+        <source>As typed in the table; or as the residuals of this adjustment see them: typed ones times one common factor s_0, or times the factor of each kind of reading and instrument (variance components). Either has the degrees of freedom of its estimate.</source>
+        <translation>Las tecleadas en la tabla; o las que ven los residuos de esta compensación: las tecleadas por un factor común s_0, o por el factor de cada clase de lectura y cada instrumento (componentes de varianza). Ambas tienen los grados de libertad de su estimación.</translation>
+    </message>
+    <message>
+        <source>as seen, one factor s_0</source>
+        <translation>las observadas, un solo factor s_0</translation>
+    </message>
+    <message>
+        <source>as seen, a factor for each figure</source>
+        <translation>las observadas, un factor por cada cifra</translation>
+    </message>
+    <message>
+        <source>Are the figures of the data sheet true?</source>
+        <translation>¿Son ciertas las cifras de la hoja de datos?</translation>
+    </message>
+    <message>
+        <source>A section of a barrel, 8 m long, with 20 targets, read by a total station from three places that nobody measured.</source>
+        <translation>Una sección de un cuerpo cilíndrico, de 8 m de longitud, con 20 dianas, leída por una estación total desde tres lugares que nadie midió.</translation>
+    </message>
+    <message>
+        <source>slope distances</source>
+        <translation>distancias inclinadas</translation>
+    </message>
+    <message>
+        <source>horizontal distances</source>
+        <translation>distancias horizontales</translation>
+    </message>
+    <message>
+        <source>directions</source>
+        <translation>direcciones</translation>
+    </message>
+    <message>
+        <source>azimuths</source>
+        <translation>acimutes</translation>
+    </message>
+    <message>
+        <source>zenith angles</source>
+        <translation>ángulos cenitales</translation>
+    </message>
+    <message>
+        <source>height differences</source>
+        <translation>desniveles</translation>
+    </message>
+    <message>
+        <source>tilts of instruments</source>
+        <translation>inclinaciones de instrumentos</translation>
+    </message>
+    <message>
+        <source>stated coordinates</source>
+        <translation>coordenadas indicadas</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <translation>coordenadas</translation>
+    </message>
+    <message>
+        <source>coordinate differences</source>
+        <translation>diferencias de coordenadas</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>The readings have no residuals that could tell their uncertainty: it stays as stated</source>
+        <translation>Las lecturas no tienen residuos que puedan decir su incertidumbre: se queda como se indicó</translation>
+    </message>
+    <message>
+        <source>Nothing is redundant: uncertainties of the readings stay as stated</source>
+        <translation>Nada es redundante: las incertidumbres de las lecturas se quedan como se indicaron</translation>
+    </message>
+    <message>
+        <source>The residuals give no factors: uncertainties of the readings stay as stated</source>
+        <translation>Los residuos no dan factores: las incertidumbres de las lecturas se quedan como se indicaron</translation>
+    </message>
+    <message>
+        <source>Too little redundancy to say, so they stay as stated: %1</source>
+        <translation>Redundancia insuficiente para decir algo, por lo que se quedan como se indicaron: %1</translation>
+    </message>
+    <message>
+        <source>as seen: %1 times what was stated</source>
+        <translation>observada: %1 veces la indicada</translation>
+    </message>
+    <message>
+        <source>measured places</source>
+        <translation>lugares medidos</translation>
+    </message>
+    <message>
+        <source>encoders of the joints</source>
+        <translation>codificadores de las articulaciones</translation>
+    </message>
+    <message>
+        <source>repeatability of the joints</source>
+        <translation>repetibilidad de las articulaciones</translation>
+    </message>
+    <message>
+        <source>Residuals over their standard uncertainties as stated</source>
+        <translation>Residuos divididos por sus incertidumbres típicas indicadas</translation>
+    </message>
+    <message>
+        <source>others</source>
+        <translation>otras</translation>
+    </message>
+    <message>
+        <source>Quantiles of the residuals</source>
+        <translation>Cuantiles de los residuos</translation>
+    </message>
+    <message>
+        <source>normal distribution</source>
+        <translation>distribución normal</translation>
+    </message>
+    <message>
+        <source>The readings cannot tell apart, and give one factor to: %1.</source>
+        <translation>Las lecturas no permiten distinguir, y dan un solo factor a: %1.</translation>
+    </message>
+    <message>
+        <source>The estimate of the variance was negative, so it is zero, of: %1.</source>
+        <translation>La estimación de la varianza resultó negativa, por lo que se toma cero, de: %1.</translation>
+    </message>
+    <message>
+        <source>The global test does not see that figures which are too large and figures which are too small make up for each other: %1.</source>
+        <translation>El contraste global no ve que cifras demasiado grandes y cifras demasiado pequeñas se contrarrestan: %1.</translation>
+    </message>
+    <message>
+        <source>seen is smaller</source>
+        <translation>la observada es menor</translation>
+    </message>
+    <message>
+        <source>seen is larger</source>
+        <translation>la observada es mayor</translation>
+    </message>
+    <message>
+        <source>too little to say</source>
+        <translation>muy poco para un veredicto</translation>
+    </message>
+    <message>
+        <source>Stated and seen uncertainties</source>
+        <translation>Incertidumbres indicadas y observadas</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>cifra</translation>
+    </message>
+    <message>
+        <source>stated u</source>
+        <translation>u indicada</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>factor</translation>
+    </message>
+    <message>
+        <source>seen u</source>
+        <translation>u observada</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>veredicto</translation>
+    </message>
+    <message>
+        <source>Nothing is redundant: the readings say nothing.</source>
+        <translation>Nada es redundante: las lecturas no dicen nada.</translation>
+    </message>
+    <message>
+        <source>More than %1 readings: their factors are not computed.</source>
+        <translation>Más de %1 lecturas: sus factores no se calculan.</translation>
+    </message>
+    <message>
+        <source>The factors of the figures do not come to rest.</source>
+        <translation>Los factores de las cifras no se estabilizan.</translation>
+    </message>
+    <message>
+        <source>Global test: s₀ = %1 with %2 degrees of freedom passes (%3 to %4).</source>
+        <translation>Contraste global: s₀ = %1 con %2 grados de libertad, se supera (%3 a %4).</translation>
+    </message>
+    <message>
+        <source>Global test: s₀ = %1 with %2 degrees of freedom fails (%3 to %4).</source>
+        <translation>Contraste global: s₀ = %1 con %2 grados de libertad, no se supera (%3 a %4).</translation>
+    </message>
+    <message>
+        <source>Mean u of a coordinate: %1 as stated, %2 as seen.</source>
+        <translation>u media de una coordenada: %1 según lo indicado, %2 según lo observado.</translation>
     </message>
 </context>
 <context>
@@ -18930,6 +19110,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <source>Contributions</source>
         <translation>Contribuciones</translation>
     </message>
+    <message>
+        <source>Seen</source>
+        <translation>Observado</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
@@ -19278,6 +19462,60 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Close this part</source>
         <translation>Cerrar esta parte</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTableModel</name>
+    <message>
+        <source>interval of the factor</source>
+        <translation>intervalo del factor</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTab</name>
+    <message>
+        <source>seen</source>
+        <translation>observado</translation>
+    </message>
+    <message>
+        <source>What the residuals say</source>
+        <translation>Lo que dicen los residuos</translation>
+    </message>
+    <message>
+        <source>Level of the tests</source>
+        <translation>Nivel de los contrastes</translation>
+    </message>
+    <message>
+        <source>How often a figure that is right is contradicted by chance</source>
+        <translation>Con qué frecuencia se contradice por azar una cifra que es correcta</translation>
+    </message>
+    <message>
+        <source>Level %1 %</source>
+        <translation>Nivel %1 %</translation>
+    </message>
+    <message>
+        <source>Back to Stated</source>
+        <translation>Volver a lo indicado</translation>
+    </message>
+    <message>
+        <source>Take Over as Seen</source>
+        <translation>Adoptar lo observado</translation>
+    </message>
+    <message>
+        <source>The results follow from the stated uncertainties again</source>
+        <translation>Los resultados se deducen de nuevo de las incertidumbres indicadas</translation>
+    </message>
+    <message>
+        <source>The results, and all that hang on them, follow from the uncertainties that the residuals see, and change with the readings; can be undone</source>
+        <translation>Los resultados, y todo lo que depende de ellos, se deducen de las incertidumbres que ven los residuos, y cambian con las lecturas; se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Back to stated uncertainties</source>
+        <translation>Volver a las incertidumbres indicadas</translation>
+    </message>
+    <message>
+        <source>Take over uncertainties as seen</source>
+        <translation>Adoptar las incertidumbres observadas</translation>
     </message>
 </context>
 <context>

@@ -11642,18 +11642,6 @@
         <translation>u, 전파 법칙</translation>
     </message>
     <message>
-        <source>Clause 8</source>
-        <translation>8절</translation>
-    </message>
-    <message>
-        <source>validated</source>
-        <translation>확인됨</translation>
-    </message>
-    <message>
-        <source>not validated</source>
-        <translation>확인되지 않음</translation>
-    </message>
-    <message>
         <source>u with second-order terms</source>
         <translation>u, 이차항 포함</translation>
     </message>
@@ -15066,6 +15054,198 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>ellipsoids %1, %2</source>
         <translation>타원체 %1, %2</translation>
+    </message>
+    <message>
+        <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals.</source>
+        <translation>이 값을 읽은 측정기. 제시된 불확도를 잔차와 비교할 때, 한 측정기가 읽은 같은 종류의 읽음값은 하나의 수치를 따릅니다.</translation>
+    </message>
+    <message>
+        <source>Uncertainties of the readings</source>
+        <translation>읽음값의 불확도</translation>
+    </message>
+    <message>
+        <source>As typed in the table; or as the residuals of this adjustment see them: typed ones times one common factor s_0, or times the factor of each kind of reading and instrument (variance components). Either has the degrees of freedom of its estimate.</source>
+        <translation>표에 입력한 대로, 또는 이 조정의 잔차에서 드러난 대로: 입력한 값에 공통 인자 s_0 하나를 곱하거나, 읽음값의 종류와 측정기마다의 인자를 곱합니다(분산성분). 어느 쪽이든 그 추정의 자유도를 갖습니다.</translation>
+    </message>
+    <message>
+        <source>as seen, one factor s_0</source>
+        <translation>드러난 대로, 인자 s_0 하나</translation>
+    </message>
+    <message>
+        <source>as seen, a factor for each figure</source>
+        <translation>드러난 대로, 수치마다 인자</translation>
+    </message>
+    <message>
+        <source>Are the figures of the data sheet true?</source>
+        <translation>사양서의 수치는 맞을까?</translation>
+    </message>
+    <message>
+        <source>A section of a barrel, 8 m long, with 20 targets, read by a total station from three places that nobody measured.</source>
+        <translation>표적 20개가 있는 길이 8 m의 원통 동체 구간. 아무도 측정하지 않은 세 위치에서 토털 스테이션으로 읽었습니다.</translation>
+    </message>
+    <message>
+        <source>slope distances</source>
+        <translation>경사거리</translation>
+    </message>
+    <message>
+        <source>horizontal distances</source>
+        <translation>수평거리</translation>
+    </message>
+    <message>
+        <source>directions</source>
+        <translation>방향</translation>
+    </message>
+    <message>
+        <source>azimuths</source>
+        <translation>방위각</translation>
+    </message>
+    <message>
+        <source>zenith angles</source>
+        <translation>천정각</translation>
+    </message>
+    <message>
+        <source>height differences</source>
+        <translation>높이차</translation>
+    </message>
+    <message>
+        <source>tilts of instruments</source>
+        <translation>측정기의 기울기</translation>
+    </message>
+    <message>
+        <source>stated coordinates</source>
+        <translation>제시된 좌표</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <translation>좌표</translation>
+    </message>
+    <message>
+        <source>coordinate differences</source>
+        <translation>좌표차</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 및 %2</translation>
+    </message>
+    <message>
+        <source>The readings have no residuals that could tell their uncertainty: it stays as stated</source>
+        <translation>읽음값에 그 불확도를 알려 줄 잔차가 없습니다. 불확도는 제시된 대로 둡니다</translation>
+    </message>
+    <message>
+        <source>Nothing is redundant: uncertainties of the readings stay as stated</source>
+        <translation>잉여 읽음값이 없습니다. 읽음값의 불확도는 제시된 대로 둡니다</translation>
+    </message>
+    <message>
+        <source>The residuals give no factors: uncertainties of the readings stay as stated</source>
+        <translation>잔차에서 인자를 구할 수 없습니다. 읽음값의 불확도는 제시된 대로 둡니다</translation>
+    </message>
+    <message>
+        <source>Too little redundancy to say, so they stay as stated: %1</source>
+        <translation>잉여도가 너무 작아 판정할 수 없으므로 제시된 대로 둠: %1</translation>
+    </message>
+    <message>
+        <source>as seen: %1 times what was stated</source>
+        <translation>드러난 대로: 제시된 값의 %1배</translation>
+    </message>
+    <message>
+        <source>measured places</source>
+        <translation>측정된 위치</translation>
+    </message>
+    <message>
+        <source>encoders of the joints</source>
+        <translation>관절의 엔코더</translation>
+    </message>
+    <message>
+        <source>repeatability of the joints</source>
+        <translation>관절의 반복성</translation>
+    </message>
+    <message>
+        <source>Residuals over their standard uncertainties as stated</source>
+        <translation>잔차를 제시된 표준불확도로 나눈 값</translation>
+    </message>
+    <message>
+        <source>others</source>
+        <translation>기타</translation>
+    </message>
+    <message>
+        <source>Quantiles of the residuals</source>
+        <translation>잔차의 분위수</translation>
+    </message>
+    <message>
+        <source>normal distribution</source>
+        <translation>정규분포</translation>
+    </message>
+    <message>
+        <source>The readings cannot tell apart, and give one factor to: %1.</source>
+        <translation>읽음값으로 구별할 수 없어 하나의 인자를 주는 것: %1.</translation>
+    </message>
+    <message>
+        <source>The estimate of the variance was negative, so it is zero, of: %1.</source>
+        <translation>분산의 추정값이 음수여서 0으로 한 것: %1.</translation>
+    </message>
+    <message>
+        <source>The global test does not see that figures which are too large and figures which are too small make up for each other: %1.</source>
+        <translation>너무 큰 수치와 너무 작은 수치가 서로 상쇄되는 것은 전체 검정에 나타나지 않습니다: %1.</translation>
+    </message>
+    <message>
+        <source>seen is smaller</source>
+        <translation>드러난 값이 더 작음</translation>
+    </message>
+    <message>
+        <source>seen is larger</source>
+        <translation>드러난 값이 더 큼</translation>
+    </message>
+    <message>
+        <source>too little to say</source>
+        <translation>판정하기에 부족</translation>
+    </message>
+    <message>
+        <source>Stated and seen uncertainties</source>
+        <translation>제시된 불확도와 드러난 불확도</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>수치</translation>
+    </message>
+    <message>
+        <source>stated u</source>
+        <translation>제시된 u</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>인자</translation>
+    </message>
+    <message>
+        <source>seen u</source>
+        <translation>드러난 u</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Nothing is redundant: the readings say nothing.</source>
+        <translation>잉여 읽음값이 없습니다. 읽음값으로 아무것도 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>More than %1 readings: their factors are not computed.</source>
+        <translation>읽음값이 %1개를 넘어 그 인자를 계산하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The factors of the figures do not come to rest.</source>
+        <translation>수치의 인자가 수렴하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Global test: s₀ = %1 with %2 degrees of freedom passes (%3 to %4).</source>
+        <translation>전체 검정: s₀ = %1, 자유도 %2, 통과(%3 ~ %4).</translation>
+    </message>
+    <message>
+        <source>Global test: s₀ = %1 with %2 degrees of freedom fails (%3 to %4).</source>
+        <translation>전체 검정: s₀ = %1, 자유도 %2, 불통과(%3 ~ %4).</translation>
+    </message>
+    <message>
+        <source>Mean u of a coordinate: %1 as stated, %2 as seen.</source>
+        <translation>좌표의 평균 u: 제시된 대로 %1, 드러난 대로 %2.</translation>
     </message>
 </context>
 <context>
@@ -18926,6 +19106,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Contributions</source>
         <translation>기여</translation>
     </message>
+    <message>
+        <source>Seen</source>
+        <translation>드러난 값</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
@@ -19274,6 +19458,60 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Close this part</source>
         <translation>이 부분 닫기</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTableModel</name>
+    <message>
+        <source>interval of the factor</source>
+        <translation>인자의 구간</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTab</name>
+    <message>
+        <source>seen</source>
+        <translation>드러난-값</translation>
+    </message>
+    <message>
+        <source>What the residuals say</source>
+        <translation>잔차가 알려 주는 것</translation>
+    </message>
+    <message>
+        <source>Level of the tests</source>
+        <translation>검정의 유의수준</translation>
+    </message>
+    <message>
+        <source>How often a figure that is right is contradicted by chance</source>
+        <translation>올바른 수치가 우연히 부정되는 빈도</translation>
+    </message>
+    <message>
+        <source>Level %1 %</source>
+        <translation>유의수준 %1 %</translation>
+    </message>
+    <message>
+        <source>Back to Stated</source>
+        <translation>제시된 값으로</translation>
+    </message>
+    <message>
+        <source>Take Over as Seen</source>
+        <translation>드러난 대로 적용</translation>
+    </message>
+    <message>
+        <source>The results follow from the stated uncertainties again</source>
+        <translation>결과를 다시 제시된 불확도에서 구합니다</translation>
+    </message>
+    <message>
+        <source>The results, and all that hang on them, follow from the uncertainties that the residuals see, and change with the readings; can be undone</source>
+        <translation>결과와 결과에 따르는 모든 것을 잔차에서 드러난 불확도에서 구하며, 읽음값과 함께 바뀝니다. 실행 취소할 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Back to stated uncertainties</source>
+        <translation>제시된 불확도로 되돌리기</translation>
+    </message>
+    <message>
+        <source>Take over uncertainties as seen</source>
+        <translation>드러난 불확도 적용</translation>
     </message>
 </context>
 <context>

@@ -11643,18 +11643,6 @@
         <translation>u lei de prop.</translation>
     </message>
     <message>
-        <source>Clause 8</source>
-        <translation>Seção 8</translation>
-    </message>
-    <message>
-        <source>validated</source>
-        <translation>validado</translation>
-    </message>
-    <message>
-        <source>not validated</source>
-        <translation>não validado</translation>
-    </message>
-    <message>
         <source>u with second-order terms</source>
         <translation>u com termos de segunda ordem</translation>
     </message>
@@ -15067,6 +15055,198 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>ellipsoids %1, %2</source>
         <translation>elipsoides %1, %2</translation>
+    </message>
+    <message>
+        <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals.</source>
+        <translation>Que instrumento a leu: leituras de um tipo por um instrumento se baseiam em um mesmo número quando as incertezas declaradas são comparadas com os resíduos.</translation>
+    </message>
+    <message>
+        <source>Uncertainties of the readings</source>
+        <translation>Incertezas das leituras</translation>
+    </message>
+    <message>
+        <source>As typed in the table; or as the residuals of this adjustment see them: typed ones times one common factor s_0, or times the factor of each kind of reading and instrument (variance components). Either has the degrees of freedom of its estimate.</source>
+        <translation>Como digitadas na tabela; ou como as mostram os resíduos deste ajustamento: as digitadas vezes um fator comum s_0, ou vezes o fator de cada tipo de leitura e instrumento (componentes de variância). Nos dois casos, com os graus de liberdade de sua estimativa.</translation>
+    </message>
+    <message>
+        <source>as seen, one factor s_0</source>
+        <translation>como observado, um fator s_0</translation>
+    </message>
+    <message>
+        <source>as seen, a factor for each figure</source>
+        <translation>como observado, um fator para cada número</translation>
+    </message>
+    <message>
+        <source>Are the figures of the data sheet true?</source>
+        <translation>Os números da folha de dados são verdadeiros?</translation>
+    </message>
+    <message>
+        <source>A section of a barrel, 8 m long, with 20 targets, read by a total station from three places that nobody measured.</source>
+        <translation>Uma seção cilíndrica de 8 m de comprimento, com 20 alvos, lida por uma estação total a partir de três lugares que ninguém mediu.</translation>
+    </message>
+    <message>
+        <source>slope distances</source>
+        <translation>distâncias inclinadas</translation>
+    </message>
+    <message>
+        <source>horizontal distances</source>
+        <translation>distâncias horizontais</translation>
+    </message>
+    <message>
+        <source>directions</source>
+        <translation>direções</translation>
+    </message>
+    <message>
+        <source>azimuths</source>
+        <translation>azimutes</translation>
+    </message>
+    <message>
+        <source>zenith angles</source>
+        <translation>ângulos zenitais</translation>
+    </message>
+    <message>
+        <source>height differences</source>
+        <translation>desníveis</translation>
+    </message>
+    <message>
+        <source>tilts of instruments</source>
+        <translation>inclinações de instrumentos</translation>
+    </message>
+    <message>
+        <source>stated coordinates</source>
+        <translation>coordenadas declaradas</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <translation>coordenadas</translation>
+    </message>
+    <message>
+        <source>coordinate differences</source>
+        <translation>diferenças de coordenadas</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 e %2</translation>
+    </message>
+    <message>
+        <source>The readings have no residuals that could tell their uncertainty: it stays as stated</source>
+        <translation>As leituras não têm resíduos que pudessem dizer sua incerteza: ela fica como declarada</translation>
+    </message>
+    <message>
+        <source>Nothing is redundant: uncertainties of the readings stay as stated</source>
+        <translation>Nada é redundante: as incertezas das leituras ficam como declaradas</translation>
+    </message>
+    <message>
+        <source>The residuals give no factors: uncertainties of the readings stay as stated</source>
+        <translation>Os resíduos não dão fatores: as incertezas das leituras ficam como declaradas</translation>
+    </message>
+    <message>
+        <source>Too little redundancy to say, so they stay as stated: %1</source>
+        <translation>Redundância insuficiente para um veredito; ficam como declaradas: %1</translation>
+    </message>
+    <message>
+        <source>as seen: %1 times what was stated</source>
+        <translation>como observado: %1 vezes o declarado</translation>
+    </message>
+    <message>
+        <source>measured places</source>
+        <translation>lugares medidos</translation>
+    </message>
+    <message>
+        <source>encoders of the joints</source>
+        <translation>codificadores das juntas</translation>
+    </message>
+    <message>
+        <source>repeatability of the joints</source>
+        <translation>repetibilidade das juntas</translation>
+    </message>
+    <message>
+        <source>Residuals over their standard uncertainties as stated</source>
+        <translation>Resíduos divididos por suas incertezas-padrão como declaradas</translation>
+    </message>
+    <message>
+        <source>others</source>
+        <translation>outros</translation>
+    </message>
+    <message>
+        <source>Quantiles of the residuals</source>
+        <translation>Quantis dos resíduos</translation>
+    </message>
+    <message>
+        <source>normal distribution</source>
+        <translation>distribuição normal</translation>
+    </message>
+    <message>
+        <source>The readings cannot tell apart, and give one factor to: %1.</source>
+        <translation>As leituras não conseguem distinguir, e dão um só fator a: %1.</translation>
+    </message>
+    <message>
+        <source>The estimate of the variance was negative, so it is zero, of: %1.</source>
+        <translation>A estimativa da variância foi negativa, e por isso é zero, de: %1.</translation>
+    </message>
+    <message>
+        <source>The global test does not see that figures which are too large and figures which are too small make up for each other: %1.</source>
+        <translation>O teste global não percebe que números grandes demais e números pequenos demais se compensam: %1.</translation>
+    </message>
+    <message>
+        <source>seen is smaller</source>
+        <translation>a observada é menor</translation>
+    </message>
+    <message>
+        <source>seen is larger</source>
+        <translation>a observada é maior</translation>
+    </message>
+    <message>
+        <source>too little to say</source>
+        <translation>insuficiente para um veredito</translation>
+    </message>
+    <message>
+        <source>Stated and seen uncertainties</source>
+        <translation>Incertezas declaradas e observadas</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>número</translation>
+    </message>
+    <message>
+        <source>stated u</source>
+        <translation>u declarada</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>fator</translation>
+    </message>
+    <message>
+        <source>seen u</source>
+        <translation>u observada</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>veredito</translation>
+    </message>
+    <message>
+        <source>Nothing is redundant: the readings say nothing.</source>
+        <translation>Nada é redundante: as leituras não dizem nada.</translation>
+    </message>
+    <message>
+        <source>More than %1 readings: their factors are not computed.</source>
+        <translation>Mais de %1 leituras: seus fatores não são calculados.</translation>
+    </message>
+    <message>
+        <source>The factors of the figures do not come to rest.</source>
+        <translation>Os fatores dos números não convergem.</translation>
+    </message>
+    <message>
+        <source>Global test: s₀ = %1 with %2 degrees of freedom passes (%3 to %4).</source>
+        <translation>Teste global: s₀ = %1 com %2 graus de liberdade passa (%3 a %4).</translation>
+    </message>
+    <message>
+        <source>Global test: s₀ = %1 with %2 degrees of freedom fails (%3 to %4).</source>
+        <translation>Teste global: s₀ = %1 com %2 graus de liberdade não passa (%3 a %4).</translation>
+    </message>
+    <message>
+        <source>Mean u of a coordinate: %1 as stated, %2 as seen.</source>
+        <translation>u média de uma coordenada: %1 como declarado, %2 como observado.</translation>
     </message>
 </context>
 <context>
@@ -18930,6 +19110,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Contributions</source>
         <translation>Contribuições</translation>
     </message>
+    <message>
+        <source>Seen</source>
+        <translation>Observado</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
@@ -19278,6 +19462,60 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Close this part</source>
         <translation>Fechar esta parte</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTableModel</name>
+    <message>
+        <source>interval of the factor</source>
+        <translation>intervalo do fator</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTab</name>
+    <message>
+        <source>seen</source>
+        <translation>observado</translation>
+    </message>
+    <message>
+        <source>What the residuals say</source>
+        <translation>O que dizem os resíduos</translation>
+    </message>
+    <message>
+        <source>Level of the tests</source>
+        <translation>Nível dos testes</translation>
+    </message>
+    <message>
+        <source>How often a figure that is right is contradicted by chance</source>
+        <translation>Com que frequência um número correto é contradito por acaso</translation>
+    </message>
+    <message>
+        <source>Level %1 %</source>
+        <translation>Nível %1 %</translation>
+    </message>
+    <message>
+        <source>Back to Stated</source>
+        <translation>Voltar ao declarado</translation>
+    </message>
+    <message>
+        <source>Take Over as Seen</source>
+        <translation>Adotar como observado</translation>
+    </message>
+    <message>
+        <source>The results follow from the stated uncertainties again</source>
+        <translation>Os resultados voltam a resultar das incertezas declaradas</translation>
+    </message>
+    <message>
+        <source>The results, and all that hang on them, follow from the uncertainties that the residuals see, and change with the readings; can be undone</source>
+        <translation>Os resultados, e tudo o que depende deles, resultam das incertezas que os resíduos mostram e mudam com as leituras; pode ser desfeito</translation>
+    </message>
+    <message>
+        <source>Back to stated uncertainties</source>
+        <translation>Voltar às incertezas declaradas</translation>
+    </message>
+    <message>
+        <source>Take over uncertainties as seen</source>
+        <translation>Adotar incertezas como observadas</translation>
     </message>
 </context>
 <context>

@@ -11642,18 +11642,6 @@
         <translation>u，传播律</translation>
     </message>
     <message>
-        <source>Clause 8</source>
-        <translation>第 8 章</translation>
-    </message>
-    <message>
-        <source>validated</source>
-        <translation>已验证</translation>
-    </message>
-    <message>
-        <source>not validated</source>
-        <translation>未验证</translation>
-    </message>
-    <message>
         <source>u with second-order terms</source>
         <translation>u，含二阶项</translation>
     </message>
@@ -15066,6 +15054,198 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>ellipsoids %1, %2</source>
         <translation>椭球 %1，%2</translation>
+    </message>
+    <message>
+        <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals.</source>
+        <translation>由哪台仪器读取：将给出的不确定度与残差对照时，同一仪器的同类读数依据同一指标。</translation>
+    </message>
+    <message>
+        <source>Uncertainties of the readings</source>
+        <translation>读数的不确定度</translation>
+    </message>
+    <message>
+        <source>As typed in the table; or as the residuals of this adjustment see them: typed ones times one common factor s_0, or times the factor of each kind of reading and instrument (variance components). Either has the degrees of freedom of its estimate.</source>
+        <translation>按表中输入的值；或按本次平差的残差所见的值：输入值乘以一个共同的系数 s_0，或乘以每类读数和每台仪器各自的系数（方差分量）。后两者均具有其估计的自由度。</translation>
+    </message>
+    <message>
+        <source>as seen, one factor s_0</source>
+        <translation>按所见值，一个系数 s_0</translation>
+    </message>
+    <message>
+        <source>as seen, a factor for each figure</source>
+        <translation>按所见值，每个指标一个系数</translation>
+    </message>
+    <message>
+        <source>Are the figures of the data sheet true?</source>
+        <translation>数据表的指标属实吗？</translation>
+    </message>
+    <message>
+        <source>A section of a barrel, 8 m long, with 20 targets, read by a total station from three places that nobody measured.</source>
+        <translation>一段 8 m 长的筒体，带 20 个目标点，由全站仪从三个未经测量的位置读取。</translation>
+    </message>
+    <message>
+        <source>slope distances</source>
+        <translation>斜距</translation>
+    </message>
+    <message>
+        <source>horizontal distances</source>
+        <translation>平距</translation>
+    </message>
+    <message>
+        <source>directions</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>azimuths</source>
+        <translation>方位角</translation>
+    </message>
+    <message>
+        <source>zenith angles</source>
+        <translation>天顶距</translation>
+    </message>
+    <message>
+        <source>height differences</source>
+        <translation>高差</translation>
+    </message>
+    <message>
+        <source>tilts of instruments</source>
+        <translation>仪器的倾斜</translation>
+    </message>
+    <message>
+        <source>stated coordinates</source>
+        <translation>给出的坐标</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <translation>坐标</translation>
+    </message>
+    <message>
+        <source>coordinate differences</source>
+        <translation>坐标差</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>The readings have no residuals that could tell their uncertainty: it stays as stated</source>
+        <translation>读数没有可确定其不确定度的残差：其不确定度保持给出值</translation>
+    </message>
+    <message>
+        <source>Nothing is redundant: uncertainties of the readings stay as stated</source>
+        <translation>无冗余：读数的不确定度保持给出值</translation>
+    </message>
+    <message>
+        <source>The residuals give no factors: uncertainties of the readings stay as stated</source>
+        <translation>残差不能得出系数：读数的不确定度保持给出值</translation>
+    </message>
+    <message>
+        <source>Too little redundancy to say, so they stay as stated: %1</source>
+        <translation>多余度太小，无法判断，因此保持给出值：%1</translation>
+    </message>
+    <message>
+        <source>as seen: %1 times what was stated</source>
+        <translation>按所见值：给出值的 %1 倍</translation>
+    </message>
+    <message>
+        <source>measured places</source>
+        <translation>实测位置</translation>
+    </message>
+    <message>
+        <source>encoders of the joints</source>
+        <translation>关节的编码器</translation>
+    </message>
+    <message>
+        <source>repeatability of the joints</source>
+        <translation>关节的重复性</translation>
+    </message>
+    <message>
+        <source>Residuals over their standard uncertainties as stated</source>
+        <translation>残差除以其给出的标准不确定度</translation>
+    </message>
+    <message>
+        <source>others</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>Quantiles of the residuals</source>
+        <translation>残差的分位数</translation>
+    </message>
+    <message>
+        <source>normal distribution</source>
+        <translation>正态分布</translation>
+    </message>
+    <message>
+        <source>The readings cannot tell apart, and give one factor to: %1.</source>
+        <translation>读数不能区分以下各项，对它们给出同一系数：%1。</translation>
+    </message>
+    <message>
+        <source>The estimate of the variance was negative, so it is zero, of: %1.</source>
+        <translation>以下各项的方差估计值为负，因此取零：%1。</translation>
+    </message>
+    <message>
+        <source>The global test does not see that figures which are too large and figures which are too small make up for each other: %1.</source>
+        <translation>总体检验看不出过大的指标与过小的指标相互抵消：%1。</translation>
+    </message>
+    <message>
+        <source>seen is smaller</source>
+        <translation>所见值较小</translation>
+    </message>
+    <message>
+        <source>seen is larger</source>
+        <translation>所见值较大</translation>
+    </message>
+    <message>
+        <source>too little to say</source>
+        <translation>不足以判断</translation>
+    </message>
+    <message>
+        <source>Stated and seen uncertainties</source>
+        <translation>给出的和所见的不确定度</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>stated u</source>
+        <translation>给出的 u</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>系数</translation>
+    </message>
+    <message>
+        <source>seen u</source>
+        <translation>所见的 u</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>Nothing is redundant: the readings say nothing.</source>
+        <translation>无冗余：读数不能说明任何问题。</translation>
+    </message>
+    <message>
+        <source>More than %1 readings: their factors are not computed.</source>
+        <translation>读数超过 %1 个：不计算其系数。</translation>
+    </message>
+    <message>
+        <source>The factors of the figures do not come to rest.</source>
+        <translation>各指标的系数不收敛。</translation>
+    </message>
+    <message>
+        <source>Global test: s₀ = %1 with %2 degrees of freedom passes (%3 to %4).</source>
+        <translation>总体检验：s₀ = %1，自由度 %2，通过（%3 至 %4）。</translation>
+    </message>
+    <message>
+        <source>Global test: s₀ = %1 with %2 degrees of freedom fails (%3 to %4).</source>
+        <translation>总体检验：s₀ = %1，自由度 %2，未通过（%3 至 %4）。</translation>
+    </message>
+    <message>
+        <source>Mean u of a coordinate: %1 as stated, %2 as seen.</source>
+        <translation>坐标的 u 平均值：按给出值 %1，按所见值 %2。</translation>
     </message>
 </context>
 <context>
@@ -18926,6 +19106,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Contributions</source>
         <translation>贡献</translation>
     </message>
+    <message>
+        <source>Seen</source>
+        <translation>所见</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
@@ -19274,6 +19458,60 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Close this part</source>
         <translation>关闭此部分</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTableModel</name>
+    <message>
+        <source>interval of the factor</source>
+        <translation>因子的区间</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTab</name>
+    <message>
+        <source>seen</source>
+        <translation>所见</translation>
+    </message>
+    <message>
+        <source>What the residuals say</source>
+        <translation>残差说明了什么</translation>
+    </message>
+    <message>
+        <source>Level of the tests</source>
+        <translation>检验的水平</translation>
+    </message>
+    <message>
+        <source>How often a figure that is right is contradicted by chance</source>
+        <translation>正确的指标偶然被否定的频度</translation>
+    </message>
+    <message>
+        <source>Level %1 %</source>
+        <translation>水平 %1 %</translation>
+    </message>
+    <message>
+        <source>Back to Stated</source>
+        <translation>恢复给出值</translation>
+    </message>
+    <message>
+        <source>Take Over as Seen</source>
+        <translation>采用所见值</translation>
+    </message>
+    <message>
+        <source>The results follow from the stated uncertainties again</source>
+        <translation>结果重新由给出的不确定度得出</translation>
+    </message>
+    <message>
+        <source>The results, and all that hang on them, follow from the uncertainties that the residuals see, and change with the readings; can be undone</source>
+        <translation>结果及所有依赖于结果的内容由残差所见的不确定度得出，并随读数变化；可以撤销</translation>
+    </message>
+    <message>
+        <source>Back to stated uncertainties</source>
+        <translation>恢复给出的不确定度</translation>
+    </message>
+    <message>
+        <source>Take over uncertainties as seen</source>
+        <translation>采用所见的不确定度</translation>
     </message>
 </context>
 <context>
