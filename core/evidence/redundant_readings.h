@@ -42,8 +42,8 @@ struct RedundantReadings {
     Eigen::VectorXd residuals = {};           ///< reading less adjusted reading, SI
     std::vector<std::size_t> datum = {};      ///< unknowns
     std::vector<std::size_t> figure_of = {};  ///< of each reading, or `no_figure`: its u is not asked about
-    /// Of each figure, readings x components of one standard uncertainty: their product with its transpose is
-    /// the figure's part of the covariance.
+    /// A matrix for each figure, readings x components of one standard uncertainty: its product with its
+    /// transpose is the figure's part of the covariance.
     std::vector<Eigen::MatrixXd> shares = {};
     Eigen::MatrixXd others = {};  ///< the same of what is not asked about
     std::vector<StatedFigure> figures = {};

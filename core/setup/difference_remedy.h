@@ -10,8 +10,8 @@
 
 namespace covaria {
 
-/// What is given in `given` becomes a difference in K. Nothing where the objection to it is another one.
-/// `unit_place`: of the unit, relative as the path of the problem.
+/// The way out by which a figure in `given` becomes a difference in K; none where the objection is another
+/// one. `unit_place`: of the unit, relative as the path of the problem.
 inline std::vector<Remedy> remedies_as_difference(const Message& words, const Unit& given,
                                                   const Unit& expected, const std::string& unit_place) {
     const Unit kelvin = Unit::of("K");
@@ -19,7 +19,7 @@ inline std::vector<Remedy> remedies_as_difference(const Message& words, const Un
     return {{words, {{unit_place, kelvin.text()}}}};
 }
 
-/// Of one figure with its unit at `place`: "a difference: 20 K".
+/// The same for one figure with its unit at `place`: "a difference: 20 K".
 inline std::vector<Remedy> remedies_as_difference(const Quantity& given, const Unit& expected,
                                                   const std::string& place) {
     return remedies_as_difference(tell<"a difference: %1">(quantity_words(given.value, Unit::of("K"))),

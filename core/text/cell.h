@@ -11,7 +11,7 @@
 
 namespace covaria {
 
-/// What a view of a table depends on beside its columns.
+/// Units, digits and language in which a view shows a table.
 struct TableView {
     DisplayUnits units = {};
     int digits = 2;  ///< significant digits of uncertainties

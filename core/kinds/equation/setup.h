@@ -104,8 +104,8 @@ void report(const equation::TextProblems& found, const StatedEquations& stated, 
 /// reading, in K. `estimate`: SI.
 std::vector<Remedy> remedies_for_part(const StatedEquations& stated, std::size_t row, const Unit& unit,
                                       double estimate);
-/// Of the statement in that row; `estimate`: SI, as far as it is known. Of limits in degC of a quantity in
-/// `unit`, which may be a difference: both are one, or both are temperatures.
+/// The ways out for the statement in that row; `estimate`: SI, as far as it is known. Of limits in degC of a
+/// quantity in `unit`, which may be a difference: both are one, or both are temperatures.
 std::vector<Remedy> remedies_for_statement(const StatedEquations& stated, std::size_t row, const Unit& unit,
                                            const std::optional<double>& estimate);
 

@@ -197,8 +197,8 @@ void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading,
 adjustment::SparseRows design_of(const AdjustedNetwork& network, const double* state);
 Eigen::VectorXd residuals_of(const AdjustedNetwork& network, const double* state);
 
-/// What the residuals may say about the stated uncertainties: readings of one kind by one instrument rest on
-/// one figure, and kinds that are correlated with each other on one together.
+/// The readings as evidence for or against their stated uncertainties: those of one kind by one instrument
+/// rest on one figure, and kinds that are correlated with each other on one together.
 evidence::RedundantReadings redundant_readings(const AdjustedNetwork& network);
 /// The readings with the uncertainties that the residuals see, and the least sum of squares anew. A figure of
 /// which they tell too little keeps what was stated; a warning says which.
