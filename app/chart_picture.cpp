@@ -1,7 +1,8 @@
 #include "app/chart_picture.h"
 
 #include "app/application.h"
-#include "core/report/plots.h"
+#include "core/made/evaluated_analysis.h"
+#include "core/views/plots.h"
 #include "ui/charts/chart_painter.h"
 
 namespace covaria {

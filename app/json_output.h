@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/report/json_values.h"
+#include "core/result_files/json_values.h"
 
 namespace CLI {
 class App;

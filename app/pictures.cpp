@@ -9,6 +9,7 @@
 #include "core/base/file_names.h"
 #include "core/model/has_layout.h"
 #include "core/project/stated_requirements.h"
+#include "core/result_files/results_json.h"
 #include "viz/scene/analysis_scene.h"
 #include "viz/scene/context_meshes.h"
 #include "viz/scene/design_scene.h"

@@ -8,6 +8,7 @@
 
 #include "app/evaluation.h"
 #include "core/project/saved_view.h"
+#include "core/result_files/results_json.h"
 #include "viz/scene/scene.h"
 
 namespace covaria {

@@ -1,8 +1,8 @@
 #include "app/result_lines.h"
 
 #include "core/project/stated_requirements.h"
-#include "core/report/csv_text.h"
 #include "core/result/result_line.h"
+#include "core/result_files/csv_text.h"
 #include "core/text/numbers.h"
 
 namespace covaria {

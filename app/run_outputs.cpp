@@ -5,8 +5,10 @@
 #include "app/pictures.h"
 #include "app/report_files.h"
 #include "app/terminal.h"
-#include "core/report/result_files.h"
+#include "core/report/report.h"
 #include "core/result/representation.h"
+#include "core/result_files/result_files.h"
+#include "core/result_files/results_json.h"
 #include "ui/theme/document_language.h"
 
 namespace covaria {

@@ -8,13 +8,16 @@
 
 #include "core/base/guarded.h"
 #include "core/base/version.h"
+#include "core/document/document_writers.h"
 #include "core/made/load_project.h"
 #include "core/project/linked_files.h"
 #include "core/project/project_file.h"
 #include "core/propagation/engine.h"
 #include "core/report/report.h"
 #include "core/report/report_parts.h"
-#include "core/report/result_columns.h"
+#include "core/report/table_builder.h"
+#include "core/result_files/results_json.h"
+#include "core/views/result_columns.h"
 
 namespace py = pybind11;
 namespace fs = std::filesystem;

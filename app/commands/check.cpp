@@ -13,8 +13,8 @@
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
 #include "core/project/stated_requirements.h"
-#include "core/report/seen_table.h"
 #include "core/text/numbers.h"
+#include "core/views/seen_table.h"
 
 namespace covaria {
 namespace {

@@ -14,8 +14,9 @@
 #include "app/terminal.h"
 #include "core/base/file_io.h"
 #include "core/base/file_names.h"
+#include "core/document/document_writers.h"
 #include "core/report/comparison_report.h"
-#include "core/report/report.h"
+#include "core/result_files/csv_writer.h"
 #include "ui/theme/document_language.h"
 
 namespace covaria {

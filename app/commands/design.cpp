@@ -16,9 +16,10 @@
 #include "core/base/in_quotes.h"
 #include "core/design/design.h"
 #include "core/project/project_file.h"
-#include "core/report/design_results.h"
-#include "core/report/report.h"
+#include "core/result_files/csv_writer.h"
+#include "core/result_files/design_json.h"
 #include "core/text/numbers.h"
+#include "core/views/design_results.h"
 
 namespace covaria {
 namespace {

@@ -13,8 +13,8 @@
 #include "app/terminal.h"
 #include "core/base/file_io.h"
 #include "core/base/version.h"
+#include "core/document/document_writers.h"
 #include "core/manual/manual.h"
-#include "core/report/report.h"
 #include "ui/print/pdf_report.h"
 
 namespace covaria {

@@ -10,9 +10,9 @@
 #include "app/exit_status.h"
 #include "app/json_output.h"
 #include "app/terminal.h"
-#include "core/report/report.h"
-#include "core/report/seen_json.h"
-#include "core/report/seen_table.h"
+#include "core/document/document_writers.h"
+#include "core/result_files/seen_json.h"
+#include "core/views/seen_table.h"
 
 namespace covaria {
 namespace {

@@ -15,7 +15,7 @@
 #include "app/terminal.h"
 #include "core/base/file_io.h"
 #include "core/base/resource_path.h"
-#include "core/report/verification.h"
+#include "core/verification/verification.h"
 #include "ui/export/report_export.h"
 
 namespace covaria {

@@ -16,7 +16,7 @@
 #include "app/wrong_usage.h"
 #include "core/base/guarded.h"
 #include "core/base/version.h"
-#include "core/report/result_files.h"
+#include "core/result_files/result_files.h"
 
 namespace {
 

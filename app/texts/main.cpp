@@ -28,13 +28,12 @@
 #include "core/readers/point_columns.h"
 #include "core/readers/readers.h"
 #include "core/report/certificate_words.h"
-#include "core/report/comparison_columns.h"
-#include "core/report/design_results.h"
-#include "core/report/plot_words.h"
-#include "core/report/report.h"
-#include "core/report/result_columns.h"
 #include "core/setup/field_words.h"
 #include "core/text/symbol.h"
+#include "core/views/comparison_columns.h"
+#include "core/views/design_results.h"
+#include "core/views/plot_words.h"
+#include "core/views/result_columns.h"
 #include "core/writers/writers.h"
 
 namespace covaria {

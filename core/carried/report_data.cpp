@@ -12,6 +12,9 @@
 #include "core/project/kind_lookup.h"
 #include "core/project/linked_files.h"
 #include "core/project/project_file.h"
+#include "core/result_files/csv_writer.h"
+#include "core/result_files/result_tables.h"
+#include "core/result_files/results_json.h"
 #include "core/writers/writers.h"
 
 namespace covaria {

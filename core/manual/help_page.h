@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/document/report_document.h"
 #include "core/model/model_descriptor.h"
-#include "core/report/report_document.h"
 #include "core/text/document_language.h"
 
 namespace covaria {

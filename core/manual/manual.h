@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/report/report_document.h"
+#include "core/document/report_document.h"
 
 namespace covaria {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/report/prose.h"
+#include "core/document/prose.h"
 
 namespace covaria {
 namespace {

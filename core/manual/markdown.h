@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/report/report_document.h"
+#include "core/document/report_document.h"
 
 namespace covaria {
 

@@ -11,6 +11,7 @@
 #include "core/report/date_words.h"
 #include "core/report/report.h"
 #include "core/result/representation.h"
+#include "core/views/result_words.h"
 
 namespace covaria {
 namespace {

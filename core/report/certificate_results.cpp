@@ -5,11 +5,11 @@
 
 #include "core/base/name.h"
 #include "core/report/certificate_parts.h"
-#include "core/report/result_statement.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
+#include "core/views/result_statement.h"
 
 namespace covaria::report_parts {
 namespace {

@@ -5,8 +5,8 @@
 #include "core/made/certificate_gaps.h"
 #include "core/math/normal_quantile.h"
 #include "core/report/report_parts.h"
-#include "core/report/result_statement.h"
 #include "core/result/result_line.h"
+#include "core/views/result_statement.h"
 
 namespace covaria {
 
@@ -17,7 +17,7 @@ std::optional<std::size_t> farthest_from_95(const UncertaintyResult& result) {
     std::optional<std::size_t> farthest;
     double most = 0.0;
     for (std::size_t i = 0; i < result.outputs.size(); ++i) {
-        if (!report_parts::is_measurand(result.outputs[i])) continue;
+        if (!result_words::is_measurand(result.outputs[i])) continue;
         const double p = stated_probability(result.outputs[i], result);
         if (!std::isfinite(p) || is_accredited_probability(p) || std::abs(p - 0.95) <= most) continue;
         most = std::abs(p - 0.95);
@@ -42,7 +42,7 @@ Problems improbable_results(const ReportSource& source) {
         warnings.warning(
             "", tell<"%1: under an accreditation U is stated for a coverage probability of "
                      "about 95 % (ILAC-P14 5.3); with k = %2 that of %3 is %4">(
-                    evaluated.analysis->name, format_trimmed(*k, 4), report_parts::output_label(far.quantity),
+                    evaluated.analysis->name, format_trimmed(*k, 4), result_words::output_label(far.quantity),
                     probability_text(stated_probability(far, result), NumberLocale{})));
     }
     return warnings;

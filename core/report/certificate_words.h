@@ -41,10 +41,6 @@ inline const Phrase skewed_intervals{"Coverage intervals that are not symmetric 
 inline const Phrase skewed_intervals_and{
     "Coverage intervals that are not symmetric about the estimate: %1; and %2 others."};
 inline const Phrase in_interval{"%1 in %2"};
-inline const Phrase exact{"%1 (exact)"};
-inline const Phrase not_finite{"%1 (U not finite)"};
-inline const Phrase without_k{"without k, because u is not finite"};
-inline const Phrase coverage_interval{"coverage interval %1"};
 inline const Phrase results_of{"%1: %2"};
 inline const Phrase by_law{
     "The standard uncertainty was determined by the law of propagation of uncertainty in accordance with "

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/report/certificate_words.h"
-#include "core/report/comparison_columns.h"
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
+#include "core/views/comparison_columns.h"
 
 namespace covaria {
 namespace {

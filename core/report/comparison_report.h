@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/report/report_document.h"
+#include "core/document/report_document.h"
 #include "core/result/comparison.h"
 #include "core/text/document_language.h"
 

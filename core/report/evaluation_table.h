@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/data_table.h"
-#include "core/report/report_document.h"
+#include "core/document/report_document.h"
 
 namespace covaria {
 

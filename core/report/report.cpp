@@ -131,12 +131,6 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
     return build_report(made, analyses, failed, made.project().report, in);
 }
 
-std::vector<std::string> ids_of(const std::vector<EvaluatedAnalysis>& analyses) {
-    std::vector<std::string> ids;
-    for (const EvaluatedAnalysis& one : analyses) ids.push_back(one.analysis->id);
-    return ids;
-}
-
 std::vector<std::string> reported_analyses(const Project& project) {
     return certified_ids(project);
 }

@@ -1,45 +1,16 @@
-// Builds the report of a project's results, and writes it and the tables in text formats.
+// Builds the report and the certificate of a project out of its results.
 #pragma once
 
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "core/made/made_project.h"
-#include "core/report/report_document.h"
-#include "core/result/comparison.h"
-#include "core/result/design_result.h"
-#include "core/result/study_result.h"
-#include "core/result/uncertainty_result.h"
+#include "core/document/report_document.h"
+#include "core/made/evaluated_analysis.h"
+#include "core/project/report_contents.h"
 #include "core/text/document_language.h"
 
 namespace covaria {
 
-/// Earlier results of an analysis beside those of now.
-struct ResultsBefore {
-    Message words;  ///< where they come from: kept ones, another analysis, a file
-    ResultComparison comparison;
-};
-
-struct EvaluatedAnalysis {
-    std::shared_ptr<const PreparedAnalysis> analysis;
-    std::shared_ptr<const UncertaintyResult> result;
-    std::vector<Message> warnings = {};  ///< of its assets and of its model: `warnings_of`
-    std::vector<std::shared_ptr<const StudyResult>> studies = {};
-    std::vector<std::shared_ptr<const DesignResult>> designs = {};
-    std::shared_ptr<const ResultsBefore> before = {};  ///< null: its report compares with nothing
-};
-
-/// Of these analyses, in their order.
-std::vector<std::string> ids_of(const std::vector<EvaluatedAnalysis>& analyses);
-
-/// An analysis of the project, or a study or design of one, that has no results.
-struct FailedAnalysis {
-    std::string id, name;
-    std::string study = {};  ///< its id, where only the study or design failed
-    Message cause;
-};
 /// What a report is made of.
 struct ReportSource {
     const MadeProject& made;
@@ -47,16 +18,6 @@ struct ReportSource {
     const std::vector<FailedAnalysis>& failed;
     const DocumentLanguage& in = DocumentLanguage::english();  ///< outlives it
 };
-/// What stands beside the results of analyses in results.json.
-struct ResultFile {
-    std::string name;
-    std::vector<std::pair<std::string, std::string>> of;  ///< "analysis": "a", "table": "budget", "group" ...
-};
-struct ResultListing {
-    std::vector<FailedAnalysis> failed = {};
-    std::vector<ResultFile> files = {};
-};
-
 /// Title block, model and references, inputs and origin, asset evaluations, budgets, results, distributions,
 /// scene, correlation, notes, provenance; without the analyses and chapters that `contents` leave out.
 ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
@@ -88,24 +49,5 @@ ReportDocument build_document(DocumentKind kind, const MadeProject& project,
                               const std::vector<EvaluatedAnalysis>& analyses,
                               const std::vector<FailedAnalysis>& failed, bool chosen = false,
                               const DocumentLanguage& in = {});
-
-/// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
-/// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.
-/// `project`: whose requirements are judged.
-std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated);
-/// Of a study: one line per grid point, with the reason where it has no values. The id is "study-ID".
-DataTable study_table(const StudyResult& study);
-/// A study as people read it: axes as they were typed, what is looked at of the outputs, remarks where there
-/// are any. Reads the study when it is asked for cells.
-Table study_view(const StudyResult& study, const DocumentLanguage& in);
-/// The evaluation of each asset; ids start with the asset's.
-std::vector<DataTable> asset_tables(const AssetLibrary& assets);
-
-std::string to_markdown(const ReportDocument& document);  ///< figures as "ID.png" / "ID.svg" beside the file
-std::string to_html(const ReportDocument& document);      ///< one file; figures beside it as in Markdown
-std::string html_body(const std::vector<ReportBlock>& blocks);  ///< what stands between <body> and </body>
-std::string to_csv(const DataTable& table);  ///< RFC 4180, full precision, units in the heads
-std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses,
-                         const ResultListing& listing = {});  ///< DESIGN 9
 
 }  // namespace covaria

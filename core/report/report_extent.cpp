@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/base/name.h"
-#include "core/report/prose.h"
+#include "core/document/prose.h"
 
 namespace covaria::report_parts {
 

@@ -4,13 +4,13 @@
 #include <map>
 
 #include "core/base/name.h"
-#include "core/report/plots.h"
 #include "core/report/report_parts.h"
-#include "core/report/result_columns.h"
-#include "core/report/result_statement.h"
 #include "core/result/representation.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
+#include "core/views/plots.h"
+#include "core/views/result_columns.h"
+#include "core/views/result_statement.h"
 
 namespace covaria::report_parts {
 namespace {

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "core/base/name.h"
-#include "core/report/plots.h"
 #include "core/report/report_parts.h"
-#include "core/report/result_columns.h"
 #include "core/text/numbers.h"
+#include "core/views/plots.h"
+#include "core/views/result_columns.h"
 
 namespace covaria::report_parts {
 namespace {

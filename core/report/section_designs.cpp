@@ -1,11 +1,11 @@
 // Designs in a report: what was asked, what was found, what each row and each target is worth.
 #include <algorithm>
 
-#include "core/report/design_plots.h"
-#include "core/report/design_results.h"
 #include "core/report/evaluation_table.h"
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
+#include "core/views/design_plots.h"
+#include "core/views/design_results.h"
 
 namespace covaria::report_parts {
 

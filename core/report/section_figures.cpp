@@ -3,9 +3,9 @@
 
 #include "core/base/name.h"
 #include "core/model/has_layout.h"
-#include "core/report/plots.h"
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
+#include "core/views/plots.h"
 
 namespace covaria::report_parts {
 

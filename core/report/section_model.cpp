@@ -4,7 +4,7 @@
 
 #include "core/report/evaluation_table.h"
 #include "core/report/report_parts.h"
-#include "core/report/seen_table.h"
+#include "core/views/seen_table.h"
 
 namespace covaria::report_parts {
 namespace {

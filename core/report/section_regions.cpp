@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "core/report/report_parts.h"
-#include "core/report/result_columns.h"
 #include "core/text/numbers.h"
+#include "core/views/result_columns.h"
 
 namespace covaria::report_parts {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "core/report/report_parts.h"
-#include "core/report/result_columns.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
+#include "core/views/result_columns.h"
 
 namespace covaria::report_parts {
 namespace {

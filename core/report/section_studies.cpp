@@ -2,9 +2,10 @@
 #include <algorithm>
 
 #include "core/report/report_parts.h"
-#include "core/report/study_plots.h"
 #include "core/result/representation.h"
 #include "core/text/numbers.h"
+#include "core/views/study_plots.h"
+#include "core/views/study_view.h"
 
 namespace covaria::report_parts {
 

@@ -6,6 +6,7 @@
 #include "core/report/certificate_parts.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
+#include "core/views/result_words.h"
 #include "core/writers/dcc_xml.h"
 #include "core/writers/dsi_values.h"
 #include "core/writers/formats.h"
@@ -183,8 +184,8 @@ private:
         add_name(node, name);
         write_methods(node, result);
         xml_node list = node.append_child("dcc:results");
-        for (const std::string& group : report_parts::measurand_groups(result)) {
-            const auto outputs = report_parts::measurands_of(result, group);
+        for (const std::string& group : result_words::measurand_groups(result)) {
+            const auto outputs = result_words::measurands_of(result, group);
             xml_node one = list.append_child("dcc:result");
             add_name(one, xml_line(group).empty() ? name : xml_line(group));
             auto added = add_quantities(one.append_child("dcc:data"), result, group, outputs,

@@ -5,9 +5,9 @@
 
 #include "core/project/stated_requirements.h"
 #include "core/readers/dsi_unit.h"
-#include "core/report/result_statement.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
+#include "core/views/result_statement.h"
 #include "core/writers/dcc_xml.h"
 
 namespace covaria {

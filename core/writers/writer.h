@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/report/report.h"
+#include "core/made/evaluated_analysis.h"
 
 namespace covaria {
 

@@ -9,7 +9,8 @@
 #include <QSvgGenerator>
 
 #include "core/base/printable.h"
-#include "core/report/plots.h"
+#include "core/result_files/csv_writer.h"
+#include "core/views/plots.h"
 #include "ui/charts/plot_chart.h"
 #include "ui/charts/visible_part.h"
 

@@ -9,7 +9,8 @@
 #include <QRubberBand>
 #include <algorithm>
 
-#include "core/report/plots.h"
+#include "core/result_files/csv_writer.h"
+#include "core/views/plots.h"
 #include "ui/charts/chart_painter.h"
 #include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"

@@ -3,8 +3,8 @@
 #include <QBuffer>
 #include <algorithm>
 
+#include "core/document/document_writers.h"
 #include "core/project/project_file.h"
-#include "core/report/report.h"
 #include "ui/charts/chart_painter.h"
 #include "ui/print/pdf_report.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/document/report_document.h"
 #include "core/pdf/pdf_archive.h"
-#include "core/report/report_document.h"
 #include "ui/print/page_style.h"
 #include "ui/print/report_layout.h"
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/project/stated_requirements.h"
-#include "core/report/component_labels.h"
 #include "core/text/numbers.h"
 #include "core/text/round_numbers.h"
 #include "core/text/symbol.h"
+#include "core/views/component_labels.h"
 #include "ui/document/component_source.h"
 #include "ui/document/setup_address.h"
 #include "ui/forms/complaint.h"

@@ -7,7 +7,7 @@
 #include "core/base/file_io.h"
 #include "core/carried/report_data.h"
 #include "core/made/certificate_gaps.h"
-#include "core/report/result_files.h"
+#include "core/result_files/result_files.h"
 #include "core/writers/writers.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/main_window/shortcut_tip.h"

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <set>
 
-#include "core/report/result_columns.h"
 #include "core/text/head_with_unit.h"
 #include "core/text/symbol.h"
+#include "core/views/result_columns.h"
 #include "ui/document/observation_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/models/cell_blocks.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/report/result_columns.h"
 #include "core/result/uncertainty_result.h"
+#include "core/views/result_columns.h"
 #include "ui/models/column_table_model.h"
 
 namespace covaria::ui {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/report/comparison_columns.h"
+#include "core/views/comparison_columns.h"
 #include "ui/models/roles.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"

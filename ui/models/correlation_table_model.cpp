@@ -4,8 +4,8 @@
 #include <QColor>
 #include <QGuiApplication>
 
-#include "core/report/plots.h"
-#include "core/report/result_columns.h"
+#include "core/views/plots.h"
+#include "core/views/result_columns.h"
 #include "ui/models/roles.h"
 #include "ui/theme/theme.h"
 

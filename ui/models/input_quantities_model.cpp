@@ -3,8 +3,8 @@
 
 #include <QFont>
 
-#include "core/report/result_columns.h"
 #include "core/text/numbers.h"
+#include "core/views/result_columns.h"
 #include "ui/document/quantity_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/models/number_words.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/propagation/requirements.h"
-#include "core/report/result_columns.h"
-#include "core/report/result_statement.h"
+#include "core/views/result_columns.h"
+#include "core/views/result_statement.h"
 #include "ui/models/interval_mark.h"
 #include "ui/models/roles.h"
 #include "ui/theme/document_language.h"

@@ -1,6 +1,6 @@
 #include "ui/models/seen_table_model.h"
 
-#include "core/report/seen_table.h"
+#include "core/views/seen_table.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/report/result_columns.h"
+#include "core/views/result_columns.h"
 
 namespace covaria::ui {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/report/report.h"
 #include "core/result/representation.h"
+#include "core/views/study_view.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/propagation/requirements.h"
-#include "core/report/result_statement.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
+#include "core/views/result_statement.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {

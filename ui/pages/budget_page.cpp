@@ -12,9 +12,9 @@
 #include <array>
 #include <map>
 
-#include "core/report/result_statement.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
+#include "core/views/result_statement.h"
 #include "ui/forms/budget_sheet_view.h"
 #include "ui/forms/complaint.h"
 #include "ui/models/roles.h"

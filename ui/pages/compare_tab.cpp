@@ -12,7 +12,7 @@
 
 #include "core/made/load_project.h"
 #include "core/project/entry_names.h"
-#include "core/report/comparison_columns.h"
+#include "core/views/comparison_columns.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/forms/form_labels.h"

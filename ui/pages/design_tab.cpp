@@ -5,10 +5,11 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "core/report/design_plots.h"
-#include "core/report/design_results.h"
+#include "core/document/document_writers.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
+#include "core/views/design_plots.h"
+#include "core/views/design_results.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/forms/form_labels.h"
 #include "ui/models/number_words.h"

@@ -8,8 +8,8 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "core/document/document_writers.h"
 #include "core/manual/markdown.h"
-#include "core/report/report.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 

@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 
 #include "core/project/stated_requirements.h"
-#include "core/report/plots.h"
 #include "core/text/numbers.h"
+#include "core/views/plots.h"
 #include "ui/charts/chart_view.h"
 #include "ui/document/component_source.h"
 #include "ui/forms/flow_layout.h"

@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/report/seen_plots.h"
-#include "core/report/seen_table.h"
+#include "core/views/seen_plots.h"
+#include "core/views/seen_table.h"
 #include "ui/charts/chart_view.h"
 #include "ui/document/setup_address.h"
 #include "ui/forms/finish_typing.h"

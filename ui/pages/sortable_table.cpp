@@ -11,8 +11,8 @@
 #include <algorithm>
 
 #include "core/project/project_file.h"
-#include "core/report/csv_text.h"
-#include "core/report/report.h"
+#include "core/result_files/csv_text.h"
+#include "core/result_files/csv_writer.h"
 #include "ui/models/cell_blocks.h"
 #include "ui/models/roles.h"
 #include "ui/theme/follow_font.h"

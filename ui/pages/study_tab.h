@@ -6,7 +6,7 @@
 #include <QSlider>
 #include <QWidget>
 
-#include "core/report/study_plots.h"
+#include "core/views/study_plots.h"
 #include "ui/document/inquiry_edits.h"
 #include "ui/document/selection.h"
 #include "ui/models/study_table_model.h"

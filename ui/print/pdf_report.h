@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/document/report_document.h"
 #include "core/pdf/pdf_archive.h"
-#include "core/report/report_document.h"
 #include "ui/print/figure_layout.h"
 #include "ui/print/page_style.h"
 

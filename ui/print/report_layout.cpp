@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/report/prose.h"
+#include "core/document/prose.h"
 #include "core/text/symbol.h"
 #include "ui/print/rich_text.h"
 #include "ui/print/table_layout.h"

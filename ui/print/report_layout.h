@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/report/report_document.h"
+#include "core/document/report_document.h"
 #include "ui/print/figure_layout.h"
 #include "ui/print/flow.h"
 #include "ui/print/page_style.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/report/report_document.h"
+#include "core/document/report_document.h"
 #include "ui/print/flow.h"
 #include "ui/print/page_style.h"
 

@@ -1,5 +1,6 @@
 // Designs whose best is known exactly, searched from many starts; rows against all choices; constraints.
 #include "core/design/design.h"
+#include "core/result_files/design_json.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,8 @@
 
 #include "core/base/file_io.h"
 #include "core/made/load_project.h"
-#include "core/report/design_results.h"
 #include "core/text/numbers.h"
+#include "core/views/design_results.h"
 #include "tests/core/made.h"
 #include "tests/fresh_folder.h"
 

@@ -8,7 +8,7 @@
 
 #include "core/design/cheapest_reductions.h"
 #include "core/design/design.h"
-#include "core/report/design_results.h"
+#include "core/views/design_results.h"
 #include "tests/core/made.h"
 
 namespace covaria::reductions_test {

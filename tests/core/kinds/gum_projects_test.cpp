@@ -10,7 +10,7 @@
 #include "core/base/resource_path.h"
 #include "core/made/load_project.h"
 #include "core/project/project_file.h"
-#include "core/report/verification.h"
+#include "core/verification/verification.h"
 #include "tests/core/made.h"
 
 namespace covaria::gum_projects_test {

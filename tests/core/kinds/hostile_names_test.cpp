@@ -5,10 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/resource_path.h"
+#include "core/document/document_writers.h"
 #include "core/project/csv_reader.h"
 #include "core/project/project_file.h"
 #include "core/propagation/engine.h"
 #include "core/report/report.h"
+#include "core/result_files/csv_writer.h"
+#include "core/result_files/result_tables.h"
+#include "core/result_files/results_json.h"
 #include "tests/core/made.h"
 
 namespace covaria::hostile_names_test {

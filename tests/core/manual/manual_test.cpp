@@ -1,5 +1,6 @@
 // The manual is whole: every page, field and picture is in it, and every link goes somewhere.
 #include "core/manual/manual.h"
+#include "core/document/document_writers.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +10,10 @@
 #include <set>
 
 #include "core/base/resource_path.h"
+#include "core/document/prose.h"
 #include "core/kinds/registries.h"
 #include "core/manual/help_page.h"
 #include "core/manual/markdown.h"
-#include "core/report/prose.h"
-#include "core/report/report.h"
 
 namespace covaria::manual_test {
 

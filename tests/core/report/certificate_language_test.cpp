@@ -4,9 +4,10 @@
 #include <regex>
 #include <set>
 
+#include "core/document/document_writers.h"
 #include "core/report/certificate_words.h"
 #include "core/report/report.h"
-#include "core/report/result_statement.h"
+#include "core/views/result_statement.h"
 #include "tests/core/report/sample_report.h"
 #include "tests/core/report/shown_cells.h"
 

@@ -2,11 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file_io.h"
+#include "core/document/document_writers.h"
 #include "core/project/stated_requirements.h"
 #include "core/report/date_words.h"
 #include "core/report/report.h"
-#include "core/report/result_statement.h"
 #include "core/result/result_line.h"
+#include "core/views/result_statement.h"
 #include "tests/core/report/sample_report.h"
 #include "tests/core/report/shown_cells.h"
 #include "tests/fresh_folder.h"

@@ -1,15 +1,16 @@
 // Results before and after against figures computed by hand: u_c^2 of x goes from 16 + 9 = 25 um^2 to
 // 36 + 9 = 45 um^2.
-#include "core/report/comparison_columns.h"
+#include "core/document/document_writers.h"
+#include "core/result_files/csv_writer.h"
+#include "core/views/comparison_columns.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/report/comparison_report.h"
-#include "core/report/report.h"
 #include "tests/core/report/compared_sample.h"
-#include "tests/core/report/plot_sample.h"
+#include "tests/core/views/plot_sample.h"
 
 namespace covaria::comparison_test {
 namespace {

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
-#include "core/report/design_plots.h"
-#include "core/report/design_results.h"
+#include "core/document/document_writers.h"
 #include "core/report/evaluation_table.h"
 #include "core/report/report.h"
+#include "core/result_files/csv_writer.h"
+#include "core/views/design_plots.h"
+#include "core/views/design_results.h"
 #include "tests/core/report/sample_report.h"
 #include "tests/core/report/shown_cells.h"
 

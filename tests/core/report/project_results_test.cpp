@@ -1,6 +1,10 @@
 // What a project states for all its results: units and digits change no number, k does where an analysis
 // states none.
 #include "core/project/project_results.h"
+#include "core/document/document_writers.h"
+#include "core/result_files/csv_writer.h"
+#include "core/result_files/result_tables.h"
+#include "core/result_files/results_json.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/document/document_writers.h"
 #include "core/made/load_project.h"
 #include "core/made/made_project.h"
 #include "core/project/project_file.h"

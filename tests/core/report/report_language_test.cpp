@@ -6,13 +6,14 @@
 #include <set>
 
 #include "core/base/name.h"
+#include "core/document/document_writers.h"
 #include "core/quantity/distribution.h"
-#include "core/report/comparison_columns.h"
 #include "core/report/comparison_report.h"
-#include "core/report/design_results.h"
 #include "core/report/report.h"
-#include "core/report/result_columns.h"
 #include "core/text/symbol.h"
+#include "core/views/comparison_columns.h"
+#include "core/views/design_results.h"
+#include "core/views/result_columns.h"
 #include "tests/core/report/compared_sample.h"
 #include "tests/core/report/sample_report.h"
 #include "tests/core/report/shown_cells.h"

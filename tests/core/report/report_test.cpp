@@ -1,5 +1,9 @@
 // The report document: all sections in order, readable with many groups, and its Markdown and HTML.
 #include "core/report/report.h"
+#include "core/document/document_writers.h"
+#include "core/result_files/csv_writer.h"
+#include "core/result_files/result_tables.h"
+#include "core/result_files/results_json.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +13,11 @@
 
 #include "core/project/stated_requirements.h"
 #include "core/report/evaluation_table.h"
-#include "core/report/plots.h"
-#include "core/report/result_columns.h"
-#include "core/report/result_statement.h"
 #include "core/result/representation.h"
 #include "core/text/symbol.h"
+#include "core/views/plots.h"
+#include "core/views/result_columns.h"
+#include "core/views/result_statement.h"
 #include "tests/core/report/sample_report.h"
 #include "tests/core/report/shown_cells.h"
 

@@ -1,6 +1,7 @@
 // Names of quantities in the tables of a set-up are symbols in the report, as they are in its other tables.
 #include <gtest/gtest.h>
 
+#include "core/document/document_writers.h"
 #include "core/made/load_project.h"
 #include "core/made/made_project.h"
 #include "core/project/kind_lookup.h"

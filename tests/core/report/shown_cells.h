@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/report/report_document.h"
+#include "core/document/report_document.h"
 
 namespace covaria::test {
 

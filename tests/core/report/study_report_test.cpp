@@ -4,9 +4,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/report/plots.h"
+#include "core/document/document_writers.h"
 #include "core/report/report.h"
-#include "core/report/study_plots.h"
+#include "core/result_files/csv_writer.h"
+#include "core/result_files/result_tables.h"
+#include "core/result_files/results_json.h"
+#include "core/views/plots.h"
+#include "core/views/study_plots.h"
 #include "tests/core/report/sample_report.h"
 
 namespace covaria::study_report_test {

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/report/plots.h"
-#include "tests/core/report/plot_sample.h"
+#include "core/views/plots.h"
+#include "tests/core/views/plot_sample.h"
 #include "ui/charts/chart_painter.h"
 
 namespace covaria::ui::test {

@@ -3,6 +3,7 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include "core/result_files/csv_writer.h"
 #include "tests/ui/charts/chart_test.h"
 #include "ui/charts/chart_layout.h"
 #include "ui/theme/fonts.h"

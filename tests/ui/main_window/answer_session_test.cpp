@@ -5,8 +5,8 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "core/report/result_statement.h"
 #include "core/text/numbers.h"
+#include "core/views/result_statement.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/document/project_edits.h"
 #include "ui/pages/answer_strip.h"

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "core/document/document_writers.h"
 #include "core/report/report.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QLineEdit>
 
+#include "core/document/document_writers.h"
 #include "core/report/report.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/forms/lines_editor.h"

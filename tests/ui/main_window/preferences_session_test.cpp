@@ -8,7 +8,9 @@
 #include <QRegularExpression>
 #include <QSpinBox>
 
+#include "core/document/document_writers.h"
 #include "core/report/report.h"
+#include "core/result_files/results_json.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/requirements_form.h"

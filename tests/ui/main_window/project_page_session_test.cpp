@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QMenu>
 
-#include "core/report/report.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/models/roles.h"
 #include "ui/pages/sortable_table.h"

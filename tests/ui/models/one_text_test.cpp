@@ -6,7 +6,9 @@
 
 #include "core/made/load_project.h"
 #include "core/report/report_parts.h"
-#include "core/report/result_columns.h"
+#include "core/report/table_builder.h"
+#include "core/views/result_columns.h"
+#include "core/views/result_words.h"
 #include "tests/core/shipped_projects.h"
 #include "ui/models/budget_table_model.h"
 
@@ -64,7 +66,7 @@ std::size_t expect_budgets_alike(const MadeProject& made, const EvaluatedAnalysi
         window.set_result(evaluated.result, output, true);
         const OutputQuantity& quantity = result.outputs[output].quantity;
         const std::string id = "budget-" + evaluated.analysis->id + "-" +
-                               report_parts::id_part(quantity.symbol + " " + quantity.group);
+                               result_words::id_part(quantity.symbol + " " + quantity.group);
         for (const ReportBlock& block : report.blocks) {
             const auto* print = std::get_if<TableBlock>(&block);
             if (!print || print->table.id != id) continue;

@@ -5,8 +5,8 @@
 #include <QSortFilterProxyModel>
 #include <algorithm>
 
-#include "core/report/report.h"
-#include "core/report/result_columns.h"
+#include "core/result_files/csv_writer.h"
+#include "core/views/result_columns.h"
 #include "tests/ui/qt_application.h"
 #include "ui/models/budget_table_model.h"
 #include "ui/models/cell_blocks.h"

@@ -1,0 +1,15 @@
+// Tables and charts as CSV (RFC 4180): full precision, units in the heads.
+#pragma once
+
+#include <string>
+
+#include "core/base/data_table.h"
+#include "core/text/plot_specification.h"
+
+namespace covaria {
+
+std::string to_csv(const DataTable& table);
+/// The numbers of a chart, a table of each series below the one before.
+std::string plot_csv(const PlotSpecification& plot);
+
+}  // namespace covaria

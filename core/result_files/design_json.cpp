@@ -1,0 +1,78 @@
+#include "core/result_files/design_json.h"
+
+#include <cctype>
+#include <optional>
+
+#include "core/base/version.h"
+#include "core/result_files/json_values.h"
+#include "core/views/design_results.h"
+
+namespace covaria {
+namespace {
+
+OrderedJson cell_json(const TableCell& cell, const Unit& unit) {
+    if (const auto* number = std::get_if<double>(&cell)) return json_number(unit.from_si(*number));
+    if (const auto* quantity = std::get_if<Quantity>(&cell)) return json_number(quantity->value);
+    if (!std::holds_alternative<std::monostate>(cell)) return english_of(cell);
+    return nullptr;
+}
+
+/// "U by Monte Carlo" -> "UByMonteCarlo"; x in mm -> "xMm".
+std::string key_of(const TableColumn& column) {
+    const std::string head = column.header + (column.unit == Unit{} ? "" : " " + column.unit.text());
+    std::string key;
+    bool capital = false;
+    for (const char c : head) {
+        if (!std::isalnum(static_cast<unsigned char>(c))) {
+            capital = true;
+            continue;
+        }
+        key += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        capital = false;
+    }
+    return key;
+}
+
+OrderedJson optional_json(const std::optional<double>& number) {
+    return number ? json_number(*number) : OrderedJson(nullptr);
+}
+
+}  // namespace
+
+std::string design_json(const DesignResult& result) {
+    OrderedJson json{{"format", "covaria-design"},
+                     {"schemaVersion", 1},
+                     {"covariaVersion", version()},
+                     {"analysis", result.analysis},
+                     {"id", result.id},
+                     {"name", result.name},
+                     {"fingerprint", result.fingerprint},
+                     {"seed", std::to_string(result.seed)},
+                     {"objective", result.objective_words},
+                     {"found", result.found},
+                     {"met", result.met()},
+                     {"proved", result.proved},
+                     {"before", optional_json(result.before)},
+                     {"whyNotBefore", result.why_not_before.english()},
+                     {"best", result.found ? json_number(result.objective) : OrderedJson(nullptr)},
+                     {"cost", optional_json(result.cost)},
+                     {"candidates", result.candidates},
+                     {"evaluations", result.evaluations},
+                     {"trials", result.trials},
+                     {"failedTrials", result.failed_trials},
+                     {"notVerified", result.not_verified.english()},
+                     {"coverageProbability", result.coverage_probability}};
+    for (const DataTable& table : design_tables(result)) {
+        OrderedJson rows = OrderedJson::array();
+        for (const auto& cells : table.rows) {
+            OrderedJson row = OrderedJson::object();
+            for (std::size_t c = 0; c < cells.size(); ++c)
+                row[key_of(table.columns[c])] = cell_json(cells[c], table.columns[c].unit);
+            rows.push_back(std::move(row));
+        }
+        json[table.id] = std::move(rows);
+    }
+    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
+}  // namespace covaria

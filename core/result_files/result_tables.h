@@ -1,0 +1,27 @@
+// The tables of one analysis as CSV files, one after the other.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/data_table.h"
+#include "core/made/evaluated_analysis.h"
+
+namespace covaria {
+
+/// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
+/// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.
+/// `project`: whose requirements are judged.
+std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated);
+/// Of a study: one line per grid point, with the reason where it has no values. The id is "study-ID".
+DataTable study_table(const StudyResult& study);
+/// The evaluation of each asset; ids start with the asset's.
+std::vector<DataTable> asset_tables(const AssetLibrary& assets);
+
+/// take(id, CSV) of each of `result_tables`, made and given away before the next: of hundreds of points they
+/// take some gigabytes together.
+void each_result_file(const Project& project, const EvaluatedAnalysis& evaluated,
+                      const std::function<void(const std::string&, const std::string&)>& take);
+
+}  // namespace covaria

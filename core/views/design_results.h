@@ -1,0 +1,21 @@
+// What the search for a design found, as tables and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/data_table.h"
+#include "core/result/design_result.h"
+
+namespace covaria {
+
+/// "outputs", and as far as there are any "values", "rows", "gains", "sources", "curve", "front", "path",
+/// "reasons"; full precision.
+std::vector<DataTable> design_tables(const DesignResult& result);
+/// Of those what people read of a design: rounded, without the way of the search and without columns that say
+/// nothing.
+std::vector<DataTable> readable_design_tables(const DesignResult& result);
+/// What people read on a terminal.
+std::string design_text(const DesignResult& result);
+
+}  // namespace covaria
