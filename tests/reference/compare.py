@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
+
 try:
     import mpmath as mp
 except ImportError:
@@ -19,9 +21,10 @@ except ImportError:
 
 import equations
 import first_order
+import poses
 from units import factor, zero
 
-MODELS = {"measurement-equation": equations.evaluate}
+MODELS = {"measurement-equation": equations.evaluate, "pose-from-points": poses.evaluate}
 BOUND = mp.mpf("1e-9")
 
 
