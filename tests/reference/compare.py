@@ -21,10 +21,12 @@ except ImportError:
 
 import equations
 import first_order
+import networks
 import poses
 from units import factor, zero
 
-MODELS = {"measurement-equation": equations.evaluate, "pose-from-points": poses.evaluate}
+MODELS = {"measurement-equation": lambda entry, *_: equations.evaluate(entry), "pose-from-points": lambda entry, *_: poses.evaluate(entry),
+          "network-adjustment": networks.evaluate}
 BOUND = mp.mpf("1e-9")
 
 
@@ -61,7 +63,7 @@ def main(program, projects):
                 left_out.append(f"{name}: {entry['model']}{' with links or edits' if entry['model'] in MODELS else ''}")
                 continue
             try:
-                defined, inputs = MODELS[entry["model"]](entry)
+                defined, inputs = MODELS[entry["model"]](entry, pathlib.Path(project).parent, analysis)
             except NotImplementedError as what:
                 left_out.append(f"{name}: {what}")
                 continue
