@@ -19,14 +19,16 @@ try:
 except ImportError:
     sys.exit(77)
 
+import curves
 import equations
 import first_order
+import groups
 import networks
 import poses
 from units import factor, zero
 
 MODELS = {"measurement-equation": lambda entry, *_: equations.evaluate(entry), "pose-from-points": lambda entry, *_: poses.evaluate(entry),
-          "network-adjustment": networks.evaluate}
+          "network-adjustment": networks.evaluate, "calibration-curve": curves.evaluate, "observations-in-groups": groups.evaluate}
 BOUND = mp.mpf("1e-9")
 
 
@@ -46,7 +48,8 @@ def differences(output, computed, inputs):
         yield "u", relative(mp.mpf(repr(first["standardUncertainty"])) * factor(unit), u)
     nu = first.get("effectiveDegreesOfFreedom")
     if nu is not None and not inputs.correlation:
-        yield "nu_eff", relative(mp.mpf(repr(nu)), first_order.effective_degrees_of_freedom(computed.g, inputs))
+        own = getattr(inputs, "nu", None) or first_order.effective_degrees_of_freedom(computed.g, inputs)
+        yield "nu_eff", relative(mp.mpf(repr(nu)), own)
 
 
 def main(program, projects):
