@@ -92,19 +92,20 @@ ReportDocument build_document(DocumentKind kind, const MadeProject& project,
 /// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
 /// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.
 /// `project`: whose requirements are judged.
-std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated);
+std::vector<Table> result_tables(const Project& project, const EvaluatedAnalysis& evaluated);
 /// Of a study: one line per grid point, with the reason where it has no values. The id is "study-ID".
-DataTable study_table(const StudyResult& study);
+Table study_table(const StudyResult& study);
 /// A study as people read it: axes as they were typed, what is looked at of the outputs, remarks where there
 /// are any. Reads the study when it is asked for cells.
 Table study_view(const StudyResult& study, const DocumentLanguage& in);
 /// The evaluation of each asset; ids start with the asset's.
-std::vector<DataTable> asset_tables(const AssetLibrary& assets);
+std::vector<Table> asset_tables(const AssetLibrary& assets);
 
 std::string to_markdown(const ReportDocument& document);  ///< figures as "ID.png" / "ID.svg" beside the file
 std::string to_html(const ReportDocument& document);      ///< one file; figures beside it as in Markdown
 std::string html_body(const std::vector<ReportBlock>& blocks);  ///< what stands between <body> and </body>
-std::string to_csv(const DataTable& table);  ///< RFC 4180, full precision, units in the heads
+/// RFC 4180, full precision, units in the heads.
+std::string to_csv(const Table& table, const DisplayUnits& units = {});
 std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses,
                          const ResultListing& listing = {});  ///< DESIGN 9
 
