@@ -112,7 +112,7 @@ Result<void> write_out(const CompareArguments& arguments, const ReportDocument& 
     if (auto made = make_output_folder(folder); !made) return made;
     auto written = write_file_atomically(folder / "comparison.md", text);
     for (const ComparedAnalysis& one : compared)
-        for (const DataTable& table : comparison_tables(one))
+        for (const Table& table : comparison_tables(one))
             if (written) written = write_file_atomically(folder / (table.id + ".csv"), to_csv(table));
     return written;
 }

@@ -67,7 +67,7 @@ Result<void> write_files(const DesignArguments& arguments, const DesignResult& r
     if (auto made = make_output_folder(folder); !made) return made;
     const std::string stem = "design-" + file_name_part(result.analysis) + "-" + file_name_part(result.id);
     auto written = write_file_atomically(folder / (stem + ".json"), design_json(result));
-    for (const DataTable& table : design_tables(result))
+    for (const Table& table : design_tables(result))
         if (written)
             written = write_file_atomically(folder / (stem + "-" + table.id + ".csv"), to_csv(table));
     return written;

@@ -214,11 +214,12 @@ bool say_tables(TextList& list) {
     return true;
 }
 
-void say_tables_for_reading(TextList& list, const std::vector<DataTable>& tables) {
-    for (const DataTable& table : tables) {
+void say_tables_for_reading(TextList& list, const std::vector<Table>& tables) {
+    for (const Table& table : tables) {
         list.say("Title of a table", table.title);
-        for (const TableColumn& column : table.columns)
-            if (!column.is_symbol) list.say("Head of a column", column.header);
+        for (const Column& column : table.columns)
+            for (const std::string& head : {column.key, column.head})
+                if (!column.is_symbol && !head.empty()) list.say("Head of a column", head);
     }
 }
 

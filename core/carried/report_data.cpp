@@ -115,7 +115,7 @@ private:
         ResultListing listing{content_.failed, {}};
         std::vector<AttachedFile> budgets;
         for (const EvaluatedAnalysis& one : content_.analyses)
-            for (const DataTable& table : result_tables(content_.made.project(), one)) {
+            for (const Table& table : result_tables(content_.made.project(), one)) {
                 if (table.id != "budget") continue;
                 std::string name = names_.unique(file_name_part(one.analysis->id + "-budget"), ".csv");
                 while (taken_.contains(name))

@@ -75,6 +75,10 @@ struct TableBlock {
     Table table;
     TableView view = {};
 };
+/// A table of a model, an asset or a design.
+inline TableBlock evaluation_block(Table table, const DocumentLanguage& in) {
+    return {evaluation_table(std::move(table), in), {{}, 2, in}};
+}
 struct PlotBlock {
     PlotSpecification plot;
     std::string caption;

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/base/error.h"
 #include "core/model/capability.h"
 #include "core/model/layout.h"
 #include "core/setup/setup_schema.h"
 #include "core/text/plot_specification.h"
+#include "core/text/table.h"
 
 namespace covaria {
 
@@ -31,7 +31,7 @@ public:
     const std::vector<const Capability*>& capabilities() const { return capabilities_; }
     /// The asset's own evaluation as tables (budget of calibration, temperature, variability, bias;
     /// observations ...).
-    virtual std::vector<DataTable> evaluation() const { return {}; }
+    virtual std::vector<Table> evaluation() const { return {}; }
     /// The same as charts; ids are unique in the asset.
     virtual std::vector<PlotSpecification> figures() const { return {}; }
     /// What to draw when the asset itself is looked at.

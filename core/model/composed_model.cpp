@@ -95,8 +95,8 @@ std::size_t ComposedModel::count_restated_links(std::span<const double> x) const
         }));
 }
 
-std::vector<DataTable> ComposedModel::evaluation() const {
-    std::vector<DataTable> tables = last().model->evaluation();
+std::vector<Table> ComposedModel::evaluation() const {
+    std::vector<Table> tables = last().model->evaluation();
     if (tables.empty() || restated_links_ == 0) return tables;
     tables.front().notes.push_back(tell<"From the set-up as it is stated. Values and uncertainties that "
                                         "other analyses give (%1 quantities) "

@@ -56,7 +56,7 @@ public:
     Layout layout(std::span<const double> x) const override;
     std::vector<ModelEquation> formulas() const override { return last().model->formulas(); }
     /// Of its set-up as it is stated, which the first table says.
-    std::vector<DataTable> evaluation() const override;
+    std::vector<Table> evaluation() const override;
     std::vector<PlotSpecification> figures() const override { return last().model->figures(); }
 
     const std::vector<ChainPart>& parts() const { return parts_; }

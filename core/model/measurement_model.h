@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/model/layout.h"
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
 #include "core/text/formula.h"
 #include "core/text/plot_specification.h"
+#include "core/text/table.h"
 
 namespace covaria {
 
@@ -79,7 +79,7 @@ public:
     virtual std::vector<ModelEquation> formulas() const { return {}; }
 
     /// What the model can say about its set-up beside the outputs, as tables (residuals, redundancy ...).
-    virtual std::vector<DataTable> evaluation() const { return {}; }
+    virtual std::vector<Table> evaluation() const { return {}; }
     /// The same as charts; ids are unique in the model.
     virtual std::vector<PlotSpecification> figures() const { return {}; }
 

@@ -215,18 +215,17 @@ void report_parts::add_before(Blocks& blocks, const EvaluatedAnalysis& evaluated
     add_figures(blocks, evaluated, chapter.with_budgets(), in);
 }
 
-std::vector<DataTable> comparison_tables(const ComparedAnalysis& analysis) {
+std::vector<Table> comparison_tables(const ComparedAnalysis& analysis) {
     const ResultComparison& comparison = analysis.comparison;
-    DataTable results = data_table(compared_results_table(comparison));
+    Table results = compared_results_table(comparison);
     std::vector<ComparedPlace> places;
     for (std::size_t i = 0; i < comparison.outputs.size(); ++i)
         for (ComparedPlace& place : compared_places(comparison, i)) places.push_back(std::move(place));
-    Table budget = compared_budget_table(comparison, std::move(places));
-    for (Column& column : budget.columns) column.unit.reset();  // the rows say it
-    DataTable changes = data_table(budget);
+    Table changes = compared_budget_table(comparison, std::move(places));
+    for (Column& column : changes.columns) column.unit.reset();  // the rows say it
     results.id = analysis.id + "-" + results.id;
     changes.id = analysis.id + "-" + changes.id;
-    return {std::move(results), std::move(changes)};
+    return {file_table(results), file_table(changes)};
 }
 
 }  // namespace covaria

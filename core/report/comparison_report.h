@@ -26,6 +26,6 @@ ReportDocument build_comparison(const ComparedSides& sides, const std::vector<Co
                                 const DocumentLanguage& in = {});
 
 /// Everything of one analysis for CSV: "ID-compared-results" and "ID-compared-budget".
-std::vector<DataTable> comparison_tables(const ComparedAnalysis& analysis);
+std::vector<Table> comparison_tables(const ComparedAnalysis& analysis);
 
 }  // namespace covaria

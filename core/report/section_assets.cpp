@@ -1,5 +1,4 @@
 // Evaluations of the artefacts, instruments and other assets an analysis uses.
-#include "core/report/evaluation_table.h"
 #include "core/report/report_parts.h"
 
 namespace covaria::report_parts {
@@ -11,8 +10,7 @@ void add_asset(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     const AssetEntry* typed = source.made.project().find_asset(id);
     if (typed) add_paragraphs(blocks, typed->notes);
     if (typed && entry.descriptor) add_setup_fields(blocks, entry.descriptor->schema, typed->setup, source);
-    for (const DataTable& table : entry.asset->evaluation())
-        blocks.push_back(evaluation_block(table, source.in));
+    for (const Table& table : entry.asset->evaluation()) blocks.push_back(evaluation_block(table, source.in));
     for (PlotSpecification& plot : entry.asset->figures()) {
         plot.id = id + "-" + plot.id;
         blocks.push_back(titled_figure(source.in.say_plot(std::move(plot)), evaluated));

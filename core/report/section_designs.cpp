@@ -1,7 +1,6 @@
 // Designs in a report: what was asked, what was found, what each row and each target is worth.
 #include <algorithm>
 
-#include "core/report/evaluation_table.h"
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
 #include "core/views/design_plots.h"
@@ -70,8 +69,8 @@ void add_designs(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
     for (const auto& design : evaluated.designs) {
         blocks.push_back(HeadingBlock{3, design->name});
         blocks.push_back(ParagraphBlock{what_was_found(*design, in)});
-        for (DataTable& table : readable_design_tables(*design)) {
-            if (table.rows.size() > most_printed) continue;
+        for (Table& table : readable_design_tables(*design)) {
+            if (table.rows > most_printed) continue;
             table.id = "design-" + design->id + "-" + table.id;
             TableBlock block = evaluation_block(table, in);
             block.table.title = design->name + ": " + block.table.title;

@@ -2,7 +2,6 @@
 // the model (help, `covaria describe`).
 #include <algorithm>
 
-#include "core/report/evaluation_table.h"
 #include "core/report/report_parts.h"
 #include "core/views/seen_table.h"
 
@@ -37,12 +36,12 @@ void add_models(Blocks& blocks, const ReportSource& source) {
 
 void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     if (!evaluated.analysis->model) return;
-    const std::vector<DataTable> tables = evaluated.analysis->model->evaluation();
+    const std::vector<Table> tables = evaluated.analysis->model->evaluation();
     std::vector<PlotSpecification> plots = evaluated.analysis->model->figures();
     const auto redundant = evaluated.analysis->model->redundant_readings();
     if (tables.empty() && plots.empty() && !redundant) return;
     blocks.push_back(HeadingBlock{2, in.say(tell<"Evaluation of the set-up">())});
-    for (const DataTable& table : tables) blocks.push_back(evaluation_block(table, in));
+    for (const Table& table : tables) blocks.push_back(evaluation_block(table, in));
     if (redundant) {
         Table seen = seen_table(*redundant, evidence::see(*redundant), in);
         for (Message& note : seen.notes) note = Message(in.say(note));

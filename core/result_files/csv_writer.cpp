@@ -1,61 +1,56 @@
 // CSV (RFC 4180): full precision, units in the heads, or in a column of their own where rows differ.
+#include "core/result_files/csv_writer.h"
+
 #include "core/result_files/csv_text.h"
 #include "core/text/numbers.h"
 
 namespace covaria {
 namespace {
 
-std::string exact_cell(const TableCell& cell, const TableColumn& column) {
-    if (const auto* value = std::get_if<double>(&cell)) return format_exact(column.unit.from_si(*value));
-    if (const auto* quantity = std::get_if<Quantity>(&cell)) return format_exact(quantity->value);
-    return csv_text(english_of(cell));
+/// A cell, and the unit of its number behind it where `with_unit`.
+std::string exact_cell(const Cell& cell, const DisplayUnits& units, bool with_unit) {
+    const auto number = exact_quantity(cell, units);
+    return (number ? format_exact(number->value) : csv_text(english_of(cell, units))) +
+           (with_unit ? "," + (number ? csv_text(number->unit.text()) : std::string()) : std::string());
 }
 
-bool has_unit_column(const DataTable& table) {
-    for (const TableColumn& column : table.columns)
-        if (column.header == "unit") return true;
-    return false;
+Unit unit_of_head(const Column& column, const DisplayUnits& units) {
+    return column.unit ? units.of(*column.unit) : Unit{};
 }
 
-/// Whether quantities of the column have units that neither the head nor a "unit" column gives.
-bool needs_units(const DataTable& table, std::size_t column) {
-    if (has_unit_column(table)) return false;
-    for (const auto& row : table.rows) {
-        if (column >= row.size()) continue;
-        const auto* quantity = std::get_if<Quantity>(&row[column]);
-        if (quantity && !(quantity->unit == table.columns[column].unit)) return true;
+/// Whether numbers of the column have units that the head does not give.
+bool needs_units(const Table& table, const Column& column, const DisplayUnits& units) {
+    const Unit of_head = unit_of_head(column, units);
+    for (std::size_t row = 0; row < table.rows; ++row) {
+        const auto number = exact_quantity(column.cell(row), units);
+        if (number && !(number->unit == of_head)) return true;
     }
     return false;
-}
-
-std::string unit_cell(const std::vector<TableCell>& row, std::size_t column) {
-    if (column >= row.size()) return {};
-    const auto* quantity = std::get_if<Quantity>(&row[column]);
-    return quantity ? csv_text(quantity->unit.text()) : "";
-}
-
-std::string head_line(const DataTable& table, const std::vector<bool>& with_units) {
-    std::string line;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-        const TableColumn& column = table.columns[c];
-        const std::string unit = with_units[c] ? "" : column.unit.text();
-        line += (c ? "," : "") + csv_text(csv_head(column.header, unit));
-        if (with_units[c]) line += "," + csv_text(column.header + " unit");
-    }
-    return line + "\r\n";
 }
 
 }  // namespace
 
-std::string to_csv(const DataTable& table) {
-    std::vector<bool> with_units;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) with_units.push_back(needs_units(table, c));
-    std::string out = head_line(table, with_units);
-    for (const auto& row : table.rows) {
-        for (std::size_t c = 0; c < table.columns.size(); ++c) {
-            out += (c ? "," : "") + (c < row.size() ? exact_cell(row[c], table.columns[c]) : "");
-            if (with_units[c]) out += "," + unit_cell(row, c);
-        }
+std::string to_csv(const Table& table, const DisplayUnits& units) {
+    struct Written {
+        const Column* column;
+        bool with_units;
+    };
+    const Column* of_units = table.find("unit");
+    const bool rows_say_units = of_units && of_units->in_files;
+    std::vector<Written> columns;
+    std::string out;
+    for (const Column& column : table.columns) {
+        if (!column.in_files) continue;
+        const bool with_units = !rows_say_units && needs_units(table, column, units);
+        const std::string unit = with_units ? "" : unit_of_head(column, units).text();
+        out += (columns.empty() ? "" : ",") + csv_text(csv_head(column.key, unit));
+        if (with_units) out += "," + csv_text(column.key + " unit");
+        columns.push_back({&column, with_units});
+    }
+    out += "\r\n";
+    for (std::size_t row = 0; row < table.rows; ++row) {
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            out += (c ? "," : "") + exact_cell(columns[c].column->cell(row), units, columns[c].with_units);
         out += "\r\n";
     }
     return out;

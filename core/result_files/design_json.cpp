@@ -5,21 +5,21 @@
 
 #include "core/base/version.h"
 #include "core/result_files/json_values.h"
+#include "core/text/cell.h"
 #include "core/views/design_results.h"
 
 namespace covaria {
 namespace {
 
-OrderedJson cell_json(const TableCell& cell, const Unit& unit) {
-    if (const auto* number = std::get_if<double>(&cell)) return json_number(unit.from_si(*number));
-    if (const auto* quantity = std::get_if<Quantity>(&cell)) return json_number(quantity->value);
-    if (!std::holds_alternative<std::monostate>(cell)) return english_of(cell);
-    return nullptr;
+OrderedJson cell_json(const Cell& cell) {
+    if (const auto number = number_in(cell)) return json_number(*number);
+    return std::holds_alternative<std::monostate>(cell) ? OrderedJson(nullptr)
+                                                        : OrderedJson(english_of(cell));
 }
 
 /// "U by Monte Carlo" -> "UByMonteCarlo"; x in mm -> "xMm".
-std::string key_of(const TableColumn& column) {
-    const std::string head = column.header + (column.unit == Unit{} ? "" : " " + column.unit.text());
+std::string key_of(const Column& column) {
+    const std::string head = column.key + (column.unit ? " " + column.unit->text() : "");
     std::string key;
     bool capital = false;
     for (const char c : head) {
@@ -62,12 +62,11 @@ std::string design_json(const DesignResult& result) {
                      {"failedTrials", result.failed_trials},
                      {"notVerified", result.not_verified.english()},
                      {"coverageProbability", result.coverage_probability}};
-    for (const DataTable& table : design_tables(result)) {
+    for (const Table& table : design_tables(result)) {
         OrderedJson rows = OrderedJson::array();
-        for (const auto& cells : table.rows) {
+        for (std::size_t r = 0; r < table.rows; ++r) {
             OrderedJson row = OrderedJson::object();
-            for (std::size_t c = 0; c < cells.size(); ++c)
-                row[key_of(table.columns[c])] = cell_json(cells[c], table.columns[c].unit);
+            for (const Column& column : table.columns) row[key_of(column)] = cell_json(column.cell(r));
             rows.push_back(std::move(row));
         }
         json[table.id] = std::move(rows);

@@ -44,8 +44,7 @@ Result<void> write_result_files(const std::filesystem::path& folder, const MadeP
         each_result_file(made.project(), one, [&](const std::string& id, const std::string& csv) {
             files.add(one.analysis->id, one.analysis->id + "-" + id, id, csv);
         });
-    for (const DataTable& table : asset_tables(made.assets()))
-        files.add("", table.id, table.id, to_csv(table));
+    for (const Table& table : asset_tables(made.assets())) files.add("", table.id, table.id, to_csv(table));
     if (!files.written) return files.written;
     return write_file_atomically(folder / "results.json", results_json(made.project(), analyses, listing));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include "core/project/stated_requirements.h"
 #include "core/result/result_line.h"
@@ -17,11 +18,9 @@ namespace {
 
 using namespace result_words;
 
-DataTable table_with(const std::string& id, const std::string& title, const std::vector<std::string>& heads) {
-    DataTable table;
-    table.id = id;
-    table.title = title;
-    for (const std::string& head : heads) table.columns.push_back({head, {}, false, 0});
+Table table_with(const std::string& id, const std::string& title, const std::vector<std::string>& heads) {
+    Table table{id, title};
+    for (const std::string& head : heads) table.add(head);
     return table;
 }
 
@@ -37,13 +36,13 @@ std::size_t outputs_with_budget(const UncertaintyResult& result) {
     return std::min(result.budget.rows.size(), result.outputs.size());
 }
 
-DataTable budget_at(const UncertaintyResult& result, std::vector<BudgetPlace> places) {
+Table budget_at(const UncertaintyResult& result, std::vector<BudgetPlace> places) {
     Table table = budget_table(result, std::move(places));
     for (Column& column : table.columns) column.unit.reset();  // the rows say it
-    return data_table(table);
+    return table;
 }
 
-DataTable budget_file(const UncertaintyResult& result) {
+Table budget_file(const UncertaintyResult& result) {
     std::vector<BudgetPlace> places;
     for (std::size_t i = 0; i < outputs_with_budget(result); ++i)
         for (const BudgetPlace& place : budget_places(result, i)) places.push_back(place);
@@ -61,29 +60,29 @@ std::string budget_csv(const UncertaintyResult& result) {
     return csv;
 }
 
-DataTable links_table(const std::vector<LinkedInput>& linked) {
-    DataTable table = table_with("links", "Input quantities taken from other analyses",
-                                 {"symbol", "name", "unit", "estimate", "u", "degrees of freedom", "analysis",
-                                  "output group", "output", "linearised"});
+Table links_table(const std::vector<LinkedInput>& linked) {
+    Table table = table_with("links", "Input quantities taken from other analyses",
+                             {"symbol", "name", "unit", "estimate", "u", "degrees of freedom", "analysis",
+                              "output group", "output", "linearised"});
     for (const LinkedInput& input : linked)
-        table.rows.push_back({input.symbol, input.name.english(), input.unit.text(),
-                              stated_value(input.unit, input.estimate),
-                              stated_interval(input.unit, input.standard_uncertainty),
-                              input.degrees_of_freedom, input.analysis, input.output.group,
-                              input.output.symbol, std::string(input.linearised ? "yes" : "no")});
+        table.row({input.symbol, input.name.english(), input.unit.text(),
+                   stated_value(input.unit, input.estimate),
+                   stated_interval(input.unit, input.standard_uncertainty), input.degrees_of_freedom,
+                   input.analysis, input.output.group, input.output.symbol,
+                   std::string(input.linearised ? "yes" : "no")});
     return table;
 }
 
 /// Shares of the variance by the analyses of a chain.
-DataTable analyses_table(const UncertaintyResult& result) {
-    DataTable table =
+Table analyses_table(const UncertaintyResult& result) {
+    Table table =
         table_with("by-analysis", "Shares of the variance by analysis",
                    {"group", "output", "output unit", "analysis", "contribution", "share of variance"});
     for (std::size_t j = 0; j < result.outputs.size(); ++j) {
         const OutputQuantity& q = result.outputs[j].quantity;
         for (const GroupContribution& g : contributions_by_group(result.budget, j, "analysis"))
-            table.rows.push_back({q.group, q.symbol, q.unit.text(), g.group,
-                                  stated_interval(q.unit, g.contribution), g.share});
+            table.row({q.group, q.symbol, q.unit.text(), g.group, stated_interval(q.unit, g.contribution),
+                       g.share});
     }
     return table;
 }
@@ -93,33 +92,34 @@ std::string plain_label(const OutputQuantity& q) {
 }
 
 /// `in_units`: entries in the product of the units of their row and column; else pure numbers.
-DataTable matrix_table(const UncertaintyResult& result, const Eigen::MatrixXd& matrix, const std::string& id,
-                       bool in_units) {
-    DataTable table = table_with(id, id, {"output", "unit"});
-    for (const OutputResult& output : result.outputs) {
-        const std::string unit = in_units ? " × " + output.quantity.unit.text() : "";
-        table.columns.push_back({plain_label(output.quantity) + unit, {}, false, 0});
-    }
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        const OutputQuantity& q = result.outputs[static_cast<std::size_t>(i)].quantity;
-        std::vector<TableCell> row = {plain_label(q), in_units ? q.unit.text() : "1"};
-        for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-            const Unit& other = result.outputs[static_cast<std::size_t>(j)].quantity.unit;
-            row.emplace_back(in_units ? other.interval_from_si(q.unit.interval_from_si(matrix(i, j)))
-                                      : matrix(i, j));
-        }
-        table.rows.push_back(std::move(row));
-    }
+Table matrix_table(const UncertaintyResult& result, Eigen::MatrixXd matrix, const std::string& id,
+                   bool in_units) {
+    const auto held = std::make_shared<const Eigen::MatrixXd>(std::move(matrix));
+    Table table{id, id, result.outputs.size()};
+    const auto quantity = [&result](std::size_t i) -> const OutputQuantity& {
+        return result.outputs[i].quantity;
+    };
+    table.add("output", [=](std::size_t i) -> Cell { return plain_label(quantity(i)); });
+    table.add("unit",
+              [=](std::size_t i) -> Cell { return in_units ? quantity(i).unit.text() : std::string("1"); });
+    for (std::size_t j = 0; j < table.rows; ++j)
+        table.add(plain_label(quantity(j)) + (in_units ? " × " + quantity(j).unit.text() : ""),
+                  [=](std::size_t i) -> Cell {
+                      const double entry =
+                          (*held)(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+                      if (!in_units) return entry;
+                      return quantity(j).unit.interval_from_si(quantity(i).unit.interval_from_si(entry));
+                  });
     return table;
 }
 
 /// Of thousands of outputs: the pairs of a group, of a point its three coordinates.
-DataTable pairs_table(const UncertaintyResult& result) {
-    DataTable table = table_with("covariance", "covariance",
-                                 {"group", "output", "other output", "unit", "other unit",
-                                  "covariance in the "
-                                  "product of the units",
-                                  "correlation"});
+Table pairs_table(const UncertaintyResult& result) {
+    Table table = table_with("covariance", "covariance",
+                             {"group", "output", "other output", "unit", "other unit",
+                              "covariance in the "
+                              "product of the units",
+                              "correlation"});
     std::map<std::string, std::vector<std::size_t>> groups;
     for (std::size_t j = 0; j < result.outputs.size(); ++j)
         groups[result.outputs[j].quantity.group].push_back(j);
@@ -133,51 +133,50 @@ DataTable pairs_table(const UncertaintyResult& result) {
                                                             static_cast<Eigen::Index>(members[k]));
                 const double product = u(members[i]) * u(members[k]);
                 if (!std::isfinite(product)) continue;
-                table.rows.push_back({group, a.symbol, b.symbol, a.unit.text(), b.unit.text(),
-                                      a.unit.interval_from_si(b.unit.interval_from_si(covariance)),
-                                      product > 0.0 ? covariance / product : 0.0});
+                table.row({group, a.symbol, b.symbol, a.unit.text(), b.unit.text(),
+                           a.unit.interval_from_si(b.unit.interval_from_si(covariance)),
+                           product > 0.0 ? covariance / product : 0.0});
             }
     return table;
 }
 
-DataTable convergence_table(const UncertaintyResult& result) {
-    DataTable table = table_with("convergence", "Running mean and standard uncertainty",
-                                 {"trials", "group", "symbol", "unit", "mean", "u"});
+Table convergence_table(const UncertaintyResult& result) {
+    Table table = table_with("convergence", "Running mean and standard uncertainty",
+                             {"trials", "group", "symbol", "unit", "mean", "u"});
     for (const ConvergencePoint& point : result.convergence)
         for (std::size_t i = 0; i < result.outputs.size(); ++i) {
             const OutputQuantity& q = result.outputs[i].quantity;
             const double of_all = result.outputs[i].standard_uncertainty;  // infinite however it runs
-            table.rows.push_back(
-                {static_cast<double>(point.trials), q.group, q.symbol, q.unit.text(),
-                 stated_value(q.unit, point.mean[i]),
-                 stated_interval(q.unit, std::isinf(of_all) ? of_all : point.standard_uncertainty[i])});
+            table.row({static_cast<double>(point.trials), q.group, q.symbol, q.unit.text(),
+                       stated_value(q.unit, point.mean[i]),
+                       stated_interval(q.unit, std::isinf(of_all) ? of_all : point.standard_uncertainty[i])});
         }
     return table;
 }
 
-DataTable histograms_table(const UncertaintyResult& result) {
-    DataTable table = table_with("histograms", "Histograms",
-                                 {"group", "symbol", "unit", "cell low", "cell high", "trials"});
+Table histograms_table(const UncertaintyResult& result) {
+    Table table = table_with("histograms", "Histograms",
+                             {"group", "symbol", "unit", "cell low", "cell high", "trials"});
     for (const OutputResult& output : result.outputs) {
         if (!output.monte_carlo) continue;
         const OutputQuantity& q = output.quantity;
         const Histogram& h = output.monte_carlo->histogram;
         const double width = (h.high - h.low) / static_cast<double>(h.counts.size());
-        const auto add = [&](const TableCell& low, const TableCell& high, std::uint64_t trials) {
-            table.rows.push_back({q.group, q.symbol, q.unit.text(), low, high, static_cast<double>(trials)});
+        const auto add = [&](const Cell& from, const Cell& to, std::uint64_t trials) {
+            table.row({q.group, q.symbol, q.unit.text(), from, to, static_cast<double>(trials)});
         };
-        if (h.below > 0) add(TableCell{}, stated_value(q.unit, h.low), h.below);
+        if (h.below > 0) add(Cell{}, stated_value(q.unit, h.low), h.below);
         for (std::size_t i = 0; i < h.counts.size(); ++i)
             add(stated_value(q.unit, h.low + width * static_cast<double>(i)),
                 stated_value(q.unit, h.low + width * static_cast<double>(i + 1)), h.counts[i]);
-        if (h.above > 0) add(stated_value(q.unit, h.high), TableCell{}, h.above);
+        if (h.above > 0) add(stated_value(q.unit, h.high), Cell{}, h.above);
     }
     return table;
 }
 
 /// One row for an output and a contributor.
-DataTable contributors_table(const UncertaintyResult& result) {
-    DataTable table =
+Table contributors_table(const UncertaintyResult& result) {
+    Table table =
         table_with("contributors", "Standard uncertainties without each contributor, and of it alone",
                    {"group", "symbol", "unit", "contributor", "u_held_first_order", "u_alone_first_order",
                     "u_held_monte_carlo", "u_alone_monte_carlo"});
@@ -185,23 +184,23 @@ DataTable contributors_table(const UncertaintyResult& result) {
         for (std::size_t j = 0; j < result.outputs.size(); ++j) {
             const OutputQuantity& q = result.outputs[j].quantity;
             const auto cell = [&](const std::vector<double>& u) {
-                return u.empty() ? TableCell{} : TableCell(stated_interval(q.unit, u[j]));
+                return u.empty() ? Cell{} : Cell(stated_interval(q.unit, u[j]));
             };
-            table.rows.push_back({q.group, q.symbol, q.unit.text(), contributor_title(c).english(),
-                                  cell(c.without.first_order), cell(c.alone.first_order),
-                                  cell(c.without.monte_carlo), cell(c.alone.monte_carlo)});
+            table.row({q.group, q.symbol, q.unit.text(), contributor_title(c).english(),
+                       cell(c.without.first_order), cell(c.alone.first_order), cell(c.without.monte_carlo),
+                       cell(c.alone.monte_carlo)});
         }
     return table;
 }
 
-DataTable sobol_table(const UncertaintyResult& result) {
-    DataTable table = table_with(
+Table sobol_table(const UncertaintyResult& result) {
+    Table table = table_with(
         "sobol", "Sobol indices",
         {"group", "symbol", "component", "first", "first_standard_error", "total", "total_standard_error"});
     for (std::size_t j = 0; j < result.sobol.size(); ++j)
         for (const SobolIndex& s : result.sobol[j])
-            table.rows.push_back({result.outputs[j].quantity.group, result.outputs[j].quantity.symbol, s.name,
-                                  s.first, s.first_standard_error, s.total, s.total_standard_error});
+            table.row({result.outputs[j].quantity.group, result.outputs[j].quantity.symbol, s.name, s.first,
+                       s.first_standard_error, s.total, s.total_standard_error});
     return table;
 }
 
@@ -210,9 +209,8 @@ std::string decision_key(const RequirementResult& r) {
     return r.decision == RequirementResult::Decision::accept ? "accept" : "reject";
 }
 
-DataTable requirements_table(const UncertaintyResult& result,
-                             const std::vector<RequirementResult>& verdicts) {
-    DataTable table =
+Table requirements_table(const UncertaintyResult& result, const std::vector<RequirementResult>& verdicts) {
+    Table table =
         table_with("requirements", "Requirements",
                    {"group", "symbol", "unit", "U", "target", "target_met", "lower_limit", "upper_limit",
                     "guard_band", "decision", "p_conforming", "p_conforming_by", "global_consumer_risk",
@@ -223,27 +221,26 @@ DataTable requirements_table(const UncertaintyResult& result,
         const bool judged = r.not_judged.empty(), with_limits = r.lower_limit || r.upper_limit;
         const bool limited = with_limits && judged;
         const auto value = [&](const std::optional<double>& si) {
-            return si ? TableCell(stated_value(q.unit, *si)) : TableCell{};
+            return si ? Cell(stated_value(q.unit, *si)) : Cell{};
         };
-        const auto number = [](bool known, double x) { return known ? TableCell(x) : TableCell{}; };
+        const auto number = [](bool known, double x) { return known ? Cell(x) : Cell{}; };
         const auto of_prior = [&](double RequirementResult::GlobalRisks::*risk) {
-            return r.global_risks ? TableCell((*r.global_risks).*risk) : TableCell{};
+            return r.global_risks ? Cell((*r.global_risks).*risk) : Cell{};
         };
-        table.rows.push_back(
-            {q.group, q.symbol, q.unit.text(), stated_interval(q.unit, output.expanded_uncertainty),
-             r.target_uncertainty ? TableCell(stated_interval(q.unit, *r.target_uncertainty)) : TableCell{},
-             r.target_uncertainty ? TableCell(std::string(!judged          ? "not judged"
-                                                          : r.meets_target ? "yes"
-                                                                           : "no"))
-                                  : TableCell{},
-             value(r.lower_limit), value(r.upper_limit),
-             limited ? TableCell(stated_interval(q.unit, r.guard_band)) : TableCell{},
-             with_limits ? TableCell(decision_key(r)) : TableCell{}, number(limited, r.conformance),
-             limited ? TableCell(distribution_key(r.conformance_by)) : TableCell{},
-             of_prior(&RequirementResult::GlobalRisks::consumer),
-             of_prior(&RequirementResult::GlobalRisks::producer),
-             of_prior(&RequirementResult::GlobalRisks::consumer_if_accepted),
-             of_prior(&RequirementResult::GlobalRisks::producer_if_rejected)});
+        table.row({q.group, q.symbol, q.unit.text(), stated_interval(q.unit, output.expanded_uncertainty),
+                   r.target_uncertainty ? Cell(stated_interval(q.unit, *r.target_uncertainty)) : Cell{},
+                   r.target_uncertainty ? Cell(std::string(!judged          ? "not judged"
+                                                           : r.meets_target ? "yes"
+                                                                            : "no"))
+                                        : Cell{},
+                   value(r.lower_limit), value(r.upper_limit),
+                   limited ? Cell(stated_interval(q.unit, r.guard_band)) : Cell{},
+                   with_limits ? Cell(decision_key(r)) : Cell{}, number(limited, r.conformance),
+                   limited ? Cell(distribution_key(r.conformance_by)) : Cell{},
+                   of_prior(&RequirementResult::GlobalRisks::consumer),
+                   of_prior(&RequirementResult::GlobalRisks::producer),
+                   of_prior(&RequirementResult::GlobalRisks::consumer_if_accepted),
+                   of_prior(&RequirementResult::GlobalRisks::producer_if_rejected)});
     }
     return table;
 }
@@ -254,7 +251,7 @@ namespace {
 
 /// All but results and budget.
 void each_further_table(const Project& project, const EvaluatedAnalysis& evaluated,
-                        const std::function<void(DataTable)>& take) {
+                        const std::function<void(const Table&)>& take) {
     const UncertaintyResult& result = *evaluated.result;
     if (result.covariance.is_whole()) {
         take(matrix_table(result, existing_covariance(result).whole(), "covariance", true));
@@ -262,10 +259,10 @@ void each_further_table(const Project& project, const EvaluatedAnalysis& evaluat
     } else {
         take(pairs_table(result));
     }
-    take(data_table(inputs_table(result.inputs, all_shares(result.inputs))));
-    take(data_table(regions_table(result)));
+    take(inputs_table(result.inputs, all_shares(result.inputs)));
+    take(regions_table(result));
     if (auto pairs = all_correlations(result.inputs); !pairs.empty())
-        take(data_table(input_correlations_table(result.inputs, std::move(pairs))));
+        take(input_correlations_table(result.inputs, std::move(pairs)));
     if (result.trials > 0) {
         take(histograms_table(result));
         take(convergence_table(result));
@@ -279,35 +276,35 @@ void each_further_table(const Project& project, const EvaluatedAnalysis& evaluat
         take(analyses_table(result));
     }
     if (evaluated.analysis && evaluated.analysis->model) {
-        for (DataTable& table : evaluated.analysis->model->evaluation()) take(std::move(table));
+        for (const Table& table : evaluated.analysis->model->evaluation()) take(table);
         if (const auto redundant = evaluated.analysis->model->redundant_readings())
-            take(data_table(seen_table(*redundant, evidence::see(*redundant))));
+            take(seen_table(*redundant, evidence::see(*redundant)));
     }
     for (const auto& study : evaluated.studies) take(study_table(*study));
 }
 
 }  // namespace
 
-std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated) {
-    std::vector<DataTable> tables{data_table(results_table(*evaluated.result)),
-                                  budget_file(*evaluated.result)};
-    each_further_table(project, evaluated, [&](DataTable table) { tables.push_back(std::move(table)); });
+std::vector<Table> result_tables(const Project& project, const EvaluatedAnalysis& evaluated) {
+    std::vector<Table> tables{file_table(results_table(*evaluated.result)),
+                              file_table(budget_file(*evaluated.result))};
+    each_further_table(project, evaluated, [&](const Table& table) { tables.push_back(file_table(table)); });
     return tables;
 }
 
 void each_result_file(const Project& project, const EvaluatedAnalysis& evaluated,
                       const std::function<void(const std::string&, const std::string&)>& take) {
-    const auto take_table = [&](const DataTable& table) { take(table.id, to_csv(table)); };
-    take_table(data_table(results_table(*evaluated.result)));
+    const auto take_table = [&](const Table& table) { take(table.id, to_csv(table)); };
+    take_table(results_table(*evaluated.result));
     take("budget", budget_csv(*evaluated.result));
     each_further_table(project, evaluated, take_table);
 }
 
-std::vector<DataTable> asset_tables(const AssetLibrary& assets) {
-    std::vector<DataTable> tables;
+std::vector<Table> asset_tables(const AssetLibrary& assets) {
+    std::vector<Table> tables;
     for (const auto& [id, entry] : assets.entries()) {
         if (!entry.asset) continue;
-        for (DataTable& table : entry.asset->evaluation()) {
+        for (Table& table : entry.asset->evaluation()) {
             table.id = id + "-" + table.id;
             tables.push_back(std::move(table));
         }

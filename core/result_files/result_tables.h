@@ -5,19 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/made/evaluated_analysis.h"
+#include "core/text/table.h"
 
 namespace covaria {
 
 /// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
 /// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.
 /// `project`: whose requirements are judged.
-std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated);
+std::vector<Table> result_tables(const Project& project, const EvaluatedAnalysis& evaluated);
 /// Of a study: one line per grid point, with the reason where it has no values. The id is "study-ID".
-DataTable study_table(const StudyResult& study);
+Table study_table(const StudyResult& study);
 /// The evaluation of each asset; ids start with the asset's.
-std::vector<DataTable> asset_tables(const AssetLibrary& assets);
+std::vector<Table> asset_tables(const AssetLibrary& assets);
 
 /// take(id, CSV) of each of `result_tables`, made and given away before the next: of hundreds of points they
 /// take some gigabytes together.

@@ -17,10 +17,8 @@ std::string of_group(const std::string& symbol, const std::string& group) {
     return group.empty() ? symbol : group + " " + symbol;
 }
 
-void add_heads(const StudyResult& study, DataTable& table) {
-    const auto add = [&](const std::string& head, const Unit& unit) {
-        table.columns.push_back({head, unit, false, 0});
-    };
+void add_heads(const StudyResult& study, Table& table) {
+    const auto add = [&](const std::string& head, const Unit& unit) { table.add(head).in(unit); };
     for (const StudyAxisValues& axis : study.axes) add(axis.title.message().english(), axis.unit);
     for (const OutputQuantity& output : study.outputs) {
         const std::string name = of_group(output.symbol, output.group);
@@ -39,7 +37,7 @@ void add_heads(const StudyResult& study, DataTable& table) {
     add("remark", {});
 }
 
-void add_place(const StudyPlace& place, const Unit& unit, std::vector<TableCell>& row) {
+void add_place(const StudyPlace& place, const Unit& unit, std::vector<Cell>& row) {
     for (const double coordinate : place.p_W) row.emplace_back(Quantity{unit.from_si(coordinate), unit});
     row.emplace_back(Quantity{unit.interval_from_si(place.standard_uncertainty()), unit});
     const Unit square = squared(unit);
@@ -48,9 +46,9 @@ void add_place(const StudyPlace& place, const Unit& unit, std::vector<TableCell>
             row.emplace_back(Quantity{square.from_si(place.covariance(a, b)), square});
 }
 
-std::vector<TableCell> row_of(const StudyResult& study, std::size_t index, std::size_t columns) {
+std::vector<Cell> row_of(const StudyResult& study, std::size_t index, std::size_t columns) {
     const StudyPoint& point = study.points[index];
-    std::vector<TableCell> row;
+    std::vector<Cell> row;
     const std::vector<std::size_t> at = study.indices_of(index);
     for (std::size_t axis = 0; axis < at.size(); ++axis)
         row.emplace_back(Quantity{study.axes[axis].values[at[axis]], study.axes[axis].unit});
@@ -70,13 +68,10 @@ std::vector<TableCell> row_of(const StudyResult& study, std::size_t index, std::
 
 }  // namespace
 
-DataTable study_table(const StudyResult& study) {
-    DataTable table;
-    table.id = "study-" + study.id;
-    table.title = study.name;
+Table study_table(const StudyResult& study) {
+    Table table{"study-" + study.id, study.name};
     add_heads(study, table);
-    for (std::size_t i = 0; i < study.points.size(); ++i)
-        table.rows.push_back(row_of(study, i, table.columns.size()));
+    for (std::size_t i = 0; i < study.points.size(); ++i) table.row(row_of(study, i, table.columns.size()));
     return table;
 }
 

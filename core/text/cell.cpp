@@ -142,6 +142,54 @@ std::optional<int> decimals_of_all(const Table& table, const Column& column) {
     return shared ? std::optional(decimals) : std::nullopt;
 }
 
+/// The cells of a column in which a number that is smaller than rounding of a sum beside the largest is zero.
+Cells without_rounding(const Table& table, const Column& column) {
+    constexpr double rounding = 1e-14;
+    if (!column.unit || *column.unit == Unit{}) return column.cell;
+    double largest = 0.0;
+    for (std::size_t row = 0; row < table.rows; ++row) {
+        const Cell cell = column.cell(row);
+        if (const auto* number = std::get_if<Measured>(&cell))
+            largest = std::max(largest, std::abs(number->si));
+    }
+    return Cells([cells = column.cell, least = rounding * largest](std::size_t row) {
+        Cell cell = cells(row);
+        if (auto* number = std::get_if<Measured>(&cell); number && std::abs(number->si) < least)
+            number->si = 0.0;
+        return cell;
+    });
+}
+
+/// The head says the per cent.
+void say_in_percent(Column& column) {
+    const Unit percent = Unit::of("%");
+    column.rule.percent = false;
+    column.unit = percent;
+    column.cell = Cells([cells = column.cell, percent](std::size_t row) -> Cell {
+        const Cell cell = cells(row);
+        const auto* number = std::get_if<Measured>(&cell);
+        return number ? Measured(number->si, Measured::Scale::interval, percent) : cell;
+    });
+}
+
+/// The unit of all numbers of a column, where each has it by itself, moves into its head.
+void head_with_common_unit(const Table& table, Column& column) {
+    const Unit of_head = column.unit.value_or(Unit{});
+    std::optional<Unit> common;
+    bool is_common = true, any_other = false;
+    for (std::size_t row = 0; row < table.rows; ++row) {
+        const Cell cell = column.cell(row);
+        if (std::holds_alternative<std::monostate>(cell)) continue;
+        const auto* quantity = std::get_if<Quantity>(&cell);
+        is_common = is_common && quantity && (!common || quantity->unit == *common);
+        if (is_common) common = quantity->unit;
+        any_other = any_other || (quantity && !(quantity->unit == of_head));
+    }
+    const bool moves = is_common && common && of_head == Unit{};
+    column.unit = moves ? *common : of_head;
+    column.says_unit = any_other && !moves;
+}
+
 }  // namespace
 
 Text written(const Table& table, const Column& column, std::size_t row, const TableView& view) {
@@ -228,9 +276,20 @@ std::string short_list(const std::vector<std::string>& items, std::size_t most) 
     return whole ? out : out + " … " + items.back() + " (" + std::to_string(items.size()) + ")";
 }
 
-void share_decimals(Table& table) {
+Table evaluation_table(Table table, const DocumentLanguage& in) {
+    table.title = in.say_declared(table.title);
+    for (Message& note : table.notes) note = in.say(note);
+    for (Column& column : table.columns) {
+        const std::string& head = column.head.empty() ? column.key : column.head;
+        if (column.title.empty())
+            column.title = column.is_symbol ? symbols_text(head) : running_text(in.say_declared(head));
+        if (column.rule.percent) say_in_percent(column);
+        column.cell = without_rounding(table, column);
+        head_with_common_unit(table, column);
+    }
     for (Column& column : table.columns)
         if (const auto decimals = decimals_of_all(table, column)) column.fixed(*decimals);
+    return table;
 }
 
 }  // namespace covaria

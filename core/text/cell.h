@@ -42,9 +42,9 @@ NumberForm form_of(const Table& table, const Column& column, const Unit& unit, c
 /// "a, b, c" or, if longer than `most`, "a, b … z (117)".
 std::string short_list(const std::vector<std::string>& items, std::size_t most = 3);
 
-/// Numbers of a column that are read against each other get one number of decimals, where nothing else gives
-/// it: what was typed that of the one with the most; deviations, which have signs, by the largest. For
-/// finished tables of cells.
-void share_decimals(Table& table);
+/// A table of a model, an asset or a design as people read it: what is zero but for rounding is shown as
+/// zero, the head of a column has the unit that all its cells have, numbers that are read against each other
+/// share their decimals. Title and heads are said in `in`.
+Table evaluation_table(Table table, const DocumentLanguage& in);
 
 }  // namespace covaria

@@ -238,24 +238,6 @@ std::string unit_after_number(const Unit& unit) {
     return (is_sign ? "" : "\u00a0") + unit.display();
 }
 
-std::string unit_of_cell(const Quantity& quantity, const TableColumn& column) {
-    return quantity.unit == column.unit ? "" : unit_after_number(quantity.unit);
-}
-
-std::string format_cell(const TableCell& cell, const TableColumn& column) {
-    const auto number = [&column](double value, const Unit& unit) {
-        value = without_residue(value, unit);
-        if (column.decimals >= 0) return format_decimals(value, column.decimals);
-        if (column.digits > 0) return format_significant(value, column.digits);
-        return format_typed(value);
-    };
-    if (const auto* value = std::get_if<double>(&cell))
-        return number(column.unit.from_si(*value), column.unit);
-    const auto* quantity = std::get_if<Quantity>(&cell);
-    return quantity ? number(quantity->value, quantity->unit) + unit_of_cell(*quantity, column)
-                    : english_of(cell);
-}
-
 std::string format_exact(double value) {
     std::array<char, 64> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value);

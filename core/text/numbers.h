@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/data_table.h"
+#include "core/base/unit.h"
 
 namespace covaria {
 
@@ -54,10 +54,6 @@ std::string format_degrees_of_freedom(double nu);
 double without_residue(double shown, const Unit& unit);
 /// With a space before it, except the degree sign of plane angle (SI Brochure 5.4.3); empty for 1.
 std::string unit_after_number(const Unit& unit);
-/// Behind the number of a cell, with its space, where the head of the column does not give it.
-std::string unit_of_cell(const Quantity& quantity, const TableColumn& column);
-/// Cell as people read it, in the column's unit.
-std::string format_cell(const TableCell& cell, const TableColumn& column);
 /// Shortest text that reads back to the same double: for CSV.
 std::string format_exact(double value);
 

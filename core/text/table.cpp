@@ -12,18 +12,6 @@ std::string joined(const Symbols& symbols) {
     return text;
 }
 
-TableCell file_cell(const Cell& cell, const DisplayUnits& units) {
-    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-    if (const auto* message = std::get_if<Message>(&cell)) return message->english();
-    if (const auto* text = std::get_if<Text>(&cell)) return to_unicode(*text);
-    if (const auto* symbols = std::get_if<Symbols>(&cell)) return joined(*symbols);
-    if (const auto* unit = std::get_if<Unit>(&cell)) return units.of(*unit).text();
-    if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? answer->yes : answer->no;
-    if (const auto* quantity = std::get_if<Quantity>(&cell)) return *quantity;
-    if (const auto* number = std::get_if<Measured>(&cell)) return number->in(units);
-    return {};
-}
-
 }  // namespace
 
 Unit quotient(const Unit& of, const Unit& per) {
@@ -87,24 +75,31 @@ Table Table::part(std::size_t begin, std::size_t end) const {
     return some;
 }
 
-DataTable data_table(const Table& table, const std::vector<std::string>& keys, const DisplayUnits& units) {
-    DataTable data{table.id, table.title, {}, {}, {}};
-    std::vector<const Column*> chosen;
-    for (const std::string& key : keys) chosen.push_back(&table[key]);
-    for (const Column* column : chosen)
-        data.columns.push_back({column->key, column->unit ? units.of(*column->unit) : Unit{}, false, 0});
-    for (std::size_t row = 0; row < table.rows; ++row) {
-        data.rows.emplace_back();
-        for (const Column* column : chosen) data.rows.back().push_back(file_cell(column->cell(row), units));
+Table file_table(const Table& table) {
+    Table held{table.id, table.title, table.rows, {}, table.notes, table.subheads};
+    for (const Column& column : table.columns) {
+        if (!column.in_files) continue;
+        Cells cells;
+        for (std::size_t row = 0; row < table.rows; ++row) cells.hold(row, column.cell(row));
+        held.add(column).cell = std::move(cells);
     }
-    return data;
+    return held;
 }
 
-DataTable data_table(const Table& table) {
-    std::vector<std::string> keys;
-    for (const Column& column : table.columns)
-        if (column.in_files) keys.push_back(column.key);
-    return data_table(table, keys);
+std::string english_of(const Cell& cell, const DisplayUnits& units) {
+    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (const auto* message = std::get_if<Message>(&cell)) return message->english();
+    if (const auto* text = std::get_if<Text>(&cell)) return to_unicode(*text);
+    if (const auto* symbols = std::get_if<Symbols>(&cell)) return joined(*symbols);
+    if (const auto* unit = std::get_if<Unit>(&cell)) return units.of(*unit).text();
+    if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? answer->yes : answer->no;
+    return {};
+}
+
+std::optional<Quantity> exact_quantity(const Cell& cell, const DisplayUnits& units) {
+    if (const auto* number = std::get_if<Measured>(&cell)) return number->in(units);
+    const auto* quantity = std::get_if<Quantity>(&cell);
+    return quantity ? std::optional(*quantity) : std::nullopt;
 }
 
 }  // namespace covaria

@@ -13,7 +13,6 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/base/message.h"
 #include "core/text/display_units.h"
 #include "core/text/numbers.h"
@@ -101,10 +100,10 @@ private:
 };
 
 struct Column {
-    std::string key;  ///< head in files; what views choose by
-    Cells cell;
+    std::string key;  ///< head in files; what views choose by; head for people where no other is given
+    Cells cell = {};
     std::string head = {};   ///< in print; "%1" is the unit of all its numbers
-    bool is_symbol = false;  ///< the head
+    bool is_symbol = false;  ///< the head, or the key ("u_cal") where that is the head
     bool symbols = false;    ///< the cells
     Text title = {};         ///< head in the window
     Message help = {};       ///< for the window
@@ -113,7 +112,7 @@ struct Column {
     bool of_numbers = false;        ///< set flush right in the window
     bool says_unit = false;         ///< people read each number with its unit, which nothing else gives
     bool in_files = true;
-    bool hidden = false;                       ///< read by the rules of others only
+    bool hidden = false;                       ///< people do not see it
     bool own_words = false;                    ///< its texts are the program's ("not met"), not people's
     std::vector<std::string> undeclared = {};  ///< those of them that no registry declares
 
@@ -156,16 +155,21 @@ struct Column {
     Column& of_row(std::vector<std::string> keys) { return rule.row = std::move(keys), *this; }
     Column& in(std::optional<Unit> common) { return unit = std::move(common), *this; }
     Column& with_unit() { return says_unit = true, *this; }
+    /// The key is a symbol.
+    Column& symbol(bool is = true) { return is_symbol = is, *this; }
     Column& of_symbols() { return symbols = true, *this; }
     Column& of_own_words(std::vector<std::string> others = {}) {
         return own_words = true, undeclared = std::move(others), *this;
     }
+    Column& hide() { return hidden = true, *this; }
     Column& not_in_files() { return in_files = false, *this; }
 };
 
-/// Columns by functions read what they were made from when they are asked for cells: that must live.
+/// Used by models, assets, results, reports and the window alike. Columns by functions read what they were
+/// made from when they are asked for cells: that must live.
 struct Table {
-    std::string id, title;
+    std::string id;  ///< file-name friendly ("budget-x-7")
+    std::string title = {};
     std::size_t rows = 0;  ///< with those of sub-heads
     std::vector<Column> columns = {};
     std::vector<Message> notes = {};
@@ -175,7 +179,8 @@ struct Table {
         return columns.emplace_back(Column{std::move(key), std::move(cell)});
     }
     /// A column of cells that rows bring.
-    Column& add(std::string key) { return columns.emplace_back(Column{std::move(key), Cells()}); }
+    Column& add(std::string key) { return columns.emplace_back(Column{std::move(key)}); }
+    Column& add(Column column) { return columns.emplace_back(std::move(column)); }
     /// A row by its cells, which may be fewer than columns. A number of the unit one is SI in the unit of a
     /// column that has one.
     void row(std::vector<Cell> cells);
@@ -192,9 +197,12 @@ struct Table {
     Table part(std::size_t begin, std::size_t end) const;
 };
 
-/// Full precision, in the units chosen: these columns, or those that files have.
-DataTable data_table(const Table& table, const std::vector<std::string>& keys,
-                     const DisplayUnits& units = {});
-DataTable data_table(const Table& table);
+/// What files have of a table, its cells held: nothing is read later.
+Table file_table(const Table& table);
+
+/// What a cell says in files: in English, units as in the view; empty for numbers.
+std::string english_of(const Cell& cell, const DisplayUnits& units = {});
+/// The number of a cell as files have it, with the unit: a typed one as it was typed.
+std::optional<Quantity> exact_quantity(const Cell& cell, const DisplayUnits& units = {});
 
 }  // namespace covaria

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+
 namespace covaria {
 
 enum class Script { line, below, above };

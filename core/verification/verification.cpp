@@ -150,21 +150,16 @@ CheckedFigure judged(const VerificationCheck& check, double value, double tolera
 }
 
 /// As the table shows it, in the unit of its column or of its own.
-std::optional<double> number_in(const DataTable& table, const VerificationCell& cell) {
-    std::size_t column = 0;
-    while (column < table.columns.size() && table.columns[column].header != cell.column) ++column;
-    if (column == table.columns.size()) return std::nullopt;
-    for (const std::vector<TableCell>& row : table.rows) {
-        if (english_of(row.front()) != cell.row) continue;
-        if (const auto* si = std::get_if<double>(&row[column]))
-            return table.columns[column].unit.from_si(*si);
-        if (const auto* own = std::get_if<Quantity>(&row[column])) return own->value;
-    }
+std::optional<double> number_in(const Table& table, const VerificationCell& cell) {
+    const Column* column = table.find(cell.column);
+    for (std::size_t row = 0; column && row < table.rows; ++row)
+        if (english_of(table.columns.front().cell(row)) == cell.row)
+            if (const auto number = number_in(column->cell(row))) return number;
     return std::nullopt;
 }
 
 std::optional<double> number_in(const EvaluatedAnalysis& evaluated, const VerificationCell& cell) {
-    for (const DataTable& table : evaluated.analysis->model->evaluation())
+    for (const Table& table : evaluated.analysis->model->evaluation())
         if (table.id == cell.table) return number_in(table, cell);
     return std::nullopt;
 }

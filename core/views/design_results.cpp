@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <sstream>
 
 #include "core/base/name.h"
+#include "core/text/cell.h"
 #include "core/text/numbers.h"
 
 namespace covaria {
@@ -16,24 +16,22 @@ std::string name_of(const OutputQuantity& output) {
     return output.group.empty() ? output.symbol : output.group + ": " + output.symbol;
 }
 
-TableCell said_name_of(const OutputQuantity& output) {
+Cell said_name_of(const OutputQuantity& output) {
     if (output.group.empty()) return output.symbol;
     return tell<"%1: %2">(said_name(output.group), output.symbol);
 }
 
-const char* const undecided = "undecided";
-
-const char* yes_or_no(bool yes) {
-    return yes ? "yes" : "no";
+Message yes_or_no(bool yes) {
+    return yes ? tell<"yes">() : tell<"no">();
 }
 
-TableCell interval_cell(const std::optional<double>& si, const Unit& unit) {
+Cell interval_cell(const std::optional<double>& si, const Unit& unit) {
     if (!si) return {};
     return Quantity{unit.interval_from_si(*si), unit};
 }
 
-TableCell number_cell(const std::optional<double>& number) {
-    return number ? TableCell(*number) : TableCell();
+Cell number_cell(const std::optional<double>& number) {
+    return number ? Cell(*number) : Cell();
 }
 
 /// Cost of a unit less of the target.
@@ -42,33 +40,34 @@ std::optional<double> price_in(const Unit& unit, const DesignGoal& goal) {
     return *goal.price_of_target * unit.interval_to_si(1.0);
 }
 
-DataTable table_of(const std::string& id, const std::string& title, const std::vector<std::string>& heads) {
-    DataTable table;
-    table.id = id;
-    table.title = title;
-    for (const std::string& head : heads) table.columns.push_back({head, {}, false, 0});
+Table table_of(const std::string& id, const std::string& title, const std::vector<std::string>& heads) {
+    Table table{id, title};
+    for (const std::string& head : heads) table.add(head).figure(4);
     return table;
 }
 
-DataTable outputs_table(const DesignResult& result) {
-    DataTable table = table_of(
-        "outputs", "Uncertainties",
-        {"output", "unit", "target", "U before", "U", "U by Monte Carlo", "validated (clause 8)", "met"});
+Table outputs_table(const DesignResult& result) {
+    Table table{"outputs", "Uncertainties"};
+    table.add("output");
+    table.add("unit").hide();                                   // each number has its own
+    table.add("target").print("target uncertainty").figure(4);  // the other targets are points
+    for (const char* head : {"U before", "U", "U by Monte Carlo"}) table.add(head).figure(4);
+    table.add("validated (clause 8)");
+    table.add("met");
     const bool priced = result.cost.has_value();
-    if (priced) table.columns.push_back({"cost per unit of target", {}, false, 0});
+    if (priced) table.add("cost per unit of target").figure(4);
     for (const DesignGoal& goal : result.goals) {
         const Unit& unit = goal.output.unit;
-        std::vector<TableCell> row{said_name_of(goal.output), unit.text(), interval_cell(goal.target, unit),
-                                   interval_cell(goal.before, unit)};
-        row.push_back(result.found ? interval_cell(goal.after, unit) : TableCell());
+        std::vector<Cell> row{said_name_of(goal.output), unit.text(), interval_cell(goal.target, unit),
+                              interval_cell(goal.before, unit)};
+        row.push_back(result.found ? interval_cell(goal.after, unit) : Cell());
         row.push_back(interval_cell(goal.monte_carlo, unit));
-        row.push_back(goal.validated
-                          ? TableCell(std::string(goal.is_close ? undecided : yes_or_no(*goal.validated)))
-                          : TableCell());
-        row.push_back(goal.target && result.found ? TableCell(std::string(yes_or_no(goal.met())))
-                                                  : TableCell());
+        row.push_back(!goal.validated ? Cell()
+                      : goal.is_close ? Cell(tell<"undecided">())
+                                      : Cell(yes_or_no(*goal.validated)));
+        row.push_back(goal.target && result.found ? Cell(yes_or_no(goal.met())) : Cell());
         if (priced) row.push_back(number_cell(price_in(unit, goal)));
-        table.rows.push_back(std::move(row));
+        table.row(std::move(row));
     }
     return table;
 }
@@ -78,111 +77,102 @@ Message at_end_words(const DesignValue& value) {
         value.title.message());
 }
 
-DataTable values_table(const DesignResult& result) {
-    DataTable table =
+Table values_table(const DesignResult& result) {
+    Table table =
         table_of("values", "Values", {"variable", "unit", "from", "to", "before", "chosen", "tolerance"});
     const bool priced = result.cost.has_value();
-    if (priced) table.columns.push_back({"cost", {}, false, 0});
+    if (priced) table.add("cost").figure(4);
     for (const DesignValue& value : result.values) {
-        table.rows.push_back({value.title.message(), value.unit.text(), value.from, value.to, value.before,
-                              value.chosen, value.tolerance});
-        if (priced) table.rows.back().push_back(number_cell(value.cost));
+        table.row({value.title.message(), value.unit.text(), value.from, value.to, value.before, value.chosen,
+                   value.tolerance, number_cell(value.cost)});
         if (value.is_at_end()) table.notes.push_back(at_end_words(value));
     }
     return table;
 }
 
-DataTable rows_table(const DesignResult& result) {
-    DataTable table = table_of("rows", "Rows that are kept",
-                               {"row", "name", "fixed", "of the candidates' file", "objective without it"});
-    if (result.cost) table.columns.push_back({"price", {}, false, 0});
-    for (const DesignRow& row : result.rows) {
-        table.rows.push_back({static_cast<double>(row.row), row.name, std::string(yes_or_no(row.fixed)),
-                              std::string(yes_or_no(row.added)), number_cell(row.without)});
-        if (result.cost) table.rows.back().push_back(number_cell(row.price));
-    }
+Table rows_table(const DesignResult& result) {
+    Table table = table_of("rows", "Rows that are kept",
+                           {"row", "name", "fixed", "of the candidates' file", "objective without it"});
+    table.columns.front().hide();  // the name stands beside it
+    if (result.cost) table.add("price").figure(4);
+    for (const DesignRow& row : result.rows)
+        table.row({static_cast<double>(row.row), row.name, Answer{row.fixed}, Answer{row.added},
+                   number_cell(row.without), number_cell(row.price)});
     return table;
 }
 
-DataTable gains_table(const DesignResult& result) {
-    DataTable table = table_of("gains", "Candidates and what they gain", {"row", "name", "chosen", "gain"});
-    table.columns.back().unit = Unit::of("%");
-    for (const char* axis : {"x", "y", "z"}) table.columns.push_back({axis, Unit::of("mm"), true});
+Table gains_table(const DesignResult& result) {
+    Table table = table_of("gains", "Candidates and what they gain", {"row", "name", "chosen"});
+    table.columns.front().hide();  // the name stands beside it
+    table.add("gain").in(Unit::of("%")).figure(4);
+    for (const char* axis : {"x", "y", "z"}) table.add(axis).in(Unit::of("mm")).symbol().figure(4);
     for (const DesignGain& gain : result.gains) {
-        table.rows.push_back({static_cast<double>(gain.row), gain.name, std::string(yes_or_no(gain.kept)),
-                              number_cell(gain.gain)});
-        for (Eigen::Index axis = 0; axis < 3; ++axis)
-            table.rows.back().push_back(gain.place ? TableCell((*gain.place)[axis]) : TableCell());
+        std::vector<Cell> row{static_cast<double>(gain.row), gain.name, Answer{gain.kept},
+                              number_cell(gain.gain)};
+        for (Eigen::Index axis = 0; gain.place && axis < 3; ++axis) row.push_back((*gain.place)[axis]);
+        table.row(std::move(row));
     }
     return table;
 }
 
-DataTable sources_table(const DesignResult& result) {
-    DataTable table =
-        table_of("sources", "What would be gained without the uncertainty of", {"origin", "gain"});
-    table.columns.back().unit = Unit::of("%");
-    for (const DesignSource& source : result.sources) table.rows.push_back({source.origin, source.gain});
+Table sources_table(const DesignResult& result) {
+    Table table{"sources", "What would be gained without the uncertainty of"};
+    table.add("origin");
+    table.add("gain").in(Unit::of("%")).figure(4);
+    for (const DesignSource& source : result.sources) table.row({source.origin, source.gain});
     return table;
 }
 
-DataTable curve_table(const DesignResult& result) {
-    DataTable table = table_of("curve", "Objective and number of rows", {"rows", "objective", "change"});
+Table curve_table(const DesignResult& result) {
+    Table table{"curve", "Objective and number of rows"};
+    table.add("rows");
+    table.add("objective").figure(4);
+    table.add("change").percent(1);
     for (std::size_t i = 0; i < result.curve.size(); ++i) {
         const DesignCount& count = result.curve[i];
         const bool next = i > 0 && result.curve[i - 1].rows + 1 == count.rows;
-        table.rows.push_back(
-            {static_cast<double>(count.rows), count.objective,
-             next ? TableCell(count.objective / result.curve[i - 1].objective - 1.0) : TableCell()});
+        table.row({static_cast<double>(count.rows), count.objective,
+                   next ? Cell(count.objective / result.curve[i - 1].objective - 1.0) : Cell()});
     }
     return table;
 }
 
-DataTable front_table(const DesignResult& result) {
-    DataTable table = table_of("front", "Cost and uncertainty", {"largest U/target", "cost"});
-    for (const DesignCost& cost : result.front) table.rows.push_back({cost.largest_ratio, cost.cost});
+Table front_table(const DesignResult& result) {
+    Table table = table_of("front", "Cost and uncertainty", {"largest U/target", "cost"});
+    for (const DesignCost& cost : result.front) table.row({cost.largest_ratio, cost.cost});
     return table;
 }
 
-DataTable path_table(const DesignResult& result) {
-    DataTable table = table_of("path", "Improvements", {"evaluation", "search", "objective"});
+Table path_table(const DesignResult& result) {
+    Table table = table_of("path", "Improvements", {"evaluation", "search", "objective"});
     for (const DesignStep& step : result.path)
-        table.rows.push_back({static_cast<double>(step.evaluation), step.search, step.objective});
+        table.row({static_cast<double>(step.evaluation), step.search, step.objective});
     return table;
 }
 
-DataTable reasons_table(const DesignResult& result) {
-    DataTable table = table_of("reasons", "Candidates without result", {"count", "reason"});
+Table reasons_table(const DesignResult& result) {
+    Table table{"reasons", "Candidates without result"};
+    table.add("count");
+    table.add("reason");
     for (const DesignReason& reason : result.reasons)
-        table.rows.push_back({static_cast<double>(reason.count), reason.reason});
+        table.row({static_cast<double>(reason.count), reason.reason});
     return table;
 }
 
-/// Neither empty throughout, nor "no", nor zero; nor what the cells beside it say: unit, number of a row.
-bool says_something(const DataTable& table, std::size_t column) {
-    if (table.id == "outputs" && table.columns[column].header == "unit") return false;
-    if (table.columns[column].header == "row") return false;  // its name stands beside it
-    return std::any_of(table.rows.begin(), table.rows.end(), [&](const std::vector<TableCell>& row) {
-        const TableCell& cell = row[column];
-        if (const auto* text = std::get_if<std::string>(&cell))
-            return (*text != "no" || table.id == "outputs") && !text->empty() && *text != "1";
-        if (const auto* number = std::get_if<double>(&cell)) return *number != 0.0;
-        return std::holds_alternative<Quantity>(cell) || std::holds_alternative<Message>(cell);
-    });
-}
-
-/// A column of nothing but "yes" and "no" is in the program's words.
-void say_yes_and_no(DataTable& table, std::size_t column) {
-    const auto is_answer = [](const TableCell& cell) {
+/// Neither empty throughout, nor "no", nor zero, nor the unit one.
+bool says_something(const Table& table, const Column& column) {
+    for (std::size_t row = 0; row < table.rows; ++row) {
+        const Cell cell = column.cell(row);
         const auto* text = std::get_if<std::string>(&cell);
-        return std::holds_alternative<std::monostate>(cell) ||
-               (text && (*text == "yes" || *text == "no" || *text == undecided));
-    };
-    if (!std::ranges::all_of(table.rows, [&](const auto& row) { return is_answer(row[column]); })) return;
-    for (std::vector<TableCell>& row : table.rows)
-        if (const auto* text = std::get_if<std::string>(&row[column]))
-            row[column] = *text == "yes"       ? tell<"yes">()
-                          : *text == undecided ? tell<"undecided">()
-                                               : tell<"no">();
+        const auto* answer = std::get_if<Answer>(&cell);
+        const auto* number = std::get_if<Measured>(&cell);
+        if (text     ? !text->empty() && *text != "1"
+            : answer ? answer->is
+            : number ? number->si != 0.0
+                     : !std::holds_alternative<std::monostate>(cell))
+            return true;
+    }
+    return false;
 }
 
 /// Cells as people read them, columns flush.
@@ -327,38 +317,23 @@ void write_end(std::ostringstream& out, const DesignResult& result) {
 
 }  // namespace
 
-std::vector<DataTable> design_tables(const DesignResult& result) {
-    std::vector<DataTable> tables{outputs_table(result)};
-    for (DataTable table :
-         {values_table(result), rows_table(result), gains_table(result), sources_table(result),
-          curve_table(result), front_table(result), path_table(result), reasons_table(result)})
-        if (!table.rows.empty()) tables.push_back(std::move(table));
+std::vector<Table> design_tables(const DesignResult& result) {
+    std::vector<Table> tables{outputs_table(result)};
+    for (Table table : {values_table(result), rows_table(result), gains_table(result), sources_table(result),
+                        curve_table(result), front_table(result), path_table(result), reasons_table(result)})
+        if (table.rows > 0) tables.push_back(std::move(table));
     return tables;
 }
 
-std::vector<DataTable> readable_design_tables(const DesignResult& result) {
+std::vector<Table> readable_design_tables(const DesignResult& result) {
     constexpr std::size_t most_readable = 30;
-    static const std::set<std::string> counts{"rows", "count"};
-    std::vector<DataTable> tables;
-    for (const DataTable& table : design_tables(result)) {
+    std::vector<Table> tables;
+    for (Table& table : design_tables(result)) {
         if (table.id == "path") continue;
-        if (table.id == "front" && table.rows.size() > most_readable) continue;  // the chart shows it
-        DataTable readable{
-            table.id, table.title, {}, std::vector<std::vector<TableCell>>(table.rows.size()), table.notes};
-        for (std::size_t c = 0; c < table.columns.size(); ++c) {
-            if (!says_something(table, c)) continue;
-            readable.columns.push_back(table.columns[c]);
-            // The other targets are points.
-            if (table.columns[c].header == "target") readable.columns.back().header = "target uncertainty";
-            if (!counts.contains(table.columns[c].header)) readable.columns.back().digits = 4;
-            if (table.columns[c].header == "change") {  // a part of one in files
-                readable.columns.back().unit = Unit::of("%");
-                readable.columns.back().decimals = 1;
-            }
-            for (std::size_t r = 0; r < table.rows.size(); ++r) readable.rows[r].push_back(table.rows[r][c]);
-        }
-        for (std::size_t c = 0; c < readable.columns.size(); ++c) say_yes_and_no(readable, c);
-        tables.push_back(std::move(readable));
+        if (table.id == "front" && table.rows > most_readable) continue;  // the chart shows it
+        std::erase_if(table.columns,
+                      [&](const Column& column) { return column.hidden || !says_something(table, column); });
+        tables.push_back(std::move(table));
     }
     return tables;
 }

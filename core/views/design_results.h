@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/result/design_result.h"
+#include "core/text/table.h"
 
 namespace covaria {
 
 /// "outputs", and as far as there are any "values", "rows", "gains", "sources", "curve", "front", "path",
 /// "reasons"; full precision.
-std::vector<DataTable> design_tables(const DesignResult& result);
+std::vector<Table> design_tables(const DesignResult& result);
 /// Of those what people read of a design: rounded, without the way of the search and without columns that say
 /// nothing.
-std::vector<DataTable> readable_design_tables(const DesignResult& result);
+std::vector<Table> readable_design_tables(const DesignResult& result);
 /// What people read on a terminal.
 std::string design_text(const DesignResult& result);
 

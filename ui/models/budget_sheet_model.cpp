@@ -361,21 +361,18 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
         cells[column("value")] = {};  // their mean
     } else if (is_listed(text_at(row, "statement")) && !is_listed(read->kind) && !number_at(row, "value")) {
         if (const auto mean = listed_mean(document_.project(), address_, symbol_of(row)))
-            cells[column("value")] = {number_text(*mean, QLocale())};
+            cells[column("value")] = {.number = *mean};
     }
-    const auto number = [](const std::optional<double>& value) {
-        return SetupTableModel::TypedCell{value ? number_text(*value, QLocale()) : QString()};
-    };
     cells[column("statement")] = {to_qt(read->kind)};
-    cells[column("a")] = number(read->a);
-    cells[column("b")] = number(read->b);
+    cells[column("a")] = {.number = read->a};
+    cells[column("b")] = {.number = read->b};
     cells[column("stated_unit")] = {to_qt(read->unit)};
     // Those of another kind of statement, or of another certificate, are not its own.
     const std::string before = text_at(row, "statement");
     const bool is_another =
         !before.empty() &&
         (read->kind != before || (read->kind.starts_with("certificate") && read->b != number_at(row, "b")));
-    if (read->degrees_of_freedom || is_another) cells[column("nu")] = number(read->degrees_of_freedom);
+    if (read->degrees_of_freedom || is_another) cells[column("nu")] = {.number = read->degrees_of_freedom};
     return cells;
 }
 
@@ -426,7 +423,7 @@ bool BudgetSheetModel::state_u(int row, const QString& text) {
         return true;
     }
     Cells cells;
-    cells[column("a")] = {number_text(without_noise(*a * wanted / now), QLocale())};
+    cells[column("a")] = {.number = without_noise(*a * wanted / now)};
     sheet_.write_row(row, cells, next_step());
     return true;
 }

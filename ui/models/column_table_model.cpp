@@ -100,13 +100,15 @@ void ColumnTableModel::set_digits(int digits) {
     tell();
 }
 
-DataTable ColumnTableModel::file_table(const std::vector<int>& rows, const std::vector<int>& columns) const {
-    std::vector<std::string> keys;
-    for (const int c : columns) keys.push_back(keys_[static_cast<std::size_t>(c)]);
-    DataTable all = data_table(table_, keys, view_.units);
-    DataTable shown = all;
-    shown.rows.clear();
-    for (const int row : rows) shown.rows.push_back(std::move(all.rows[static_cast<std::size_t>(row)]));
+Table ColumnTableModel::file_table(const std::vector<int>& rows, const std::vector<int>& columns) const {
+    Table shown{table_.id, table_.title, rows.size()};
+    for (const int c : columns) {
+        Column& added = shown.add(column(c));
+        added.in_files = true;
+        added.cell = Cells([cells = added.cell, rows](std::size_t row) {
+            return cells(static_cast<std::size_t>(rows[row]));
+        });
+    }
     return shown;
 }
 

@@ -26,10 +26,12 @@ public:
     /// False: the result shown belongs to an earlier state of the project.
     bool is_current() const { return current_; }
     void set_units(const DisplayUnits& units);
+    const DisplayUnits& units() const { return view_.units; }
     void set_digits(int digits);  ///< significant digits of uncertainties
 
-    /// What is shown, of these rows and columns, as a file has it.
-    DataTable file_table(const std::vector<int>& rows, const std::vector<int>& columns) const;
+    /// Of what is shown these rows and columns, for a file in `units()`; it lives no longer than the
+    /// contents.
+    Table file_table(const std::vector<int>& rows, const std::vector<int>& columns) const;
 
 protected:
     /// Columns of `table` by their keys. With the same shape as before, views keep their selection and

@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <QPalette>
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/base/temperature.h"
@@ -250,13 +251,12 @@ std::map<int, SetupTableModel::TypedCell> SetupTableModel::cells_of_value(int ro
     const double value = *parse_number(trimmed.left(digits), QLocale());
     const QString written =
         row < rowCount() ? index(row, at("unit")).data(Qt::EditRole).toString() : QString();
-    if (written.isEmpty())
-        return {{at("value"), {number_text(value, QLocale())}}, {at("unit"), {to_qt(typed->text())}}};
+    if (written.isEmpty()) return {{at("value"), {.number = value}}, {at("unit"), {to_qt(typed->text())}}};
     const Unit of_row = Unit::parse(to_std(written)).value_or(Unit());
     if (const Message objection = reading_objection(*typed, of_row); !objection.empty())
         return {{at("value"), {text, to_qt(objection)}}};
     if (typed->dimension() == of_row.dimension())
-        return {{at("value"), {number_text(converted(value, *typed, of_row), QLocale())}}};
+        return {{at("value"), {.text = text, .number = converted(value, *typed, of_row)}}};
     return {{at("value"),
              {text, tr("%1 is no unit for a quantity in %2.").arg(behind, to_qt(of_row.display()))}}};
 }
@@ -324,10 +324,12 @@ int SetupTableModel::write_row(int row, const std::map<int, TypedCell>& cells, c
         const std::size_t rows = std::max(table.rows.size(), static_cast<std::size_t>(row) + 1);
         table.rows.resize(rows, new_row(*field()));
         for (const auto& [column, typed] : cells) {
-            if (typed.refused.isEmpty())
-                set_cell(table, {row, column}, typed.text, marks);
-            else
+            const bool is_number = typed.number && std::isfinite(*typed.number);
+            if (is_number) cell_at(table, row, column) = *typed.number;
+            if (is_number || !typed.refused.isEmpty())
                 marks[{row, column}] = {typed.text, typed.refused};
+            else
+                set_cell(table, {row, column}, typed.text, marks);
         }
     };
     const QString at = what.isEmpty() ? name_of_row(row) : name_of_row(row) + QStringLiteral(", ") + what;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "ui/document/document.h"
@@ -35,8 +36,9 @@ public:
     void remove_rows_at(const std::set<int>& rows) override;
     /// What is to stand in a cell, or a text that is refused there.
     struct TypedCell {
-        QString text;
-        QString refused = {};  ///< why; empty: it is not
+        QString text = {};
+        QString refused = {};               ///< why; empty: it is not
+        std::optional<double> number = {};  ///< in the unit of the column, instead of the text
     };
     /// Cells of a row by their columns as one undo step, or as a part of that with the same key (not empty),
     /// adding the row if need be. Returns how many could not be understood.

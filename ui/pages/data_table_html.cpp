@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "core/report/evaluation_table.h"
+#include "core/text/cell.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
@@ -21,7 +21,7 @@ QString shown(const Text& text) {
     return to_qt(to_html(text)).replace(QChar(0x202f), QChar(QChar::Nbsp));
 }
 
-QString html_of(const DataTable& made) {
+QString html_of(const Table& made) {
     const TableView view{{}, 2, language_of_window()};
     const Table table = evaluation_table(made, view.language);
     std::vector<bool> is_numeric;
@@ -49,9 +49,9 @@ QString html_of(const DataTable& made) {
 
 }  // namespace
 
-QString html_of(const std::vector<DataTable>& tables) {
+QString html_of(const std::vector<Table>& tables) {
     QString html;
-    for (const DataTable& table : tables) html += html_of(table);
+    for (const Table& table : tables) html += html_of(table);
     return html;
 }
 

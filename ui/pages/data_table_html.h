@@ -4,11 +4,11 @@
 #include <QString>
 #include <vector>
 
-#include "core/base/data_table.h"
+#include "core/text/table.h"
 
 namespace covaria::ui {
 
 /// Title, head, rows and notes of each table; of very long tables the first rows.
-QString html_of(const std::vector<DataTable>& tables);
+QString html_of(const std::vector<Table>& tables);
 
 }  // namespace covaria::ui

@@ -149,7 +149,7 @@ QString SortableTable::csv() const {
         rows.push_back(proxy_.mapToSource(proxy_.index(row, 0)).row());
     for (int column = 0; column < proxy_.columnCount(); ++column)
         if (!isColumnHidden(column)) columns.push_back(column);
-    const std::string text = to_csv(model_.file_table(rows, columns));
+    const std::string text = to_csv(model_.file_table(rows, columns), model_.units());
     return to_qt(remark_.isEmpty() ? text : text + csv_text(to_std(remark_)) + "\r\n");
 }
 

@@ -181,7 +181,7 @@ public:
                 .origin = tell<"ballbars: %1">(meaning_words(reading_.meaning))};
     }
 
-    std::vector<DataTable> evaluation() const override { return {support_table()}; }
+    std::vector<Table> evaluation() const override { return {support_table()}; }
 
     Layout layout() const override {
         Layout layout;
@@ -246,17 +246,15 @@ private:
         }
     }
 
-    DataTable support_table() const {
-        DataTable table;
-        table.id = "supports";
-        table.title = "Supports in the instrument's frame and in the robot's";
-        table.columns = {{.header = "support"}};
+    Table support_table() const {
+        Table table{"supports", "Supports in the instrument's frame and in the robot's"};
+        table.add("support");
         for (const char* const header : {"x", "y", "z", "x_R", "y_R", "z_R"})
-            table.columns.push_back({.header = header, .unit = mm, .is_symbol = true, .digits = 7});
+            table.add(header).in(mm).symbol().figure(7);
         const std::vector<Eigen::Vector3d> positions = support_positions(*this);
         for (std::size_t k = 0; k < positions.size(); ++k) {
             const Eigen::Vector3d &p = positions[k], p_R = placement_ * p;
-            table.rows.push_back({std::to_string(k + 1), p.x(), p.y(), p.z(), p_R.x(), p_R.y(), p_R.z()});
+            table.row({std::to_string(k + 1), p.x(), p.y(), p.z(), p_R.x(), p_R.y(), p_R.z()});
         }
         return table;
     }

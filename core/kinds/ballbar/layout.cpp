@@ -120,28 +120,26 @@ Layout tcp_layout(const TcpSetup& setup) {
     return LayoutBuilder(setup).build();
 }
 
-std::vector<DataTable> tcp_evaluation(const TcpSetup& setup) {
+std::vector<Table> tcp_evaluation(const TcpSetup& setup) {
     const Unit mm = Unit::of("mm"), deg = Unit::of("deg");
     if (!setup.finds_tool()) return {};
-    DataTable table;
-    table.id = "rotations";
-    table.title = "Rotations of the flange";
-    table.columns = {{.header = "about"},
-                     {.header = "points"},
-                     {.header = "from", .unit = deg, .digits = 5},
-                     {.header = "to", .unit = deg, .digits = 5},
-                     {.header = "radius of the circle", .unit = mm, .digits = 5},
-                     {.header = "least height above the supports", .unit = mm, .digits = 5},
-                     {.header = "greatest height", .unit = mm, .digits = 5}};
+    Table table{"rotations", "Rotations of the flange"};
+    table.add("about");
+    table.add("points");
+    table.add("from").in(deg).figure(5);
+    table.add("to").in(deg).figure(5);
+    table.add("radius of the circle").in(mm).figure(5);
+    table.add("least height above the supports").in(mm).figure(5);
+    table.add("greatest height").in(mm).figure(5);
     for (const Sequence& s : setup.sequences) {
         double least = infinity, most = -infinity;
         for (std::size_t i = s.first; i < s.first + s.count; ++i) {
             least = std::min(least, setup.points[i].p_B.z());
             most = std::max(most, setup.points[i].p_B.z());
         }
-        table.rows.push_back({std::string(1, axis_letters[s.axis]), static_cast<double>(s.count),
-                              setup.points[s.first].angle, setup.points[s.first + s.count - 1].angle,
-                              s.radius, least, most});
+        table.row({std::string(1, axis_letters[s.axis]), static_cast<double>(s.count),
+                   setup.points[s.first].angle, setup.points[s.first + s.count - 1].angle, s.radius, least,
+                   most});
     }
     return {table};
 }

@@ -25,7 +25,7 @@ public:
     const InputSet& inputs() const override { return inputs_.set; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double>) const override { return tcp::tcp_layout(setup_); }
-    std::vector<DataTable> evaluation() const override { return tcp::tcp_evaluation(setup_); }
+    std::vector<Table> evaluation() const override { return tcp::tcp_evaluation(setup_); }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {

@@ -121,25 +121,23 @@ public:
     std::array<UncertaintyComponent, 3> position() const override { return position_; }
     std::optional<std::array<UncertaintyComponent, 3>> orientation() const override { return orientation_; }
 
-    std::vector<DataTable> evaluation() const override {
-        DataTable table;
-        table.id = "repeatability";
-        table.title = "Scatter of a pose that the robot is sent to again";
-        table.columns = {{.header = "deviation"},
-                         {.header = "distribution"},
-                         {.header = "value", .unit = Unit::of("um"), .digits = 4}};
+    std::vector<Table> evaluation() const override {
+        Table table{"repeatability", "Scatter of a pose that the robot is sent to again"};
+        table.add("deviation");
+        table.add("distribution");
+        table.add("value").in(Unit::of("um")).figure(4);
         const Distribution& along = position_[0].distribution;
-        table.rows.push_back(
+        table.row(
             {tell<"u along any axis">(), Message::declared(along.title()), along.standard_uncertainty()});
         const auto length = length_law_of(along);
         if (length) {
-            table.rows.push_back({tell<"distance: largest">(), law_title(), length->largest});
-            table.rows.push_back({tell<"distance: RP = mean + 3 s">(), law_title(),
-                                  length->mean() + 3.0 * length->standard_deviation()});
+            table.row({tell<"distance: largest">(), law_title(), length->largest});
+            table.row({tell<"distance: RP = mean + 3 s">(), law_title(),
+                       length->mean() + 3.0 * length->standard_deviation()});
         } else {
             const double u = along.standard_uncertainty();
-            table.rows.push_back({tell<"distance: RP = mean + 3 s">(), law_title(),
-                                  (maxwell_mean + 3.0 * maxwell_deviation) * u});
+            table.row({tell<"distance: RP = mean + 3 s">(), law_title(),
+                       (maxwell_mean + 3.0 * maxwell_deviation) * u});
         }
         table.notes.push_back(
             tell<"The coordinates are uncorrelated; unless they are normal, they are not "

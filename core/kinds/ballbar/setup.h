@@ -122,7 +122,7 @@ struct TcpInputs {
 };
 TcpInputs tcp_inputs(const TcpSetup& setup);
 
-std::vector<DataTable> tcp_evaluation(const TcpSetup& setup);
+std::vector<Table> tcp_evaluation(const TcpSetup& setup);
 Layout tcp_layout(const TcpSetup& setup);
 
 inline constexpr char axis_letters[] = "xyz";

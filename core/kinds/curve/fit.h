@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/kinds/curve/setup.h"
+#include "core/text/table.h"
 
 namespace covaria::curve {
 
@@ -44,7 +44,7 @@ struct InversePlace {
 Result<InversePlace> inverse_place(const CurveSetup& setup, const Fit& fit, const Observation& observation);
 
 /// What the curve says about the points: residuals, s, chi-squared, analysis of variance; inverse use.
-std::vector<DataTable> curve_evaluation(const CurveSetup& setup, const Fit& fit,
-                                        const std::vector<InversePlace>& inverse);
+std::vector<Table> curve_evaluation(const CurveSetup& setup, const Fit& fit,
+                                    const std::vector<InversePlace>& inverse);
 
 }  // namespace covaria::curve

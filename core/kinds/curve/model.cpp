@@ -89,9 +89,7 @@ public:
         const std::vector<ModelEquation>& all = curve_equations();
         return {curve_equation(setup_), all[setup_.from_residuals ? 1 : setup_.has_covariance() ? 3 : 2]};
     }
-    std::vector<DataTable> evaluation() const override {
-        return curve::curve_evaluation(setup_, fit_, inverse_);
-    }
+    std::vector<Table> evaluation() const override { return curve::curve_evaluation(setup_, fit_, inverse_); }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {

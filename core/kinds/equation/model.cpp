@@ -40,7 +40,7 @@ public:
     const std::vector<OutputQuantity>& outputs() const override { return setup_.outputs; }
     Layout layout(std::span<const double>) const override { return {}; }
 
-    std::vector<DataTable> evaluation() const override {
+    std::vector<Table> evaluation() const override {
         return equation_model::observation_tables(setup_.observed);
     }
     std::vector<PlotSpecification> figures() const override {

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/equation/program.h"
 #include "core/model/offered.h"
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
 #include "core/setup/fields.h"
 #include "core/text/plot_specification.h"
+#include "core/text/table.h"
 
 namespace covaria::equation_model {
 
@@ -78,7 +78,7 @@ std::optional<EquationSetup> read_equation_setup(const SetupReader& reader, cons
                                                  Problems& problems);
 
 /// The Type A evaluation of each series; empty without observations.
-std::vector<DataTable> observation_tables(const std::vector<ObservedQuantity>& observed);
+std::vector<Table> observation_tables(const std::vector<ObservedQuantity>& observed);
 /// A chart for each quantity: its observations in the order in which they stand, with their mean.
 std::vector<PlotSpecification> observation_figures(const std::vector<ObservedQuantity>& observed);
 

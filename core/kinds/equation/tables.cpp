@@ -67,8 +67,8 @@ std::string words_of(const ObservedQuantity& quantity, const ObservedQuantity::S
     return series.name.empty() ? symbol : symbol + ", " + series.name;
 }
 
-std::vector<TableCell> row_of(const ObservedQuantity& quantity, const ObservedQuantity::Series& series,
-                              const TypeA& a) {
+std::vector<Cell> row_of(const ObservedQuantity& quantity, const ObservedQuantity::Series& series,
+                         const TypeA& a) {
     const Unit unit = quantity.unit.interval();
     return {words_of(quantity, series),
             static_cast<double>(series.values.size()),
@@ -80,21 +80,18 @@ std::vector<TableCell> row_of(const ObservedQuantity& quantity, const ObservedQu
 
 }  // namespace
 
-std::vector<DataTable> observation_tables(const std::vector<ObservedQuantity>& observed) {
-    DataTable table;
-    table.id = "type-a";
-    table.title = "Type A evaluation of observations";
-    table.columns = {{.header = "quantity"},
-                     {.header = "n", .is_symbol = true, .decimals = 0},
-                     {.header = "mean", .match = 4},
-                     {.header = "s of one observation", .digits = 3},
-                     {.header = "u of the mean", .digits = 3},
-                     {.header = "nu", .is_symbol = true, .decimals = 0}};
+std::vector<Table> observation_tables(const std::vector<ObservedQuantity>& observed) {
+    Table table{"type-a", "Type A evaluation of observations"};
+    table.add("quantity");
+    table.add("n").symbol().fixed(0);
+    table.add("mean").estimate_of("u of the mean");
+    table.add("s of one observation").figure(3);
+    table.add("u of the mean").figure(3);
+    table.add("nu").symbol().fixed(0);
     for (const ObservedQuantity& quantity : observed)
         for (const ObservedQuantity::Series& series : quantity.series)
-            if (const auto a = type_a_evaluation(series.values))
-                table.rows.push_back(row_of(quantity, series, *a));
-    if (table.rows.empty()) return {};
+            if (const auto a = type_a_evaluation(series.values)) table.row(row_of(quantity, series, *a));
+    if (table.rows == 0) return {};
     table.notes = {tell<
         "s is the experimental standard deviation, u = s/√n (JCGM 100 4.2). A quantity that is stated as "
         "pooled observations has the u of all its series together (JCGM 100 4.2.4).">()};

@@ -34,7 +34,7 @@ public:
     const Eigen::Isometry3d& placement() const override { return calibration_.placement; }
     double height() const override { return calibration_.height; }
 
-    std::vector<DataTable> evaluation() const override { return force::calibration_tables(calibration_); }
+    std::vector<Table> evaluation() const override { return force::calibration_tables(calibration_); }
     std::vector<PlotSpecification> figures() const override {
         return force::calibration_figures(calibration_);
     }

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/kinds/force/axis_fields.h"
 #include "core/kinds/force/force_sensor.h"
 #include "core/model/offered.h"
 #include "core/text/plot_specification.h"
+#include "core/text/table.h"
 
 namespace covaria::force {
 
@@ -151,8 +151,8 @@ void evaluate_series(Calibration& calibration, Problems& problems);
 /// Rated outputs, zero errors ... as typed.
 void read_summary(Calibration& calibration, Problems& problems);
 
-std::vector<DataTable> calibration_tables(const Calibration& calibration);
-DataTable stated_table(const Calibration& calibration);
+std::vector<Table> calibration_tables(const Calibration& calibration);
+Table stated_table(const Calibration& calibration);
 std::vector<PlotSpecification> calibration_figures(const Calibration& calibration);
 
 }  // namespace covaria::force

@@ -42,14 +42,14 @@ public:
     explicit StatedTable(const Calibration& calibration) : calibration_(calibration) {
         table_.id = "stated";
         table_.title = "Stated values beside the computed ones";
-        table_.columns = {{.header = "quantity", .is_symbol = false},
-                          {.header = "sensor"},
-                          {.header = "stated"},
-                          {.header = "computed", .digits = 4},
-                          {.header = "status"}};
+        table_.add("quantity");
+        table_.add("sensor");
+        table_.add("stated");
+        table_.add("computed").figure(4);
+        table_.add("status");
     }
 
-    DataTable build() {
+    Table build() {
         const auto columns = sensor_fields().columns(&StatedSensor::stated).specs();
         for (std::size_t c = 1; c < columns.size(); ++c)
             add_quantity(static_cast<Figure>(c - 1), columns[c].title, columns[c].unit);
@@ -137,23 +137,23 @@ private:
         if (rows.empty()) return;
         const auto equal =
             std::count_if(rows.begin(), rows.end(), [](const Compared& r) { return r.reproduces(); });
-        table_.rows.push_back({quantity, tell<"%1 out of %2">(equal, rows.size()), std::monostate{},
-                               std::monostate{}, tell<"reproduces">()});
+        table_.row({quantity, tell<"%1 out of %2">(equal, rows.size()), std::monostate{}, std::monostate{},
+                    tell<"reproduces">()});
         for (const Compared& r : rows) {
             if (r.reproduces()) continue;
-            table_.rows.push_back({std::string(), r.sensor, Quantity{unit.from_si(r.stated), unit},
-                                   Quantity{unit.from_si(r.computed), unit},
-                                   r.inside_rounding() ? tell<"inside rounding">() : tell<"differs">()});
+            table_.row({std::string(), r.sensor, Quantity{unit.from_si(r.stated), unit},
+                        Quantity{unit.from_si(r.computed), unit},
+                        r.inside_rounding() ? tell<"inside rounding">() : tell<"differs">()});
         }
     }
 
     const Calibration& calibration_;
-    DataTable table_;
+    Table table_;
 };
 
 }  // namespace
 
-DataTable stated_table(const Calibration& calibration) {
+Table stated_table(const Calibration& calibration) {
     return StatedTable(calibration).build();
 }
 

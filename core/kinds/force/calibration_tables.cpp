@@ -21,23 +21,21 @@ Quantity in_load_unit(const ForceChannel& channel, double si) {
     return {channel.load_unit().from_si(si), channel.load_unit()};
 }
 
-TableColumn ratio_column(const char* header, bool is_symbol = false) {
-    return {.header = header, .unit = ratio, .is_symbol = is_symbol, .decimals = ratio_decimals};
+Column ratio_column(const char* header, bool is_symbol = false) {
+    return Column{header}.in(ratio).symbol(is_symbol).fixed(ratio_decimals);
 }
 
-DataTable plan_table(const Calibration& calibration) {
+Table plan_table(const Calibration& calibration) {
     const Plan& plan = calibration.plan;
-    DataTable table;
-    table.id = "plan";
-    table.title = "Calibration as planned and as read";
-    table.columns = {{.header = "axis"},
-                     {.header = "preloads"},
-                     {.header = "runs"},
-                     {.header = "steps"},
-                     {.header = "decreasing steps"},
-                     {.header = "spread of the preloads", .unit = ratio, .decimals = ratio_decimals}};
-    table.rows.push_back({tell<"planned">(), double(plan.preloads), double(plan.runs), double(plan.steps),
-                          plan.decreasing ? double(plan.steps - 1) : 0.0, std::monostate{}});
+    Table table{"plan", "Calibration as planned and as read"};
+    table.add("axis");
+    table.add("preloads");
+    table.add("runs");
+    table.add("steps");
+    table.add("decreasing steps");
+    table.add("spread of the preloads").in(ratio).fixed(ratio_decimals);
+    table.row({tell<"planned">(), double(plan.preloads), double(plan.runs), double(plan.steps),
+               plan.decreasing ? double(plan.steps - 1) : 0.0, std::monostate{}});
     for (std::size_t c = 0; c < calibration.series.size(); ++c) {
         const Series& series = calibration.series[c];
         double low = infinity, high = -infinity;
@@ -48,47 +46,42 @@ DataTable plan_table(const Calibration& calibration) {
             }
         std::size_t down = 0;
         for (const Run& run : series.runs) down = std::max(down, run.decreasing.size());
-        table.rows.push_back({key_of(calibration, c), double(series.preloads.size()),
-                              double(series.runs.size()), double(calibration.steps[c].size()), double(down),
-                              high >= low ? TableCell(high - low) : TableCell()});
+        table.row({key_of(calibration, c), double(series.preloads.size()), double(series.runs.size()),
+                   double(calibration.steps[c].size()), double(down),
+                   high >= low ? Cell(high - low) : Cell()});
     }
     table.notes.push_back(tell<"Fig. 2: %1 s without load before a series, %2 s at each load.">(
         Message::number(readable_number(plan.free_time)), Message::number(readable_number(plan.load_time))));
     return table;
 }
 
-DataTable steps_table(const Calibration& calibration) {
-    DataTable table;
-    table.id = "steps";
-    table.title = "Means and standard deviations of the net values (Eqs 1 to 4)";
-    table.columns = {{.header = "axis"},
-                     {.header = "load", .digits = 3},
-                     ratio_column("mean"),
-                     ratio_column("s", true),
-                     ratio_column("u_A", true),
-                     {.header = "n", .is_symbol = true},
-                     ratio_column("mean, decreasing")};
+Table steps_table(const Calibration& calibration) {
+    Table table{"steps", "Means and standard deviations of the net values (Eqs 1 to 4)"};
+    table.add("axis");
+    table.add("load").figure(3);
+    table.add(ratio_column("mean"));
+    table.add(ratio_column("s", true));
+    table.add(ratio_column("u_A", true));
+    table.add("n").symbol();
+    table.add(ratio_column("mean, decreasing"));
     for (std::size_t c = 0; c < calibration.size(); ++c)
         for (const StepStatistics& step : calibration.steps[c])
-            table.rows.push_back(
-                {key_of(calibration, c), in_load_unit(calibration.channels[c], step.load), step.mean, step.s,
-                 step.s / std::sqrt(step.n), step.n,
-                 std::isnan(step.decreasing_mean) ? TableCell() : TableCell(step.decreasing_mean)});
+            table.row({key_of(calibration, c), in_load_unit(calibration.channels[c], step.load), step.mean,
+                       step.s, step.s / std::sqrt(step.n), step.n,
+                       std::isnan(step.decreasing_mean) ? Cell() : Cell(step.decreasing_mean)});
     return table;
 }
 
-DataTable table_1(const Calibration& calibration) {
-    DataTable table;
-    table.id = "table-1";
-    table.title = "Rated output and non-zero error of each sensor (Kim, Table 1)";
-    table.columns = {{.header = "sensor"},
-                     {.header = "rated load"},
-                     ratio_column("rated output"),
-                     ratio_column("non-zero error")};
+Table table_1(const Calibration& calibration) {
+    Table table{"table-1", "Rated output and non-zero error of each sensor (Kim, Table 1)"};
+    table.add("sensor");
+    table.add("rated load");
+    table.add(ratio_column("rated output"));
+    table.add(ratio_column("non-zero error"));
     for (std::size_t h = 0; h < calibration.size(); ++h) {
         const ForceChannel& channel = calibration.channels[h];
-        table.rows.push_back({key_of(calibration, h), in_load_unit(channel, channel.rated_load),
-                              channel.rated_output, channel.zero});
+        table.row({key_of(calibration, h), in_load_unit(channel, channel.rated_load), channel.rated_output,
+                   channel.zero});
     }
     return table;
 }
@@ -99,18 +92,16 @@ public:
     InterferenceTable(const Calibration& calibration, bool relative)
         : calibration_(calibration), relative_(relative) {}
 
-    DataTable build() {
-        DataTable table;
-        table.id = relative_ ? "table-4" : "table-2";
-        table.title = relative_ ? "Interference error in per cent of the rated output (Kim, Table 4)"
-                                : "Interference error of each sensor (Kim, Table 2)";
+    Table build() {
+        Table table{relative_ ? "table-4" : "table-2",
+                    relative_ ? "Interference error in per cent of the rated output (Kim, Table 4)"
+                              : "Interference error of each sensor (Kim, Table 2)"};
         const bool loads = calibration_.rows_are_loads;
-        table.columns = {{.header = loads ? "load" : "sensor"}};
-        for (std::size_t c = 0; c < calibration_.size(); ++c)
-            table.columns.push_back(column(key_of(calibration_, c)));
-        if (!loads) table.columns.push_back(column("largest"));
-        for (std::size_t r = 0; r < calibration_.size(); ++r) table.rows.push_back(row(r, !loads));
-        if (loads) table.rows.push_back(largest_row());
+        table.add(loads ? "load" : "sensor");
+        for (std::size_t c = 0; c < calibration_.size(); ++c) table.add(column(key_of(calibration_, c)));
+        if (!loads) table.add(column("largest"));
+        for (std::size_t r = 0; r < calibration_.size(); ++r) table.row(row(r, !loads));
+        if (loads) table.row(largest_row());
         table.notes.push_back(
             loads ? tell<"A row is a load, a column the sensor that answers to it.">()
                   : tell<"A row is a sensor, a column the load under which it gives this output.">());
@@ -119,10 +110,8 @@ public:
     }
 
 private:
-    TableColumn column(const std::string& header) const {
-        return {.header = header,
-                .unit = relative_ ? percent : ratio,
-                .decimals = relative_ ? 2 : ratio_decimals};
+    Column column(const std::string& header) const {
+        return Column{header}.in(relative_ ? percent : ratio).fixed(relative_ ? 2 : ratio_decimals);
     }
 
     double cell(std::size_t sensor, std::size_t load) const {
@@ -130,20 +119,20 @@ private:
         return relative_ ? e / std::abs(calibration_.channels[sensor].rated_output) : e;
     }
 
-    std::vector<TableCell> row(std::size_t r, bool with_largest) const {
-        std::vector<TableCell> cells{key_of(calibration_, r)};
+    std::vector<Cell> row(std::size_t r, bool with_largest) const {
+        std::vector<Cell> cells{key_of(calibration_, r)};
         double largest = 0.0;
         for (std::size_t c = 0; c < calibration_.size(); ++c) {
             const double e = calibration_.rows_are_loads ? cell(c, r) : cell(r, c);
             if (c != r) largest = std::max(largest, std::abs(e));
-            cells.push_back(c == r ? TableCell() : TableCell(e));
+            cells.push_back(c == r ? Cell() : Cell(e));
         }
         if (with_largest) cells.push_back(largest);
         return cells;
     }
 
-    std::vector<TableCell> largest_row() const {
-        std::vector<TableCell> cells{tell<"largest">()};
+    std::vector<Cell> largest_row() const {
+        std::vector<Cell> cells{tell<"largest">()};
         for (std::size_t h = 0; h < calibration_.size(); ++h)
             cells.push_back(calibration_.largest_interference(h) /
                             (relative_ ? std::abs(calibration_.channels[h].rated_output) : 1.0));
@@ -154,25 +143,23 @@ private:
     bool relative_;
 };
 
-DataTable table_3(const Calibration& calibration) {
-    DataTable table;
-    table.id = "table-3";
-    table.title = "Uncertainty of the sensors by the paper (Kim, Table 3, Eqs 4 to 12)";
-    table.columns = {{.header = "sensor"},
-                     ratio_column("u_A", true),
-                     ratio_column("u_B", true),
-                     ratio_column("hysteresis"),
-                     ratio_column("interference"),
-                     ratio_column("u_c", true),
-                     ratio_column("U", true),
-                     {.header = "U", .unit = percent, .is_symbol = true, .decimals = 2},
-                     {.header = "U, load", .decimals = 4}};
+Table table_3(const Calibration& calibration) {
+    Table table{"table-3", "Uncertainty of the sensors by the paper (Kim, Table 3, Eqs 4 to 12)"};
+    table.add("sensor");
+    table.add(ratio_column("u_A", true));
+    table.add(ratio_column("u_B", true));
+    table.add(ratio_column("hysteresis"));
+    table.add(ratio_column("interference"));
+    table.add(ratio_column("u_c", true));
+    table.add(ratio_column("U", true));
+    table.add("U").in(percent).symbol().fixed(2);
+    table.add("U, load").fixed(4);
     for (std::size_t h = 0; h < calibration.size(); ++h) {
         const ForceChannel& channel = calibration.channels[h];
         const double relative = calibration.U(h) / std::abs(channel.rated_output);
-        table.rows.push_back({key_of(calibration, h), channel.u_a, calibration.u_b(h), channel.hysteresis,
-                              calibration.largest_interference(h), calibration.u_c(h), calibration.U(h),
-                              relative, in_load_unit(channel, relative * channel.rated_load)});
+        table.row({key_of(calibration, h), channel.u_a, calibration.u_b(h), channel.hysteresis,
+                   calibration.largest_interference(h), calibration.u_c(h), calibration.U(h), relative,
+                   in_load_unit(channel, relative * channel.rated_load)});
     }
     const ForceChannel& first = calibration.channels.front();
     table.notes.push_back(
@@ -183,17 +170,15 @@ DataTable table_3(const Calibration& calibration) {
     return table;
 }
 
-DataTable parts_table(const Calibration& calibration) {
-    DataTable table;
-    table.id = "type-b";
-    table.title = "Parts of the Type B standard uncertainty (Eqs 5 to 8)";
-    table.columns = {{.header = "sensor"}};
+Table parts_table(const Calibration& calibration) {
+    Table table{"type-b", "Parts of the Type B standard uncertainty (Eqs 5 to 8)"};
+    table.add("sensor");
     for (const char* const header : {"u_CM", "u_r", "u_z", "u_B"})
-        table.columns.push_back({.header = header, .unit = ratio, .is_symbol = true, .decimals = 6});
+        table.add(header).in(ratio).symbol().fixed(6);
     bool any_stated = false;
     for (std::size_t h = 0; h < calibration.size(); ++h) {
-        table.rows.push_back({key_of(calibration, h), calibration.u_calibrator(h), calibration.u_resolution(),
-                              calibration.u_zero(h), calibration.u_b_computed(h)});
+        table.row({key_of(calibration, h), calibration.u_calibrator(h), calibration.u_resolution(),
+                   calibration.u_zero(h), calibration.u_b_computed(h)});
         any_stated = any_stated || calibration.stated_u_b[h].has_value();
     }
     table.notes.push_back(tell<"Calibration machine: %1.">(calibration.calibrator.name));
@@ -205,8 +190,8 @@ DataTable parts_table(const Calibration& calibration) {
 
 }  // namespace
 
-std::vector<DataTable> calibration_tables(const Calibration& calibration) {
-    std::vector<DataTable> tables;
+std::vector<Table> calibration_tables(const Calibration& calibration) {
+    std::vector<Table> tables;
     if (calibration.from_readings) tables.push_back(plan_table(calibration));
     tables.push_back(table_1(calibration));
     tables.push_back(InterferenceTable(calibration, false).build());

@@ -44,18 +44,16 @@ public:
         return loads_[axis]->U / loads_[axis]->k;
     }
 
-    std::vector<DataTable> evaluation() const override {
-        DataTable table;
-        table.id = "loads";
-        table.title = "Relative uncertainty of the loads";
-        table.columns = {{.header = "axis"},
-                         {.header = "U", .unit = Unit::of("%"), .is_symbol = true, .digits = 3},
-                         {.header = "k", .is_symbol = true, .digits = 3},
-                         {.header = "u", .unit = Unit::of("%"), .is_symbol = true, .digits = 3}};
+    std::vector<Table> evaluation() const override {
+        Table table{"loads", "Relative uncertainty of the loads"};
+        table.add("axis");
+        table.add("U").in(Unit::of("%")).symbol().figure(3);
+        table.add("k").symbol().figure(3);
+        table.add("u").in(Unit::of("%")).symbol().figure(3);
         for (std::size_t axis = 0; axis < most_channels; ++axis)
             if (loads_[axis])
-                table.rows.push_back({std::string(force_axes[axis].key), loads_[axis]->U, loads_[axis]->k,
-                                      *relative_uncertainty(axis)});
+                table.row({std::string(force_axes[axis].key), loads_[axis]->U, loads_[axis]->k,
+                           *relative_uncertainty(axis)});
         return {table};
     }
 

@@ -54,7 +54,7 @@ double worst_case(const ChannelSetup& setup, std::size_t h);
 /// Readings of the channels, in the order of the channels; then the loads on the axes, if they matter.
 InputSet inputs(const ChannelSetup& setup);
 
-std::vector<DataTable> tables(const ChannelSetup& setup);
+std::vector<Table> tables(const ChannelSetup& setup);
 std::vector<PlotSpecification> figures(const ChannelSetup& setup);
 
 }  // namespace covaria::force_channels

@@ -29,29 +29,26 @@ std::vector<Comparison> comparisons(const ChannelSetup& setup) {
     return rows;
 }
 
-DataTable comparison_table(const ChannelSetup& setup) {
+Table comparison_table(const ChannelSetup& setup) {
     const auto percent = [](const char* header, int decimals = 3) {
-        return TableColumn{.header = header, .unit = Unit::of("%"), .decimals = decimals};
+        return Column{header}.in(Unit::of("%")).fixed(decimals);
     };
-    DataTable table;
-    table.id = "paper-and-gum";
-    table.title = "The paper's U and the GUM's, per cent of rated output";
-    table.columns = {{.header = "sensor"},
-                     percent("paper, linear sum"),
-                     percent("GUM, unknown loads on all other axes"),
-                     percent("GUM, unknown load on one axis"),
-                     percent("GUM, one component alone, 95 %"),
-                     {.header = "nu_eff", .is_symbol = true, .decimals = 0},
-                     {.header = "k", .is_symbol = true, .decimals = 2},
-                     percent("all other axes at rated load, worst signs"),
-                     {.header = "interference alone exceeds the paper's U"}};
+    Table table{"paper-and-gum", "The paper's U and the GUM's, per cent of rated output"};
+    table.add("sensor");
+    table.add(percent("paper, linear sum"));
+    table.add(percent("GUM, unknown loads on all other axes"));
+    table.add(percent("GUM, unknown load on one axis"));
+    table.add(percent("GUM, one component alone, 95 %"));
+    table.add("nu_eff").symbol().fixed(0);
+    table.add("k").symbol().fixed(2);
+    table.add(percent("all other axes at rated load, worst signs"));
+    table.add("interference alone exceeds the paper's U");
     std::size_t exceeding = 0;
     for (const Comparison& c : comparisons(setup)) {
         exceeding += c.worst > c.paper ? 1 : 0;
-        table.rows.push_back({c.sensor, c.paper, c.all, c.largest, c.alone,
-                              std::isfinite(c.degrees_of_freedom) ? TableCell(c.degrees_of_freedom)
-                                                                  : TableCell(std::string("∞")),
-                              c.k_alone, c.worst, c.worst > c.paper ? tell<"yes">() : tell<"no">()});
+        table.row({c.sensor, c.paper, c.all, c.largest, c.alone,
+                   std::isfinite(c.degrees_of_freedom) ? Cell(c.degrees_of_freedom) : Cell(std::string("∞")),
+                   c.k_alone, c.worst, c.worst > c.paper ? tell<"yes">() : tell<"no">()});
     }
     table.notes = {
         tell<"The paper adds the largest hysteresis and the largest interference to k times u_c. It counts "
@@ -66,23 +63,21 @@ DataTable comparison_table(const ChannelSetup& setup) {
     return table;
 }
 
-DataTable parts_table(const ChannelSetup& setup) {
-    DataTable table;
-    table.id = "gum-parts";
-    table.title = "Standard uncertainties by the GUM";
-    table.columns = {{.header = "sensor"}};
+Table parts_table(const ChannelSetup& setup) {
+    Table table{"gum-parts", "Standard uncertainties by the GUM"};
+    table.add("sensor");
     for (const char* const header :
          {"repeatability", "machine", "resolution", "non-zero", "hysteresis", "interference", "all"})
-        table.columns.push_back({.header = header, .unit = Unit::of("mV/V"), .decimals = 6});
+        table.add(header).in(Unit::of("mV/V")).fixed(6);
     for (std::size_t h = 0; h < setup.size(); ++h) {
         const ForceChannel& channel = setup.channels()[h];
         const double single = single_component(setup, h).u, all = combined(setup, h, setup.others);
         const double root12 = std::sqrt(12.0);
         const double u_a = setup.pooled ? channel.s_single(true) / std::sqrt(channel.runs) : channel.u_a;
-        table.rows.push_back(
-            {std::string(channel.kind().key), u_a, channel.u_calibrator * std::abs(channel.rated_output),
-             setup.sensor->resolution() / root12, channel.zero / root12, channel.hysteresis / root12,
-             std::sqrt(std::max(0.0, all * all - single * single)), all});
+        table.row({std::string(channel.kind().key), u_a,
+                   channel.u_calibrator * std::abs(channel.rated_output), setup.sensor->resolution() / root12,
+                   channel.zero / root12, channel.hysteresis / root12,
+                   std::sqrt(std::max(0.0, all * all - single * single)), all});
     }
     if (!setup.pooled)
         table.notes.push_back(
@@ -93,7 +88,7 @@ DataTable parts_table(const ChannelSetup& setup) {
 
 }  // namespace
 
-std::vector<DataTable> tables(const ChannelSetup& setup) {
+std::vector<Table> tables(const ChannelSetup& setup) {
     return {comparison_table(setup), parts_table(setup)};
 }
 

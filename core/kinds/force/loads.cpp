@@ -28,7 +28,7 @@ public:
 
     const InputSet& inputs() const override { return inputs_; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
-    std::vector<DataTable> evaluation() const override { return force_loads::tables(setup_); }
+    std::vector<Table> evaluation() const override { return force_loads::tables(setup_); }
     std::vector<PlotSpecification> figures() const override { return force_loads::figures(setup_); }
 
     Layout layout(std::span<const double> x) const override {

@@ -68,7 +68,7 @@ Eigen::VectorXd decoupled(const LoadsSetup& setup, const Eigen::VectorXd& v);
 
 /// Elements of the matrix, then the readings of every case.
 InputSet inputs(LoadsSetup& setup);
-std::vector<DataTable> tables(const LoadsSetup& setup);
+std::vector<Table> tables(const LoadsSetup& setup);
 std::vector<PlotSpecification> figures(const LoadsSetup& setup);
 
 }  // namespace covaria::force_loads

@@ -13,22 +13,20 @@ std::string key_of(const LoadsSetup& setup, std::size_t c) {
     return setup.channels()[c].kind().key;
 }
 
-DataTable matrix_table(const LoadsSetup& setup) {
-    DataTable table;
-    table.id = "matrix";
-    table.title = "Calibration matrix: reading by load";
-    table.columns = {{.header = "channel"}};
+Table matrix_table(const LoadsSetup& setup) {
+    Table table{"matrix", "Calibration matrix: reading by load"};
+    table.add("channel");
     for (std::size_t c = 0; c < setup.size(); ++c) {
         const bool moment = setup.channels()[c].kind().is_moment;
-        table.columns.push_back({.header = "load " + key_of(setup, c),
-                                 .unit = Unit::of(moment ? "mV/V/N/m" : "uV/V/N"),
-                                 .decimals = moment ? 6 : 5});
+        table.add("load " + key_of(setup, c))
+            .in(Unit::of(moment ? "mV/V/N/m" : "uV/V/N"))
+            .fixed(moment ? 6 : 5);
     }
     for (std::size_t h = 0; h < setup.size(); ++h) {
-        std::vector<TableCell> row{key_of(setup, h)};
+        std::vector<Cell> row{key_of(setup, h)};
         for (std::size_t c = 0; c < setup.size(); ++c)
             row.push_back(setup.element(h, c).a * setup.scale(h, c));
-        table.rows.push_back(std::move(row));
+        table.row(std::move(row));
     }
     const Message condition = Message::number(format_significant(setup.condition, 5));
     table.notes.push_back(
@@ -38,24 +36,21 @@ DataTable matrix_table(const LoadsSetup& setup) {
     return table;
 }
 
-DataTable inverse_table(const LoadsSetup& setup) {
-    DataTable table;
-    table.id = "decoupling";
-    table.title = "Decoupling matrix: load by reading";
-    table.columns = {{.header = "load"}};
-    for (std::size_t h = 0; h < setup.size(); ++h)
-        table.columns.push_back({.header = "channel " + key_of(setup, h), .digits = 5});
+Table inverse_table(const LoadsSetup& setup) {
+    Table table{"decoupling", "Decoupling matrix: load by reading"};
+    table.add("load");
+    for (std::size_t h = 0; h < setup.size(); ++h) table.add("channel " + key_of(setup, h)).figure(5);
     const Eigen::MatrixXd inverse = setup.A().inverse();
     for (std::size_t c = 0; c < setup.size(); ++c) {
         const ForceChannel& load = setup.channels()[c];
         const Unit unit = Unit::of(load.kind().is_moment ? "N*m*V/mV" : "N*V/mV");
-        std::vector<TableCell> row{key_of(setup, c)};
+        std::vector<Cell> row{key_of(setup, c)};
         for (std::size_t h = 0; h < setup.size(); ++h) {
             const double element = inverse(Eigen::Index(c), Eigen::Index(h)) * load.rated_load /
                                    setup.channels()[h].rated_output;
             row.push_back(Quantity{unit.from_si(element), unit});
         }
-        table.rows.push_back(std::move(row));
+        table.row(std::move(row));
     }
     return table;
 }
@@ -65,17 +60,15 @@ double uncompensated(const LoadsSetup& setup, const Case& one, std::size_t h) {
     return one.v[Eigen::Index(h)] / setup.element(h, h).a;
 }
 
-DataTable loads_table(const LoadsSetup& setup) {
-    DataTable table;
-    table.id = "loads";
-    table.title = "Loads with and without compensation of interference";
-    table.columns = {{.header = "case"},
-                     {.header = "load"},
-                     {.header = "reading", .unit = Unit::of("mV/V"), .decimals = 5},
-                     {.header = "compensated", .digits = 6},
-                     {.header = "uncompensated", .digits = 6},
-                     {.header = "difference"},
-                     {.header = "by rated load", .unit = Unit::of("%"), .decimals = 2}};
+Table loads_table(const LoadsSetup& setup) {
+    Table table{"loads", "Loads with and without compensation of interference"};
+    table.add("case");
+    table.add("load");
+    table.add("reading").in(Unit::of("mV/V")).fixed(5);
+    table.add("compensated").figure(6);
+    table.add("uncompensated").figure(6);
+    table.add("difference");
+    table.add("by rated load").in(Unit::of("%")).fixed(2);
     for (const Case& one : setup.cases)
         for (std::size_t h = 0; h < setup.size(); ++h) {
             const ForceChannel& channel = setup.channels()[h];
@@ -85,8 +78,8 @@ DataTable loads_table(const LoadsSetup& setup) {
                 const double step = std::pow(10.0, digits);
                 return Quantity{std::round(unit.from_si(relative * channel.rated_load) * step) / step, unit};
             };
-            table.rows.push_back({one.name, key_of(setup, h), one.v[Eigen::Index(h)] * channel.rated_output,
-                                  load(l, 6), load(alone, 6), load(alone - l, 5), alone - l});
+            table.row({one.name, key_of(setup, h), one.v[Eigen::Index(h)] * channel.rated_output, load(l, 6),
+                       load(alone, 6), load(alone - l, 5), alone - l});
         }
     table.notes.push_back(
         tell<"Uncompensated: by the slope of the channel's own axis. The uncertainties of both are among the "
@@ -96,7 +89,7 @@ DataTable loads_table(const LoadsSetup& setup) {
 
 }  // namespace
 
-std::vector<DataTable> tables(const LoadsSetup& setup) {
+std::vector<Table> tables(const LoadsSetup& setup) {
     return {matrix_table(setup), inverse_table(setup), loads_table(setup)};
 }
 

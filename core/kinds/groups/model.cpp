@@ -57,7 +57,7 @@ public:
         const std::vector<ModelEquation>& all = group_equations();
         return {all.front(), all[1 + static_cast<std::size_t>(setup_.between)]};
     }
-    std::vector<DataTable> evaluation() const override {
+    std::vector<Table> evaluation() const override {
         return group_observations::group_evaluation(setup_, variances_);
     }
 

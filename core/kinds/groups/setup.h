@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/model/asset.h"
 #include "core/setup/setup_schema.h"
+#include "core/text/table.h"
 
 namespace covaria::group_observations {
 
@@ -73,6 +73,6 @@ SetupSchema group_schema();
 std::optional<GroupSetup> read_group_setup(const SetupReader& reader, const AssetLibrary& assets,
                                            Problems& problems);
 Variances variances_of(const GroupSetup& setup);
-std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances& v);
+std::vector<Table> group_evaluation(const GroupSetup& setup, const Variances& v);
 
 }  // namespace covaria::group_observations

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/base/data_table.h"
+#include "core/text/table.h"
 
 namespace covaria {
 
@@ -17,7 +17,7 @@ struct VarianceSource {
 
 /// `unit`: of differences of the observed quantity. F is the ratio of the effect's mean square to the rest's,
 /// empty where the latter is zero.
-DataTable variance_table(std::string id, std::string title, const Unit& unit, const VarianceSource& effect,
-                         const VarianceSource& rest);
+Table variance_table(std::string id, std::string title, const Unit& unit, const VarianceSource& effect,
+                     const VarianceSource& rest);
 
 }  // namespace covaria

@@ -106,13 +106,17 @@ Unit deviation_unit(const Unit& unit) {
     return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
 }
 
-DataTable groups_table(const GroupSetup& setup) {
+Table groups_table(const GroupSetup& setup) {
     const Unit unit = deviation_unit(setup.unit);
-    DataTable table{
-        "groups", "Groups", {{"group"}, {"n"}, {"mean", setup.unit}, {"s", unit, true, 3}}, {}, {}};
+    Table table{"groups", "Groups"};
+    table.add("group");
+    table.add("n");
+    table.add("mean").in(setup.unit);
+    table.add("s").in(unit).symbol().figure(3);
     for (const Group& group : setup.groups) {
-        table.rows.push_back({group.name, group.count, setup.reference + group.mean, {}});
-        if (group.count > 1.0) table.rows.back()[3] = std::sqrt(group.sum_of_squares / (group.count - 1.0));
+        const double s = std::sqrt(group.sum_of_squares / (group.count - 1.0));
+        table.row(
+            {group.name, group.count, setup.reference + group.mean, group.count > 1.0 ? Cell(s) : Cell()});
     }
     return table;
 }
@@ -125,21 +129,23 @@ Variances variances_of(const GroupSetup& setup) {
     return v;
 }
 
-std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances& v) {
+std::vector<Table> group_evaluation(const GroupSetup& setup, const Variances& v) {
     const Unit unit = deviation_unit(setup.unit);
-    DataTable table{"anova", "Components of variance", {{"quantity"}, {"value", {}, false, 3}}, {}, {}};
+    Table table{"anova", "Components of variance"};
+    table.add("quantity");
+    table.add("value").figure(3);
     const auto deviation = [&](Message what, double s) {
-        table.rows.push_back({std::move(what), Quantity{unit.interval_from_si(s), unit}});
+        table.row({std::move(what), Quantity{unit.interval_from_si(s), unit}});
     };
     deviation(tell<"standard deviation of the means of the groups">(), v.s_of_means);
     deviation(tell<"s_a, from the means of the groups">(), v.s_a);
     deviation(tell<"s_b, within the groups">(), v.s_b);
     deviation(tell<"s_B, between the groups">(), v.s_between);
-    table.rows.push_back({tell<"n_0, size of the groups">(), v.group_size});
+    table.row({tell<"n_0, size of the groups">(), v.group_size});
     const double limit = f_quantile(0.95, v.nu_a, v.nu_b);
-    if (v.s_b > 0.0) table.rows.push_back({tell<"F = s_a²/s_b²">(), v.ratio});
-    table.rows.push_back({tell<"95 % quantile of F">(), limit});
-    table.rows.push_back({tell<"97.5 % quantile of F">(), f_quantile(0.975, v.nu_a, v.nu_b)});
+    if (v.s_b > 0.0) table.row({tell<"F = s_a²/s_b²">(), v.ratio});
+    table.row({tell<"95 % quantile of F">(), limit});
+    table.row({tell<"97.5 % quantile of F">(), f_quantile(0.975, v.nu_a, v.nu_b)});
     table.notes.push_back(v.ratio > limit ? tell<"There is an effect of the groups at the level of 5 %.">()
                                           : tell<"No effect of the groups is seen at the level of 5 %.">());
     if (setup.between == Between::components && !(v.s_between > 0.0))

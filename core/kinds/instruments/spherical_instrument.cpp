@@ -181,28 +181,26 @@ public:
         if (locates_) offer(source_);
     }
 
-    std::vector<DataTable> evaluation() const override {
+    std::vector<Table> evaluation() const override {
         const Unit mm = Unit::of("mm");
-        DataTable table;
-        table.id = "distances";
-        table.title = "Standard uncertainty of one reading, along and across the line of sight";
-        table.columns = {{.header = "distance", .unit = Unit::of("m")}};
+        Table table{"distances", "Standard uncertainty of one reading, along and across the line of sight"};
+        table.add("distance").in(Unit::of("m"));
         for (Observable o : observables)
             if (sensor_.reads(o))
-                table.columns.push_back({.header = o == Observable::distance
-                                                       ? std::string("along")
-                                                       : "across, by " + words_of(o).english(),
-                                         .unit = mm,
-                                         .digits = 3});
+                table
+                    .add(o == Observable::distance ? std::string("along")
+                                                   : "across, by " + words_of(o).english())
+                    .in(mm)
+                    .figure(3);
         for (double distance : {1.0, 2.0, 5.0, 10.0, 20.0}) {
-            std::vector<TableCell> row{distance};
+            std::vector<Cell> row{distance};
             for (Observable o : observables) {
                 if (!sensor_.reads(o)) continue;
                 const double u = sensor_.reading(o, Eigen::Vector3d(distance, 0.0, 0.0))
                                      .distribution.standard_uncertainty();
                 row.push_back(o == Observable::distance ? u : distance * u);
             }
-            table.rows.push_back(std::move(row));
+            table.row(std::move(row));
         }
         table.notes.push_back(tell<"For a target at the height of the instrument.">());
         return {table};

@@ -32,7 +32,7 @@ public:
     const InputSet& inputs() const override { return inputs_; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double>) const override { return network::adjustment_layout(network_); }
-    std::vector<DataTable> evaluation() const override { return tables_; }
+    std::vector<Table> evaluation() const override { return tables_; }
     std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
         return network_.evidence;
     }
@@ -212,7 +212,7 @@ private:
 
     AdjustedNetwork network_;
     InputSet inputs_;
-    std::vector<DataTable> tables_;
+    std::vector<Table> tables_;
     adjustment::SparseRows to_gradient_;  ///< J₀ᵀ C⁻¹
     std::vector<OutputQuantity> outputs_;
 };

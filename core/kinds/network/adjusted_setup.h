@@ -10,11 +10,11 @@
 
 #include "core/adjustment/adjustment.h"
 #include "core/adjustment/reliability.h"
-#include "core/base/data_table.h"
 #include "core/evidence/redundant_readings.h"
 #include "core/model/layout.h"
 #include "core/quantity/input_quantity.h"
 #include "core/setup/fields.h"
+#include "core/text/table.h"
 
 namespace covaria::network {
 
@@ -208,7 +208,7 @@ InputSet adjustment_inputs(const AdjustedNetwork& network);
 Layout adjustment_layout(const AdjustedNetwork& network);
 adjustment::Reliability reliability_of(const AdjustedNetwork& network);
 /// The adjustment in figures, residuals with their reliability.
-std::vector<DataTable> adjustment_tables(const AdjustedNetwork& network);
+std::vector<Table> adjustment_tables(const AdjustedNetwork& network);
 /// Warns where residuals are larger than the uncertainties allow.
 void check_adjustment(const AdjustedNetwork& network, Problems& problems);
 

@@ -28,12 +28,11 @@ bool is_too_large(const adjustment::Reliability& found) {
            chi_squared_upper_tail(found.sum_of_squares, found.degrees_of_freedom) < 0.01;
 }
 
-DataTable figures_table(const AdjustedNetwork& network, const adjustment::Reliability& found) {
-    DataTable table;
-    table.id = "adjustment";
-    table.title = known_text<"Adjustment">();
-    table.columns = {{.header = known_text<"Figure">()}, {.header = known_text<"Value">(), .digits = 8}};
-    const auto add = [&](const Message& words, double value) { table.rows.push_back({words, value}); };
+Table figures_table(const AdjustedNetwork& network, const adjustment::Reliability& found) {
+    Table table{"adjustment", known_text<"Adjustment">()};
+    table.add(known_text<"Figure">());
+    table.add(known_text<"Value">()).figure(8);
+    const auto add = [&](const Message& words, double value) { table.row({words, value}); };
     add(tell<"readings">(), static_cast<double>(network.readings.size()));
     add(tell<"unknowns">(), static_cast<double>(network.place_of.size()));
     add(tell<"what no reading tells (datum defect)">(), static_cast<double>(network.adjusted->defect()));
@@ -73,20 +72,18 @@ LargestEffect largest_effect(const AdjustedNetwork& network, std::size_t reading
     return largest;
 }
 
-DataTable readings_table(const AdjustedNetwork& network, const adjustment::Reliability& found) {
-    DataTable table;
-    table.id = "residuals";
-    table.title = known_text<"Residuals of the readings">();
-    table.columns = {{.header = known_text<"Reading">()},
-                     {.header = "residual", .digits = 3},
-                     {.header = known_text<"u of the reading">(), .digits = 2},
-                     {.header = known_text<"redundancy">(), .digits = 3},
-                     {.header = "w", .is_symbol = true, .digits = 3},
-                     {.header = "tau", .is_symbol = true, .digits = 3},
-                     {.header = known_text<"smallest detectable error">(), .digits = 4},
-                     {.header = known_text<"its largest effect">(), .unit = Unit::of("mm"), .digits = 4},
-                     {.header = known_text<"on">()},
-                     {.header = known_text<"remark">()}};
+Table readings_table(const AdjustedNetwork& network, const adjustment::Reliability& found) {
+    Table table{"residuals", known_text<"Residuals of the readings">()};
+    table.add(known_text<"Reading">());
+    table.add("residual").figure(3);
+    table.add(known_text<"u of the reading">()).figure(2);
+    table.add(known_text<"redundancy">()).figure(3);
+    table.add("w").symbol().figure(3);
+    table.add("tau").symbol().figure(3);
+    table.add(known_text<"smallest detectable error">()).figure(4);
+    table.add(known_text<"its largest effect">()).in(Unit::of("mm")).figure(4);
+    table.add(known_text<"on">());
+    table.add(known_text<"remark">());
     const bool effects = network.readings.size() * network.place_of.size() <= most_effects;
     std::vector<std::size_t> order(network.readings.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -98,25 +95,24 @@ DataTable readings_table(const AdjustedNetwork& network, const adjustment::Relia
         const AdjustedReading& reading = network.readings[i];
         const adjustment::ReadingReliability& r = found.readings[i];
         const Unit unit = unit_of_residual(reading);
-        std::vector<TableCell> row{words_of(network, reading), Quantity{unit.from_si(r.residual), unit},
-                                   Quantity{unit.from_si(reading.u), unit}, std::max(0.0, r.redundancy)};
+        std::vector<Cell> row{words_of(network, reading), Quantity{unit.from_si(r.residual), unit},
+                              Quantity{unit.from_si(reading.u), unit}, std::max(0.0, r.redundancy)};
         if (!r.controlled) {
-            row.insert(row.end(), {TableCell(), TableCell(), TableCell(), TableCell(), TableCell(),
-                                   tell<"not controlled">()});
-            table.rows.push_back(std::move(row));
+            row.insert(row.end(), {Cell(), Cell(), Cell(), Cell(), Cell(), tell<"not controlled">()});
+            table.row(std::move(row));
             continue;
         }
         const bool outlier = std::abs(r.w) > adjustment::outlier_limit();
         outliers += outlier;
         row.insert(row.end(), {r.w, r.tau, Quantity{unit.from_si(r.detectable), unit}});
         const LargestEffect effect = effects ? largest_effect(network, i, r.detectable) : LargestEffect{};
-        row.push_back(effects ? TableCell(effect.size) : TableCell());
+        row.push_back(effects ? Cell(effect.size) : Cell());
         row.push_back(effects && effect.size > 0.0
-                          ? TableCell(tell<"%1, coordinate %2">(network.points[effect.place / 3].name,
-                                                                std::string(along_axes[effect.place % 3])))
-                          : TableCell());
+                          ? Cell(tell<"%1, coordinate %2">(network.points[effect.place / 3].name,
+                                                           std::string(along_axes[effect.place % 3])))
+                          : Cell());
         row.push_back(outlier ? tell<"outlier?">() : Message());
-        table.rows.push_back(std::move(row));
+        table.row(std::move(row));
     }
     if (outliers > 0)
         table.notes.push_back(
@@ -132,7 +128,7 @@ adjustment::Reliability reliability_of(const AdjustedNetwork& network) {
                                       residuals_of(network, network.state.data()));
 }
 
-std::vector<DataTable> adjustment_tables(const AdjustedNetwork& network) {
+std::vector<Table> adjustment_tables(const AdjustedNetwork& network) {
     const adjustment::Reliability found = reliability_of(network);
     return {figures_table(network, found), readings_table(network, found)};
 }

@@ -143,22 +143,20 @@ public:
         return stations;
     }
 
-    std::vector<DataTable> evaluation() const override {
+    std::vector<Table> evaluation() const override {
         const Unit mm = Unit::of("mm");
-        DataTable table;
-        table.id = "sensors";
-        table.title = "Sensors of the network";
-        table.columns = {{.header = "sensor"},
-                         {.header = "reads"},
-                         {.header = "x", .unit = mm, .digits = 2},
-                         {.header = "y", .unit = mm, .digits = 2},
-                         {.header = "z", .unit = mm, .digits = 2}};
+        Table table{"sensors", "Sensors of the network"};
+        table.add("sensor");
+        table.add("reads");
+        table.add("x").in(mm).figure(2);
+        table.add("y").in(mm).figure(2);
+        table.add("z").in(mm).figure(2);
         for (const Sensor& member : sensors_) {
             Message reads;
             for (Observable o : observables)
                 if (member->reads(o)) reads += Message(reads.empty() ? "" : ", ") + words_of(o);
             const auto& at = member->station().coordinates;
-            table.rows.push_back({member.name, reads, at[0], at[1], at[2]});
+            table.row({member.name, reads, at[0], at[1], at[2]});
         }
         return {table};
     }

@@ -55,7 +55,7 @@ public:
     bool sensitivities(std::span<const double> x, SensitivityRows& rows) const override {
         return network::network_sensitivities(setup_, x, rows);
     }
-    std::vector<DataTable> evaluation() const override { return network::network_evaluation(setup_); }
+    std::vector<Table> evaluation() const override { return network::network_evaluation(setup_); }
 
     std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
         return std::make_shared<OutputPoints>(id, outputs_);

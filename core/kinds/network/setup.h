@@ -288,7 +288,7 @@ void locate(NetworkSetup& setup, Problems& problems);
 
 /// Tables about the network: precision by observations alone and in total; with given readings residuals,
 /// redundancy, outliers, chi-square test.
-std::vector<DataTable> network_evaluation(const NetworkSetup& setup);
+std::vector<Table> network_evaluation(const NetworkSetup& setup);
 
 /// Warns of given readings that contradict each other more than their uncertainties allow.
 void check_residuals(const NetworkSetup& setup, Problems& problems);

@@ -80,14 +80,12 @@ public:
         }
     }
 
-    DataTable make() const {
+    Table make() const {
         const Unit mm = Unit::of("mm");
-        DataTable table;
-        table.id = "precision";
-        table.title = "Standard uncertainty by the readings alone, and with the stations";
-        table.columns = {{.header = "Quantity"},
-                         {.header = "readings alone (Eq 5)", .unit = mm, .digits = 3},
-                         {.header = "readings and shared deviations, first order", .unit = mm, .digits = 3}};
+        Table table{"precision", "Standard uncertainty by the readings alone, and with the stations"};
+        table.add("Quantity");
+        table.add("readings alone (Eq 5)").in(mm).figure(3);
+        table.add("readings and shared deviations, first order").in(mm).figure(3);
         for (std::size_t t = 0; t < setup_.targets.size(); ++t)
             for (int c = 0; c < 3; ++c)
                 add(table, setup_.targets[t].name + ", " + "xyz"[c],
@@ -104,8 +102,8 @@ public:
     }
 
 private:
-    static void add(DataTable& table, const Message& name, const Variances& v) {
-        table.rows.push_back({name, std::sqrt(v.readings_alone), std::sqrt(v.total)});
+    static void add(Table& table, const Message& name, const Variances& v) {
+        table.row({name, std::sqrt(v.readings_alone), std::sqrt(v.total)});
     }
 
     /// Along g, of the target t of the network.
@@ -162,19 +160,19 @@ public:
     explicit ResidualTable(const NetworkSetup& setup) : setup_(setup) {
         table_.id = "residuals";
         table_.title = known_text<"Residuals of the readings">();
-        table_.columns = {{.header = "Target"},
-                          {.header = "Sensor"},
-                          {.header = known_text<"Reading">()},
-                          {.header = "residual", .digits = 3},
-                          {.header = known_text<"u of the reading">(), .digits = 2},
-                          {.header = known_text<"redundancy">(), .digits = 2},
-                          {.header = "w", .is_symbol = true, .digits = 3},
-                          {.header = known_text<"remark">()}};
+        table_.add("Target");
+        table_.add("Sensor");
+        table_.add(known_text<"Reading">());
+        table_.add("residual").figure(3);
+        table_.add(known_text<"u of the reading">()).figure(2);
+        table_.add(known_text<"redundancy">()).figure(2);
+        table_.add("w").symbol().figure(3);
+        table_.add(known_text<"remark">());
         for (const JointSetUp& joint : divided(setup, most_joint_rows)) add(joint);
         finish();
     }
 
-    DataTable take() { return std::move(table_); }
+    Table take() { return std::move(table_); }
 
     void warn(Problems& problems) const {
         if (!too_large()) return;
@@ -261,9 +259,9 @@ private:
             remark = tell<"outlier?">();
             ++outliers_;
         }
-        table_.rows.push_back({target, sensor, reading, Quantity{unit.from_si(numbers.residual), unit},
-                               Quantity{unit.from_si(numbers.u), unit}, std::max(0.0, numbers.redundancy),
-                               controlled ? TableCell(numbers.w) : TableCell(), remark});
+        table_.row({target, sensor, reading, Quantity{unit.from_si(numbers.residual), unit},
+                    Quantity{unit.from_si(numbers.u), unit}, std::max(0.0, numbers.redundancy),
+                    controlled ? Cell(numbers.w) : Cell(), remark});
     }
 
     void finish() {
@@ -294,7 +292,7 @@ private:
     }
 
     const NetworkSetup& setup_;
-    DataTable table_;
+    Table table_;
     Worst worst_;
     double chi_square_ = 0.0;
     int degrees_ = 0, outliers_ = 0;
@@ -306,8 +304,8 @@ void check_residuals(const NetworkSetup& setup, Problems& problems) {
     ResidualTable(setup).warn(problems);
 }
 
-std::vector<DataTable> network_evaluation(const NetworkSetup& setup) {
-    std::vector<DataTable> tables{PrecisionTable(setup).make()};
+std::vector<Table> network_evaluation(const NetworkSetup& setup) {
+    std::vector<Table> tables{PrecisionTable(setup).make()};
     if (setup.measured) tables.push_back(ResidualTable(setup).take());
     return tables;
 }

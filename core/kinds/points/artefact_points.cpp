@@ -247,8 +247,8 @@ public:
         offer(source_);
     }
 
-    std::vector<DataTable> evaluation() const override {
-        std::vector<DataTable> tables{budget_table(budgets_, bias_)};
+    std::vector<Table> evaluation() const override {
+        std::vector<Table> tables{budget_table(budgets_, bias_)};
         if (!errors_.empty()) tables.push_back(error_table());
         return tables;
     }
@@ -280,23 +280,21 @@ private:
         });
     }
 
-    DataTable error_table() const {
+    Table error_table() const {
         const Unit mm = Unit::of("mm");
-        DataTable table;
-        table.id = "errors";
-        table.title = "Errors of indication (Eq 1)";
-        table.columns = {{.header = "point"},
-                         {.header = "run"},
-                         {.header = "e_x", .unit = mm, .is_symbol = true, .digits = 3},
-                         {.header = "e_y", .unit = mm, .is_symbol = true, .digits = 3},
-                         {.header = "e_z", .unit = mm, .is_symbol = true, .digits = 3}};
+        Table table{"errors", "Errors of indication (Eq 1)"};
+        table.add("point");
+        table.add("run");
+        table.add("e_x").in(mm).symbol().figure(3);
+        table.add("e_y").in(mm).symbol().figure(3);
+        table.add("e_z").in(mm).symbol().figure(3);
         for (const ObservedErrors& observed : errors_) {
-            std::vector<TableCell> row{observed.point, static_cast<double>(observed.run)};
+            std::vector<Cell> row{observed.point, static_cast<double>(observed.run)};
             for (const std::optional<double>& e : observed.e) {
                 row.emplace_back();
                 if (e) row.back() = *e;
             }
-            table.rows.push_back(std::move(row));
+            table.row(std::move(row));
         }
         table.notes.push_back(tell<"Coordinates that define the frame are left out.">());
         return table;

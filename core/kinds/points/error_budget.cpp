@@ -101,23 +101,21 @@ std::vector<PointDeviation> deviations_of(const ErrorBudget& budget, const std::
     return all;
 }
 
-DataTable budget_table(const std::vector<ErrorBudget>& budgets, BiasTreatment treatment) {
+Table budget_table(const std::vector<ErrorBudget>& budgets, BiasTreatment treatment) {
     const Unit mm = Unit::of("mm");
-    DataTable table;
-    table.id = "point-budget";
-    table.title = "Uncertainty budget of a measured point";
-    table.columns = {{.header = "coordinate"},
-                     {.header = "u_cal", .unit = mm, .is_symbol = true, .digits = 2},
-                     {.header = "u_T", .unit = mm, .is_symbol = true, .digits = 2},
-                     {.header = "u_var", .unit = mm, .is_symbol = true, .digits = 3},
-                     {.header = "b", .unit = mm, .is_symbol = true, .digits = 3},
-                     {.header = "n", .is_symbol = true},
-                     {.header = "u_c", .unit = mm, .is_symbol = true, .digits = 3}};
+    Table table{"point-budget", "Uncertainty budget of a measured point"};
+    table.add("coordinate");
+    table.add("u_cal").in(mm).symbol().figure(2);
+    table.add("u_T").in(mm).symbol().figure(2);
+    table.add("u_var").in(mm).symbol().figure(3);
+    table.add("b").in(mm).symbol().figure(3);
+    table.add("n").symbol();
+    table.add("u_c").in(mm).symbol().figure(3);
     for (const ErrorBudget& b : budgets) {
-        TableCell n;
+        Cell n;
         if (std::isfinite(b.observations)) n = b.observations;
-        table.rows.push_back({b.coordinate, b.u_calibration, b.u_temperature, b.u_variability, b.bias, n,
-                              b.combined(treatment)});
+        table.row({b.coordinate, b.u_calibration, b.u_temperature, b.u_variability, b.bias, n,
+                   b.combined(treatment)});
     }
     if (treatment == BiasTreatment::as_uncertainty)
         table.notes.push_back(

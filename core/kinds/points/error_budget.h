@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/kinds/points/point_uncertainty.h"
 #include "core/model/asset.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/table.h"
 
 namespace covaria {
 
@@ -56,6 +56,6 @@ std::vector<PointDeviation> deviations_of(const ErrorBudget& budget, const std::
                                           const Eigen::Vector3d& direction, const DeviationRule& rule);
 
 /// Tables 1 and 2: u_cal, u_T, u_var, b, n and u_c of each coordinate.
-DataTable budget_table(const std::vector<ErrorBudget>& budgets, BiasTreatment treatment);
+Table budget_table(const std::vector<ErrorBudget>& budgets, BiasTreatment treatment);
 
 }  // namespace covaria

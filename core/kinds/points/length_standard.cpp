@@ -88,11 +88,11 @@ public:
         offer(source_);
     }
 
-    std::vector<DataTable> evaluation() const override {
-        DataTable budget = budget_table({budget_}, rule_.bias);
+    std::vector<Table> evaluation() const override {
+        Table budget = budget_table({budget_}, rule_.bias);
         if (rule_.factor < 1.0)
             budget.notes.push_back(tell<"A coordinate of a point has u_c divided by √2.">());
-        std::vector<DataTable> tables{budget};
+        std::vector<Table> tables{budget};
         if (!stated_.observations.empty()) tables.push_back(error_table());
         return tables;
     }
@@ -107,15 +107,13 @@ public:
     }
 
 private:
-    DataTable error_table() const {
-        DataTable table;
-        table.id = "errors";
-        table.title = "Errors of indication (Eq 4)";
-        table.columns = {{.header = "position"},
-                         {.header = "run"},
-                         {.header = "e_L", .unit = Unit::of("mm"), .is_symbol = true, .digits = 3}};
+    Table error_table() const {
+        Table table{"errors", "Errors of indication (Eq 4)"};
+        table.add("position");
+        table.add("run");
+        table.add("e_L").in(Unit::of("mm")).symbol().figure(3);
         for (const MeasuredLength& o : stated_.observations)
-            table.rows.push_back({o.position, static_cast<double>(o.run), error_of(stated_, o)});
+            table.row({o.position, static_cast<double>(o.run), error_of(stated_, o)});
         return table;
     }
 

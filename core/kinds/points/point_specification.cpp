@@ -57,16 +57,14 @@ public:
         offer(source_);
     }
 
-    std::vector<DataTable> evaluation() const override {
-        DataTable table;
-        table.id = "specification";
-        table.title = known_text<"Uncertainty of a measured point">();
-        table.columns = {{.header = "coordinate"},
-                         {.header = "distribution"},
-                         {.header = "u", .unit = Unit::of("mm"), .is_symbol = true, .digits = 3}};
+    std::vector<Table> evaluation() const override {
+        Table table{"specification", known_text<"Uncertainty of a measured point">()};
+        table.add("coordinate");
+        table.add("distribution");
+        table.add("u").in(Unit::of("mm")).symbol().figure(3);
         for (const char* coordinate : point_coordinates)
-            table.rows.push_back({std::string(coordinate), Message::declared(distribution_.title()),
-                                  distribution_.standard_uncertainty()});
+            table.row({std::string(coordinate), Message::declared(distribution_.title()),
+                       distribution_.standard_uncertainty()});
         table.notes.push_back(tell<"The figure is taken as: %1.">(meaning_));
         return {table};
     }

@@ -34,7 +34,7 @@ public:
     const InputSet& inputs() const override { return inputs_; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double> x) const override { return pose::pose_layout(setup_, x); }
-    std::vector<DataTable> evaluation() const override { return pose::fit_tables(fits_); }
+    std::vector<Table> evaluation() const override { return pose::fit_tables(fits_); }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {

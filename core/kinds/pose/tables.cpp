@@ -203,20 +203,17 @@ bool fails(const FrameFit& fit, std::size_t sets) {
     return fit.degrees_of_freedom > 0 && fit.probability() < level_of_all_sets / static_cast<double>(sets);
 }
 
-DataTable summary_table(const std::vector<FrameFit>& fits) {
-    DataTable table;
-    table.id = "fits";
-    table.title = known_text<"Fit of the measured points to their nominal coordinates">();
-    table.columns = {
-        {.header = "set"},
-        {.header = "points"},
-        {.header = known_text<"root mean square residual">(), .unit = Unit::of("mm"), .digits = 3},
-        {.header = known_text<"redundancy">()},
-        {.header = known_text<"chi-square">(), .digits = 4},
-        {.header = "p", .is_symbol = true, .digits = 2},
-        {.header = known_text<"largest normalised residual">(), .digits = 3},
-        {.header = known_text<"of">()},
-        {.header = known_text<"remark">()}};
+Table summary_table(const std::vector<FrameFit>& fits) {
+    Table table{"fits", known_text<"Fit of the measured points to their nominal coordinates">()};
+    table.add("set");
+    table.add("points");
+    table.add(known_text<"root mean square residual">()).in(Unit::of("mm")).figure(3);
+    table.add(known_text<"redundancy">());
+    table.add(known_text<"chi-square">()).figure(4);
+    table.add("p").symbol().figure(2);
+    table.add(known_text<"largest normalised residual">()).figure(3);
+    table.add(known_text<"of">());
+    table.add(known_text<"remark">());
     for (const FrameFit& fit : fits) {
         const Largest largest = largest_of(fit);
         const bool tested = fit.degrees_of_freedom > 0;
@@ -225,12 +222,11 @@ DataTable summary_table(const std::vector<FrameFit>& fits) {
                                                    : tell<"agrees">();
         if (fit.explanation && (!tested || fails(fit, fits.size())))
             remark += Message("; ") + words_of(fit, *fit.explanation);
-        table.rows.push_back({fit.set, double(fit.names.size()), fit.rms,
-                              tested ? TableCell(double(fit.degrees_of_freedom)) : TableCell(),
-                              tested ? TableCell(fit.chi_square) : TableCell(),
-                              tested ? TableCell(fit.probability()) : TableCell(),
-                              tested ? TableCell(largest.normalised) : TableCell(),
-                              tested ? TableCell(coordinate_name(fit, largest)) : TableCell(), remark});
+        table.row({fit.set, double(fit.names.size()), fit.rms,
+                   tested ? Cell(double(fit.degrees_of_freedom)) : Cell(),
+                   tested ? Cell(fit.chi_square) : Cell(), tested ? Cell(fit.probability()) : Cell(),
+                   tested ? Cell(largest.normalised) : Cell(),
+                   tested ? Cell(coordinate_name(fit, largest)) : Cell(), remark});
     }
     table.notes = {tell<
         "Chi-square of the residuals with the full covariance of the stated uncertainties; nominal "
@@ -240,34 +236,32 @@ DataTable summary_table(const std::vector<FrameFit>& fits) {
     return table;
 }
 
-DataTable residual_table(const std::vector<FrameFit>& fits) {
-    DataTable table;
-    table.id = "residuals";
-    table.title = known_text<"Residuals of the points, along the axes of their frame">();
-    table.columns = {{.header = "set"}, {.header = "point"}};
+Table residual_table(const std::vector<FrameFit>& fits) {
+    Table table{"residuals", known_text<"Residuals of the points, along the axes of their frame">()};
+    table.add("set");
+    table.add("point");
     for (const std::string& head :
          {known_text<"residual x">(), known_text<"residual y">(), known_text<"residual z">()})
-        table.columns.push_back({.header = head, .unit = Unit::of("mm"), .digits = 3});
-    for (const char* axis : {"w_x", "w_y", "w_z"})
-        table.columns.push_back({.header = axis, .is_symbol = true, .digits = 3});
+        table.add(head).in(Unit::of("mm")).figure(3);
+    for (const char* axis : {"w_x", "w_y", "w_z"}) table.add(axis).symbol().figure(3);
     for (const std::string& head :
          {known_text<"redundancy x">(), known_text<"redundancy y">(), known_text<"redundancy z">()})
-        table.columns.push_back({.header = head, .digits = 2});
-    table.columns.push_back({.header = known_text<"remark">()});
+        table.add(head).figure(2);
+    table.add(known_text<"remark">());
     for (const FrameFit& fit : fits)
         for (std::size_t i = 0; i < fit.names.size(); ++i) {
-            std::vector<TableCell> row{fit.set, fit.names[i]};
+            std::vector<Cell> row{fit.set, fit.names[i]};
             bool outlier = false;
             for (int c = 0; c < 3; ++c) row.emplace_back(fit.residual[i][c]);
             for (int c = 0; c < 3; ++c) {
                 const double w = fit.normalised(i, c);
                 outlier = outlier || std::abs(w) > outlier_limit;
-                row.push_back(fit.u_residual[i][c] > 0.0 ? TableCell(w) : TableCell());
+                row.push_back(fit.u_residual[i][c] > 0.0 ? Cell(w) : Cell());
             }
             for (int c = 0; c < 3; ++c)
-                row.push_back(fit.degrees_of_freedom > 0 ? TableCell(fit.redundancy[i][c]) : TableCell());
+                row.push_back(fit.degrees_of_freedom > 0 ? Cell(fit.redundancy[i][c]) : Cell());
             row.emplace_back(outlier ? tell<"outlier?">() : Message());
-            table.rows.push_back(std::move(row));
+            table.row(std::move(row));
         }
     table.notes = {
         tell<"Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| > "
@@ -301,7 +295,7 @@ std::vector<FrameFit> frame_fits(const PoseSetup& setup, const InputSet& inputs)
     return fits;
 }
 
-std::vector<DataTable> fit_tables(const std::vector<FrameFit>& fits) {
+std::vector<Table> fit_tables(const std::vector<FrameFit>& fits) {
     if (fits.empty()) return {};
     return {summary_table(fits), residual_table(fits)};
 }

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "core/base/data_table.h"
 #include "core/kinds/pose/setup.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/table.h"
 
 namespace covaria::pose {
 
@@ -37,7 +37,7 @@ struct FrameFit {
 std::vector<FrameFit> frame_fits(const PoseSetup& setup, const InputSet& inputs);
 
 /// The fits, and their residuals point by point.
-std::vector<DataTable> fit_tables(const std::vector<FrameFit>& fits);
+std::vector<Table> fit_tables(const std::vector<FrameFit>& fits);
 
 /// Warns of every set whose residuals are larger than the stated uncertainties allow (1 % for all sets
 /// together), and of what would explain them: two names exchanged, frame 0 left-handed.

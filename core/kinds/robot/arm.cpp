@@ -41,7 +41,7 @@ std::vector<UncertaintyComponent> RobotSource::tool() const {
     return components;
 }
 
-std::vector<DataTable> RobotAsset::evaluation() const {
+std::vector<Table> RobotAsset::evaluation() const {
     return {parameter_table(source_)};
 }
 

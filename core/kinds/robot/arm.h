@@ -46,7 +46,7 @@ class RobotAsset : public Asset {
 public:
     explicit RobotAsset(RobotData data) : source_(std::move(data)) { offer(source_); }
     /// Its parameters.
-    std::vector<DataTable> evaluation() const override;
+    std::vector<Table> evaluation() const override;
     /// The arm at the zero readings.
     Layout layout() const override;
 

@@ -31,7 +31,7 @@ public:
 
     const InputSet& inputs() const override { return inputs_; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
-    std::vector<DataTable> evaluation() const override { return robot::pose_evaluation(setup_); }
+    std::vector<Table> evaluation() const override { return robot::pose_evaluation(setup_); }
 
     Layout layout(std::span<const double> x) const override {
         Layout layout;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/data_table.h"
+#include "core/text/table.h"
 
 namespace covaria {
 
@@ -85,38 +85,34 @@ std::vector<std::string> sources_of(const SerialRobotSource& robot) {
 }
 
 void add_row(const SerialRobotSource& robot, const std::vector<std::string>& sources, std::size_t i,
-             JointParameter p, DataTable& table) {
+             JointParameter p, Table& table) {
     const Unit unit = is_length(p) ? Unit::of("mm") : Unit::of("deg");
     const double value = robot.joints()[i].values[p];
     const Combined sum = combined(robot, i, p);
     const double u = std::sqrt(sum.squares);
-    const auto cell = [&](double si) { return TableCell(Quantity{unit.interval_from_si(si), unit}); };
-    std::vector<TableCell> row{std::string(symbol_of(p)) + "_" + std::to_string(i + 1), cell(value)};
+    const auto cell = [&](double si) { return Cell(Quantity{unit.interval_from_si(si), unit}); };
+    std::vector<Cell> row{std::string(symbol_of(p)) + "_" + std::to_string(i + 1), cell(value)};
     for (const std::string& source : sources) {
         const auto found = sum.by_source.find(source);
-        row.push_back(found == sum.by_source.end() ? TableCell{} : cell(std::sqrt(found->second)));
+        row.push_back(found == sum.by_source.end() ? Cell{} : cell(std::sqrt(found->second)));
     }
     row.insert(row.end(), {cell(u), cell(2 * u), cell(value - 2 * u), cell(value + 2 * u)});
-    row.push_back(sum.welch > 0 ? TableCell(sum.squares * sum.squares / sum.welch) : TableCell{});
-    table.rows.push_back(std::move(row));
+    row.push_back(sum.welch > 0 ? Cell(sum.squares * sum.squares / sum.welch) : Cell{});
+    table.row(std::move(row));
 }
 
 }  // namespace
 
-DataTable parameter_table(const SerialRobotSource& robot) {
-    DataTable table;
-    table.id = "parameters";
-    table.title = "Parameters and their uncertainty";
-    table.columns = {{.header = "parameter"}, {.header = "value"}};
+Table parameter_table(const SerialRobotSource& robot) {
+    Table table{"parameters", "Parameters and their uncertainty"};
+    table.add("parameter");
+    table.add("value");
     const std::vector<std::string> sources = sources_of(robot);
-    for (const std::string& source : sources)
-        table.columns.push_back({.header = "u, " + source, .digits = 2});
-    const int u = static_cast<int>(table.columns.size());
-    table.columns.push_back({.header = "u", .digits = 2});
-    table.columns.push_back({.header = "U = 2 u", .digits = 2});
-    for (const char* header : {"value − U", "value + U"})
-        table.columns.push_back({.header = header, .match = u + 1});
-    table.columns.push_back({.header = "nu_eff", .is_symbol = true, .digits = 3});
+    for (const std::string& source : sources) table.add("u, " + source).figure(2);
+    table.add("u").figure(2);
+    table.add("U = 2 u").figure(2);
+    for (const char* header : {"value − U", "value + U"}) table.add(header).estimate_of("U = 2 u");
+    table.add("nu_eff").symbol().figure(3);
     for (std::size_t i = 0; i < robot.joints().size(); ++i)
         for (JointParameter p : joint_parameters)
             if (robot.joints()[i].has(p)) add_row(robot, sources, i, p, table);

@@ -86,7 +86,7 @@ std::vector<Eigen::Isometry3d> link_frames(const SerialRobotSource& robot, const
 double standard_uncertainty_of(const SerialRobotSource& robot, std::size_t joint, JointParameter parameter);
 
 /// What a robot's table of results says for each parameter: value, components by source, u, U = 2 u.
-struct DataTable;
-DataTable parameter_table(const SerialRobotSource& robot);
+struct Table;
+Table parameter_table(const SerialRobotSource& robot);
 
 }  // namespace covaria

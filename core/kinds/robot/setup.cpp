@@ -143,24 +143,19 @@ std::optional<PoseSetup> read_pose_setup(const SetupReader& setup, const AssetLi
     return PoseReading(std::move(stated), problems).read();
 }
 
-std::vector<DataTable> pose_evaluation(const PoseSetup& setup) {
-    DataTable table;
-    table.id = "poses";
-    table.title = "Readings and places of the poses, without uncertainty";
-    table.columns = {{.header = "pose"}};
+std::vector<Table> pose_evaluation(const PoseSetup& setup) {
+    Table table{"poses", "Readings and places of the poses, without uncertainty"};
+    table.add("pose");
     const std::size_t n = setup.robot().joints().size();
     for (std::size_t i = 0; i < n; ++i)
-        table.columns.push_back({.header = reading_symbol(setup.robot(), i),
-                                 .unit = setup.robot().joints()[i].reading_unit(),
-                                 .is_symbol = true});
-    for (const char* axis : {"x", "y", "z"})
-        table.columns.push_back({.header = axis, .unit = Unit::of("mm"), .is_symbol = true});
+        table.add(reading_symbol(setup.robot(), i)).in(setup.robot().joints()[i].reading_unit()).symbol();
+    for (const char* axis : {"x", "y", "z"}) table.add(axis).in(Unit::of("mm")).symbol();
     for (const Pose& pose : setup.poses) {
-        std::vector<TableCell> row{pose.name};
+        std::vector<Cell> row{pose.name};
         for (double q : pose.q) row.emplace_back(q);
         const Eigen::Vector3d p = link_frames(setup.robot(), pose.q).back().translation();
         for (int k = 0; k < 3; ++k) row.emplace_back(p[k]);
-        table.rows.push_back(std::move(row));
+        table.row(std::move(row));
     }
     table.notes.push_back(tell<"Places of the tool in the base frame of the robot.">());
     return {table};

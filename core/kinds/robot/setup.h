@@ -61,6 +61,6 @@ std::optional<PoseSetup> read_pose_setup(const SetupReader& setup, const AssetLi
                                          Problems& problems);
 /// Fills in the indices of the inputs.
 InputSet pose_inputs(PoseSetup& setup);
-std::vector<DataTable> pose_evaluation(const PoseSetup& setup);
+std::vector<Table> pose_evaluation(const PoseSetup& setup);
 
 }  // namespace covaria::robot

@@ -117,7 +117,7 @@ struct Calibration : StatedCalibration {
 /// Empty if `problems` got an error.
 std::optional<Calibration> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems);
 /// Parameters, what is held and why, observability, residuals, check poses.
-std::vector<DataTable> tables(const Calibration& c);
+std::vector<Table> tables(const Calibration& c);
 Layout layout(const Calibration& c);
 /// The arm with the identified parameters, standing where the base was found.
 RobotData identified(const Calibration& c);

@@ -28,7 +28,7 @@ public:
 
     const InputSet& inputs() const override { return c_.inputs; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
-    std::vector<DataTable> evaluation() const override { return tables(c_); }
+    std::vector<Table> evaluation() const override { return tables(c_); }
     std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
         return c_.statistics.evidence;
     }

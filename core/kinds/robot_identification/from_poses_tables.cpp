@@ -36,16 +36,13 @@ std::pair<std::size_t, double> partner_of(const Eigen::MatrixXd& C, std::size_t 
     return most;
 }
 
-DataTable observability_table(const Calibration& c) {
+Table observability_table(const Calibration& c) {
     const FitStatistics& s = c.statistics;
-    DataTable table;
-    table.id = "observability";
-    table.title = "Observability";
-    table.columns = {{.header = "quantity"}, {.header = "value", .digits = 3}};
+    Table table{"observability", "Observability"};
+    table.add("quantity");
+    table.add("value").figure(3);
     const double smallest = s.singular_values[s.singular_values.size() - 1];
-    const auto add = [&](Message name, TableCell value) {
-        table.rows.push_back({std::move(name), std::move(value)});
-    };
+    const auto add = [&](Message name, Cell value) { table.row({std::move(name), std::move(value)}); };
     add(tell<"coordinates in the fit">(), std::to_string(c.rows()));
     add(tell<"unknowns (rank)">(), std::to_string(c.unknowns.size()));
     add(tell<"degrees of freedom">(), std::to_string(c.rows() - c.unknowns.size()));
@@ -61,29 +58,25 @@ DataTable observability_table(const Calibration& c) {
     return table;
 }
 
-DataTable coupling_table(const Calibration& c) {
-    DataTable table;
-    table.id = "coupling";
-    table.title = "Strongest correlation of each unknown";
-    table.columns = {
-        {.header = "unknown"}, {.header = "coupled with"}, {.header = "r", .is_symbol = true, .digits = 3}};
+Table coupling_table(const Calibration& c) {
+    Table table{"coupling", "Strongest correlation of each unknown"};
+    table.add("unknown");
+    table.add("coupled with");
+    table.add("r").symbol().figure(3);
     for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
         const auto [other, r] = partner_of(c.statistics.covariance, i);
-        if (other != i) table.rows.push_back({c.unknowns[i].name(), c.unknowns[other].name(), r});
+        if (other != i) table.row({c.unknowns[i].name(), c.unknowns[other].name(), r});
     }
     return table;
 }
 
-DataTable residual_table(const Calibration& c) {
+Table residual_table(const Calibration& c) {
     const Unit um = Unit::of("um");
-    DataTable table;
-    table.id = "residuals";
-    table.title = "Residuals of the fit, measured less calculated";
-    table.columns = {{.header = "pose"}};
-    for (const char* axis : {"x", "y", "z"})
-        table.columns.push_back({.header = axis, .unit = um, .is_symbol = true, .digits = 3});
-    table.columns.push_back({.header = "largest over its u", .digits = 2});
-    table.columns.push_back({.header = "outlier test"});
+    Table table{"residuals", "Residuals of the fit, measured less calculated"};
+    table.add("pose");
+    for (const char* axis : {"x", "y", "z"}) table.add(axis).in(um).symbol().figure(3);
+    table.add("largest over its u").figure(2);
+    table.add("outlier test");
     const auto m = static_cast<Index>(c.rows_per_pose());
     const FitStatistics& s = c.statistics;
     for (std::size_t k = 0; k < c.fitted_poses; ++k) {
@@ -92,8 +85,8 @@ DataTable residual_table(const Calibration& c) {
         for (Index i = row; i < row + m; ++i)
             if (s.u_residuals[i] > 0.0)
                 largest = std::max(largest, std::abs(s.residuals[i]) / s.u_residuals[i]);
-        table.rows.push_back({c.poses[k].name, s.residuals[row], s.residuals[row + 1], s.residuals[row + 2],
-                              largest, largest > s.limit ? tell<"outlier">() : Message()});
+        table.row({c.poses[k].name, s.residuals[row], s.residuals[row + 1], s.residuals[row + 2], largest,
+                   largest > s.limit ? tell<"outlier">() : Message()});
     }
     table.notes = {
         tell<"A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals "
@@ -101,24 +94,22 @@ DataTable residual_table(const Calibration& c) {
     return table;
 }
 
-DataTable check_table(const Calibration& c) {
+Table check_table(const Calibration& c) {
     const Unit um = Unit::of("um");
-    DataTable table;
-    table.id = "check-poses";
-    table.title = "Poses held back from the fit, calculated less measured";
-    table.columns = {{.header = "pose"}, {.header = "nominal, distance", .unit = um, .digits = 3}};
-    for (const char* axis : {"x", "y", "z"})
-        table.columns.push_back({.header = axis, .unit = um, .is_symbol = true, .digits = 3});
-    table.columns.insert(table.columns.end(), {{.header = "distance", .unit = um, .digits = 3},
-                                               {.header = "U (k = 2), largest", .unit = um, .digits = 2},
-                                               {.header = "E_n, largest", .digits = 2}});
+    Table table{"check-poses", "Poses held back from the fit, calculated less measured"};
+    table.add("pose");
+    table.add("nominal, distance").in(um).figure(3);
+    for (const char* axis : {"x", "y", "z"}) table.add(axis).in(um).symbol().figure(3);
+    table.add("distance").in(um).figure(3);
+    table.add("U (k = 2), largest").in(um).figure(2);
+    table.add("E_n, largest").figure(2);
     const FitStatistics& s = c.statistics;
     for (std::size_t k = c.fitted_poses; k < c.poses.size(); ++k) {
         const Index row = 3 * static_cast<Index>(k - c.fitted_poses);
         const Eigen::Vector3d d = s.deviations.segment<3>(row), u = s.u_deviations.segment<3>(row);
         const double ratio = d.cwiseAbs().cwiseQuotient(2.0 * u.cwiseMax(1e-300)).maxCoeff();
-        table.rows.push_back({c.poses[k].name, s.before.segment<3>(row).norm(), d.x(), d.y(), d.z(), d.norm(),
-                              2.0 * u.maxCoeff(), ratio});
+        table.row({c.poses[k].name, s.before.segment<3>(row).norm(), d.x(), d.y(), d.z(), d.norm(),
+                   2.0 * u.maxCoeff(), ratio});
     }
     table.notes = {
         tell<"Nominal: the same base and ball fitted with the nominal parameters. E_n = |d|/U: below 1 the "
@@ -152,8 +143,8 @@ std::vector<IdentifiedParameter> Calibration::parameters() const {
     return found;
 }
 
-std::vector<DataTable> tables(const Calibration& c) {
-    std::vector<DataTable> all{
+std::vector<Table> tables(const Calibration& c) {
+    std::vector<Table> all{
         identified_table(c.robot(), c.parameters(), parameter_values(c), parameter_covariance(c)),
         held_table(c.held), observability_table(c), coupling_table(c)};
     if (!c.simulated) all.push_back(residual_table(c));

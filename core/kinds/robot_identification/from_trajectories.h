@@ -89,7 +89,7 @@ mask_of<Real> evaluate(const Identification& id, const In& x, Set set) {
 /// Parameters at the estimates of the inputs, in SI, angles next to the nominal ones. Empty: no value.
 std::optional<std::vector<double>> estimates(const Identification& id);
 /// Circles, parameters beside the nominal ones, what is not identified and why.
-std::vector<DataTable> tables(const Identification& id);
+std::vector<Table> tables(const Identification& id);
 Layout layout(const Identification& id);
 /// The arm with the identified parameters. Empty: the points do not lead to them.
 std::optional<RobotData> identified(const Identification& id);

@@ -19,17 +19,15 @@ struct Estimates {
     std::vector<double> x;
 };
 
-DataTable circles_table(const Identification& id) {
+Table circles_table(const Identification& id) {
     const Unit mm = Unit::of("mm");
-    DataTable table;
-    table.id = "circles";
-    table.title = "Circles of the joints";
-    table.columns = {{.header = "joint"},
-                     {.header = "points"},
-                     {.header = "arc", .unit = Unit::of("deg"), .digits = 4},
-                     {.header = "radius", .unit = mm, .digits = 6},
-                     {.header = "rms along the radius", .unit = mm, .digits = 2},
-                     {.header = "rms off the plane", .unit = mm, .digits = 2}};
+    Table table{"circles", "Circles of the joints"};
+    table.add("joint");
+    table.add("points");
+    table.add("arc").in(Unit::of("deg")).figure(4);
+    table.add("radius").in(mm).figure(6);
+    table.add("rms along the radius").in(mm).figure(2);
+    table.add("rms off the plane").in(mm).figure(2);
     for (std::size_t j = 0; j < id.trajectories.size(); ++j) {
         const Trajectory& t = id.trajectories[j];
         double along = 0.0, off = 0.0;
@@ -39,8 +37,8 @@ DataTable circles_table(const Identification& id) {
             off += q.z() * q.z();
         }
         const auto n = static_cast<double>(t.points.size());
-        table.rows.push_back({static_cast<double>(j + 1), n, t.shape.arc, t.shape.start.radius,
-                              std::sqrt(along / n), std::sqrt(off / n)});
+        table.row({static_cast<double>(j + 1), n, t.shape.arc, t.shape.start.radius, std::sqrt(along / n),
+                   std::sqrt(off / n)});
     }
     if (id.simulated)
         table.notes.push_back(tell<"Simulated points of the nominal robot: they lie on their circles.">());
@@ -62,7 +60,7 @@ std::optional<std::vector<double>> estimates(const Identification& id) {
     return y;
 }
 
-std::vector<DataTable> tables(const Identification& id) {
+std::vector<Table> tables(const Identification& id) {
     return {circles_table(id),
             identified_table(id.robot(), id.parameters, estimates(id).value_or(std::vector<double>{})),
             held_table(id.missing)};

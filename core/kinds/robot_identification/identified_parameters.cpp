@@ -10,7 +10,7 @@ namespace covaria {
 
 namespace {
 
-TableCell cell(JointParameter p, double si) {
+Cell cell(JointParameter p, double si) {
     const Unit unit = Unit::of(is_length(p) ? "mm" : "deg");
     return Quantity{unit.interval_from_si(si), unit};
 }
@@ -26,37 +26,36 @@ double next_to(double nominal, JointParameter parameter, double value) {
     return nominal + std::remainder(value - nominal, 2.0 * std::numbers::pi);
 }
 
-DataTable identified_table(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
-                           const std::vector<double>& values, const Eigen::MatrixXd& covariance) {
-    DataTable table;
-    table.id = "identified";
-    table.title = "Identified parameters beside the nominal ones";
-    table.columns = {{.header = "parameter"},
-                     {.header = "nominal"},
-                     {.header = "identified", .digits = 8},
-                     {.header = "difference", .digits = 4}};
-    if (covariance.size() > 0) {
-        table.columns[2].match = table.columns[3].match = 4;
-        table.columns.push_back({.header = "u", .is_symbol = true, .digits = 2});
-    }
+Table identified_table(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
+                       const std::vector<double>& values, const Eigen::MatrixXd& covariance) {
+    Table table{"identified", "Identified parameters beside the nominal ones"};
+    table.add("parameter");
+    table.add("nominal");
+    const bool has_u = covariance.size() > 0;
+    const auto add_estimate = [&](const char* head, int digits) {
+        Column& column = table.add(head);
+        has_u ? column.estimate_of("u") : column.figure(digits);
+    };
+    add_estimate("identified", 8);
+    add_estimate("difference", 4);
+    if (has_u) table.add("u").symbol().figure(2);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const JointParameter p = found[i].parameter;
         const double before = nominal.joints()[found[i].joint].values[p];
-        std::vector<TableCell> row{found[i].symbol(), cell(p, before), cell(p, values[i]),
-                                   cell(p, values[i] - before)};
+        std::vector<Cell> row{found[i].symbol(), cell(p, before), cell(p, values[i]),
+                              cell(p, values[i] - before)};
         const auto k = static_cast<Eigen::Index>(i);
-        if (covariance.size() > 0) row.push_back(cell(p, std::sqrt(covariance(k, k))));
-        table.rows.push_back(std::move(row));
+        if (has_u) row.push_back(cell(p, std::sqrt(covariance(k, k))));
+        table.row(std::move(row));
     }
     return table;
 }
 
-DataTable held_table(const std::vector<HeldParameter>& held) {
-    DataTable table;
-    table.id = "not-identified";
-    table.title = "What these points cannot tell";
-    table.columns = {{.header = "parameter"}, {.header = "reason"}};
-    for (const HeldParameter& h : held) table.rows.push_back({h.parameter, h.reason});
+Table held_table(const std::vector<HeldParameter>& held) {
+    Table table{"not-identified", "What these points cannot tell"};
+    table.add("parameter");
+    table.add("reason");
+    for (const HeldParameter& h : held) table.row({h.parameter, h.reason});
     return table;
 }
 

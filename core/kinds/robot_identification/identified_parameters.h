@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/kinds/robot/arm.h"
 #include "core/kinds/robot/serial_robot.h"
+#include "core/text/table.h"
 
 namespace covaria {
 
@@ -29,9 +29,9 @@ Message parallel_to_the_next();
 /// Value next to the nominal one: angles without whole turns in between.
 double next_to(double nominal, JointParameter parameter, double value);
 /// "nominal", "identified", "difference", and u where `covariance` is not empty. Values in SI.
-DataTable identified_table(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
-                           const std::vector<double>& values, const Eigen::MatrixXd& covariance = {});
-DataTable held_table(const std::vector<HeldParameter>& held);
+Table identified_table(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
+                       const std::vector<double>& values, const Eigen::MatrixXd& covariance = {});
+Table held_table(const std::vector<HeldParameter>& held);
 /// The nominal arm with the found values, without uncertainties.
 RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
                            const std::vector<double>& values);

@@ -266,7 +266,7 @@ std::size_t restated_links(const char* project, const char* analysis) {
         made_analysis(load_project(data_directory() / "projects" / project).project, analysis, problems);
     for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message.english();
     if (!made) return 0;
-    const std::vector<DataTable> tables = made->model->evaluation();
+    const std::vector<Table> tables = made->model->evaluation();
     if (tables.empty()) return 0;
     for (const Message& note : tables.front().notes) {
         const std::string words = note.english();

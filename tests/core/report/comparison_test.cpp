@@ -195,12 +195,12 @@ TEST(Comparison, TheDocumentHasWhatChangedAndSaysWhatIsOnlyInOne) {
 }
 
 TEST(Comparison, FilesHaveEveryOutputAndComponent) {
-    const std::vector<DataTable> tables = comparison_tables({"pose", "pose", sample_comparison()});
+    const std::vector<Table> tables = comparison_tables({"pose", "pose", sample_comparison()});
     ASSERT_EQ(tables.size(), 2u);
     EXPECT_EQ(tables[0].id, "pose-compared-results");
-    EXPECT_EQ(tables[0].rows.size(), 4u);
+    EXPECT_EQ(tables[0].rows, 4u);
     EXPECT_EQ(tables[1].id, "pose-compared-budget");
-    EXPECT_EQ(tables[1].rows.size(), 4u) << "three of x, one of y";
+    EXPECT_EQ(tables[1].rows, 4u) << "three of x, one of y";
     EXPECT_NE(to_csv(tables[0]).find("pose 1,x,length x,both,mm,0.01,"), std::string::npos)
         << to_csv(tables[0]);
 }

@@ -4,13 +4,13 @@
 #include <algorithm>
 
 #include "core/document/document_writers.h"
-#include "core/report/evaluation_table.h"
 #include "core/report/report.h"
 #include "core/result_files/csv_writer.h"
 #include "core/views/design_plots.h"
 #include "core/views/design_results.h"
 #include "tests/core/report/sample_report.h"
 #include "tests/core/report/shown_cells.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::design_report_test {
 namespace {
@@ -60,7 +60,7 @@ TEST(DesignTables, SayWhatIsChosenAtAnEndOfItsRange) {
                      {"place: z", mm, -100.0, 100.0, 0.0, -100.0}};
     const auto notes_of = [](const DesignResult& of) {
         std::vector<std::string> notes;
-        for (const DataTable& table : readable_design_tables(of))
+        for (const Table& table : readable_design_tables(of))
             for (const Message& note : table.notes) notes.push_back(note.english());
         return notes;
     };
@@ -108,39 +108,38 @@ TEST(DesignPlots, ShowCostAgainstUncertainty) {
 }
 
 TEST(DesignTables, ForPeopleHaveNoColumnsThatSayNothing) {
-    for (const DataTable& table : readable_design_tables(of_rows())) {
+    for (const Table& table : readable_design_tables(of_rows())) {
         EXPECT_NE(table.id, "path");
-        for (const TableColumn& column : table.columns) {
-            EXPECT_NE(column.header, "of the candidates' file");
-            EXPECT_NE(column.header, "U by Monte Carlo");
+        for (const Column& column : table.columns) {
+            EXPECT_NE(column.key, "of the candidates' file");
+            EXPECT_NE(column.key, "U by Monte Carlo");
         }
-        for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
     }
 }
 
 TEST(DesignTables, TheChangeIsInPerCentForPeopleAndAPartOfOneInFiles) {
-    const auto curve = [](const std::vector<DataTable>& tables) {
+    const auto curve = [](const std::vector<Table>& tables) {
         return *std::find_if(tables.begin(), tables.end(),
-                             [](const DataTable& table) { return table.id == "curve"; });
+                             [](const Table& table) { return table.id == "curve"; });
     };
     const TableBlock block = evaluation_block(curve(readable_design_tables(of_rows())), {});
     EXPECT_EQ(test::head_of(block, 2), "change / %");
     EXPECT_EQ(test::plain_cell(block, 1, 2), "-50.0");
     EXPECT_EQ(test::plain_cell(block, 2, 2), "-6.3");
-    const DataTable file = curve(design_tables(of_rows()));
-    EXPECT_EQ(file.columns.at(2).header, "change");
-    EXPECT_NEAR(std::get<double>(file.rows[1][2]), -0.5, 1e-12);
+    const Table file = curve(design_tables(of_rows()));
+    EXPECT_EQ(file.columns.at(2).key, "change");
+    EXPECT_NEAR(test::si_of(file.columns[2].cell(1)), -0.5, 1e-12);
 }
 
 TEST(DesignTables, CandidatesHaveTheirGainAndPlace) {
     DesignResult design = of_rows();
     design.gains = {{0, "s0", true, 0.5, Eigen::Vector3d(1.0, 2.0, 3.0)}, {1, "s1", false, {}, {}}};
-    for (const DataTable& table : design_tables(design)) {
+    for (const Table& table : design_tables(design)) {
         if (table.id != "gains") continue;
         const std::string file = to_csv(table);
         EXPECT_EQ(file.substr(0, file.find('\r')), "row,name,chosen,gain (%),x (mm),y (mm),z (mm)");
         EXPECT_NE(file.find(",50,1000,2000,3000\r\n"), std::string::npos) << file;
-        EXPECT_TRUE(std::holds_alternative<std::monostate>(table.rows[1][3]));
+        EXPECT_TRUE(std::holds_alternative<std::monostate>(table.columns[3].cell(1)));
         return;
     }
     ADD_FAILURE() << "there is no such table";
@@ -156,10 +155,10 @@ TEST(DesignTables, CheapestRowsHaveTheirPrices) {
 }
 
 TEST(DesignTables, PriceOfATargetIsOfItsUnit) {
-    const DataTable outputs = design_tables(of_reductions()).front();
-    EXPECT_EQ(outputs.columns.back().header, "cost per unit of target");
-    EXPECT_NEAR(std::get<double>(outputs.rows[0].back()), 400.0, 1e-9) << "for a millimetre";
-    EXPECT_TRUE(std::holds_alternative<std::monostate>(outputs.rows[1].back())) << "it does not bind";
+    const Table outputs = design_tables(of_reductions()).front();
+    EXPECT_EQ(outputs.columns.back().key, "cost per unit of target");
+    EXPECT_NEAR(test::si_of(outputs.columns.back().cell(0)), 400.0, 1e-9) << "for a millimetre";
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(outputs.columns.back().cell(1))) << "it does not bind";
     EXPECT_NE(design_text(of_reductions()).find("costs 400.0 for every mm less"), std::string::npos);
 }
 

@@ -159,22 +159,15 @@ TEST(ProjectResults, TheFilesHaveTheCorrelationsOfTheInputs) {
     const auto made = MadeProject::make(project);
     const auto result = evaluated(project);
     const EvaluatedAnalysis shown{made->analysis(project.analyses[0].id), result};
-    std::map<std::string, DataTable> tables;
-    for (DataTable& table : result_tables(project, shown)) tables[table.id] = table;
+    std::map<std::string, Table> tables;
+    for (Table& table : result_tables(project, shown)) tables[table.id] = table;
     const auto column = [&](const char* table, const char* head) {
-        const auto& columns = tables[table].columns;
-        const auto found = std::find_if(columns.begin(), columns.end(),
-                                        [&](const TableColumn& one) { return one.header == head; });
-        EXPECT_NE(found, columns.end()) << head;
-        std::vector<TableCell> cells;
-        for (const auto& row : tables[table].rows)
-            cells.push_back(row[static_cast<std::size_t>(found - columns.begin())]);
+        std::vector<Cell> cells;
+        for (std::size_t row = 0; row < tables[table].rows; ++row)
+            cells.push_back(tables[table].cell(row, head));
         return cells;
     };
-    const auto number = [](const TableCell& cell) {
-        const auto* quantity = std::get_if<Quantity>(&cell);
-        return quantity ? quantity->value : std::get<double>(cell);
-    };
+    const auto number = [](const Cell& cell) { return exact_quantity(cell).value().value; };
     const auto output = column("budget", "output"), id = column("budget", "id");
     const auto sensitivity = column("budget", "sensitivity"), u = column("budget", "u");
     const auto first = column("input-correlations", "id");

@@ -12,7 +12,6 @@
 #include <set>
 
 #include "core/project/stated_requirements.h"
-#include "core/report/evaluation_table.h"
 #include "core/result/representation.h"
 #include "core/text/symbol.h"
 #include "core/views/plots.h"
@@ -159,11 +158,13 @@ TEST(Report, ALineARowAndAChartAgreeWhetherAResultIsWrittenOut) {
 
 TEST(EvaluationTable, HasTheUnitInTheHeadAndEvenDecimals) {
     const Unit mm = Unit::of("mm"), deg = Unit::of("deg");
-    DataTable table{
-        "t", "T", {{.header = "same"}, {.header = "other"}, {.header = "rounded", .digits = 2}}, {}, {}};
-    table.rows = {{Quantity{1.5, mm}, Quantity{1.5, mm}, Quantity{1.234, mm}},
-                  {Quantity{2.0, mm}, Quantity{2.0, deg}, Quantity{0.1234, mm}},
-                  {TableCell{}, Quantity{0.25, mm}, TableCell{}}};
+    Table table{"t", "T"};
+    table.add("same");
+    table.add("other");
+    table.add("rounded").figure(2);
+    table.row({Quantity{1.5, mm}, Quantity{1.5, mm}, Quantity{1.234, mm}});
+    table.row({Quantity{2.0, mm}, Quantity{2.0, deg}, Quantity{0.1234, mm}});
+    table.row({Cell{}, Quantity{0.25, mm}, Cell{}});
     const TableBlock block = evaluation_block(table, {});
     EXPECT_EQ(head_of(block, 0), "same / mm");
     EXPECT_EQ(plain_cell(block, 0, 0), "1.5");
@@ -177,16 +178,13 @@ TEST(EvaluationTable, HasTheUnitInTheHeadAndEvenDecimals) {
 
 TEST(EvaluationTable, ComputedNumbersAndDeviationsOfAColumnShareTheirDecimals) {
     const Unit mm = Unit::of("mm");
-    DataTable table{"t",
-                    "T",
-                    {{.header = "x", .unit = mm},
-                     {.header = "residual", .unit = mm, .digits = 3},
-                     {.header = "u", .unit = mm, .digits = 2},
-                     {.header = "z", .unit = mm}},
-                    {},
-                    {}};
-    table.rows = {{1.571031123456789, 2.79123e-7, 1.86e-5, 500.0},
-                  {0.000664026123456789, -5.65321e-6, 3.3e-4, 1e-10}};
+    Table table{"t", "T"};
+    table.add("x").in(mm);
+    table.add("residual").in(mm).figure(3);
+    table.add("u").in(mm).figure(2);
+    table.add("z").in(mm);
+    table.row({1.571031123456789, 2.79123e-7, 1.86e-5, 500.0});
+    table.row({0.000664026123456789, -5.65321e-6, 3.3e-4, 1e-10});
     const TableBlock block = evaluation_block(table, {});
     EXPECT_EQ(plain_cell(block, 0, 0), "1571.031");
     EXPECT_EQ(plain_cell(block, 1, 0), "0.664");
@@ -198,8 +196,9 @@ TEST(EvaluationTable, ComputedNumbersAndDeviationsOfAColumnShareTheirDecimals) {
 }
 
 TEST(EvaluationTable, ATemperatureHasNoMoreDecimalsThanWereRead) {
-    DataTable table{"t", "T", {{.header = "t", .unit = Unit::of("degC")}}, {}, {}};
-    for (const double t : {21.521, 22.012, 26.01}) table.rows.push_back({Unit::of("degC").to_si(t)});
+    Table table{"t", "T"};
+    table.add("t").in(Unit::of("degC"));
+    for (const double t : {21.521, 22.012, 26.01}) table.row({Unit::of("degC").to_si(t)});
     const TableBlock block = evaluation_block(table, {});
     EXPECT_EQ(plain_cell(block, 0, 0), "21.521");
     EXPECT_EQ(plain_cell(block, 2, 0), "26.010");
@@ -342,7 +341,7 @@ TEST(Report, RequirementsOnWhatDoesNotRepresentTheMeasurandAreNotJudged) {
     EXPECT_TRUE(contains(json, "\"targetMet\": null"));
     for (const char* key : {"\"targetMet\": true", "\"decision\": \"", "\"conformance\""})
         EXPECT_FALSE(contains(json, key)) << key;
-    for (const DataTable& table : result_tables(project, analysis))
+    for (const Table& table : result_tables(project, analysis))
         if (table.id == "requirements") {
             EXPECT_TRUE(contains(to_csv(table), "not judged")) << to_csv(table);
         }

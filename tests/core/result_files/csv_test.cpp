@@ -5,19 +5,22 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "core/made/evaluated_analysis.h"
 #include "core/result_files/csv_text.h"
 #include "core/result_files/csv_writer.h"
 #include "core/result_files/result_tables.h"
 #include "tests/core/report/sample_report.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::csv_test {
 namespace {
 
 TEST(Csv, QuotesCommasQuotesAndLineBreaks) {
-    DataTable table;
-    table.columns = {{"a,b", {}, false, 0}, {"c", {}, false, 0}};
-    table.rows = {{std::string("say \"no\""), std::string("two\nlines")},
-                  {std::string("plain"), TableCell{}}};
+    Table table;
+    table.add("a,b");
+    table.add("c");
+    table.row({std::string("say \"no\""), std::string("two\nlines")});
+    table.row({std::string("plain"), Cell{}});
     EXPECT_EQ(to_csv(table), "\"a,b\",c\r\n\"say \"\"no\"\"\",\"two\nlines\"\r\nplain,\r\n");
 }
 
@@ -42,47 +45,46 @@ TEST(Csv, ControlCharactersAreShown) {
 }
 
 TEST(Csv, NumbersHaveFullPrecisionInTheUnitOfTheHead) {
-    DataTable table;
-    table.columns = {{"u", Unit::of("mm"), true, 2}};
-    table.rows = {{0.1234567890123e-3}};
+    Table table;
+    table.add("u").in(Unit::of("mm")).symbol().figure(2);
+    table.row({0.1234567890123e-3});
     const std::string csv = to_csv(table);
     ASSERT_EQ(csv.substr(0, 8), "u (mm)\r\n");
     EXPECT_NEAR(std::strtod(csv.c_str() + 8, nullptr), 0.1234567890123, 1e-16);
 }
 
 TEST(Csv, QuantitiesOfDifferentUnitsGetAUnitColumn) {
-    DataTable table;
-    table.columns = {{"value", {}, false, 0}};
-    table.rows = {{Quantity{1.5, Unit::of("mm")}}, {Quantity{2.0, Unit::of("deg")}}};
+    Table table;
+    table.add("value");
+    table.row({Quantity{1.5, Unit::of("mm")}});
+    table.row({Quantity{2.0, Unit::of("deg")}});
     EXPECT_EQ(to_csv(table), "value,value unit\r\n1.5,mm\r\n2,deg\r\n");
 }
 
 TEST(Csv, AUnitColumnOfTheTableIsEnough) {
-    DataTable table;
-    table.columns = {{"unit", {}, false, 0}, {"value", {}, false, 0}};
-    table.rows = {{std::string("mm"), Quantity{1.5, Unit::of("mm")}}};
+    Table table;
+    table.add("unit");
+    table.add("value");
+    table.row({std::string("mm"), Quantity{1.5, Unit::of("mm")}});
     EXPECT_EQ(to_csv(table), "unit,value\r\nmm,1.5\r\n");
 }
 
-std::vector<std::string> ids_of(const std::vector<DataTable>& tables) {
+std::vector<std::string> ids_of(const std::vector<Table>& tables) {
     std::vector<std::string> ids;
-    for (const DataTable& table : tables) ids.push_back(table.id);
+    for (const Table& table : tables) ids.push_back(table.id);
     return ids;
 }
 
 TEST(ResultTables, HoldEverythingOfTheResult) {
     const UncertaintyResult result = test::sample_result();
-    const std::vector<DataTable> tables =
-        result_tables(test::sample_project(), test::sample_analysis(result));
+    const std::vector<Table> tables = result_tables(test::sample_project(), test::sample_analysis(result));
     EXPECT_EQ(ids_of(tables),
               (std::vector<std::string>{"results", "budget", "covariance", "correlation", "inputs", "regions",
                                         "histograms", "convergence", "requirements"}));
-    EXPECT_EQ(tables[0].rows.size(), 78U);
-    EXPECT_EQ(tables[1].rows.size(), 78U * 18U);
-    EXPECT_EQ(tables[2].rows.size(), 78U);
-    EXPECT_EQ(tables[4].rows.size(), 126U);
-    for (const DataTable& table : tables)
-        for (const auto& row : table.rows) ASSERT_EQ(row.size(), table.columns.size()) << table.id;
+    EXPECT_EQ(tables[0].rows, 78U);
+    EXPECT_EQ(tables[1].rows, 78U * 18U);
+    EXPECT_EQ(tables[2].rows, 78U);
+    EXPECT_EQ(tables[4].rows, 126U);
 }
 
 // Files are made one by one, budgets output by output, with the same bytes.
@@ -92,7 +94,7 @@ TEST(ResultTables, FilesAreThoseOfTheTables) {
     std::vector<std::pair<std::string, std::string>> files;
     each_result_file(test::sample_project(), analysis,
                      [&](const std::string& id, const std::string& csv) { files.emplace_back(id, csv); });
-    const std::vector<DataTable> tables = result_tables(test::sample_project(), analysis);
+    const std::vector<Table> tables = result_tables(test::sample_project(), analysis);
     ASSERT_EQ(files.size(), tables.size());
     for (std::size_t i = 0; i < files.size(); ++i) {
         EXPECT_EQ(files[i].first, tables[i].id);
@@ -118,21 +120,18 @@ TEST(ResultTables, CovariancesOfThousandsOfOutputsAreThoseOfTheirGroups) {
     result.covariance = OutputCovariance(OutputBlocks::of(quantities));
     for (std::size_t k = 0; k < points; ++k) result.covariance.block(k) = of_point;
     result.regions.clear();
-    const std::vector<DataTable> tables =
-        result_tables(test::sample_project(), test::sample_analysis(result));
+    const std::vector<Table> tables = result_tables(test::sample_project(), test::sample_analysis(result));
     const auto table =
-        std::find_if(tables.begin(), tables.end(), [](const DataTable& t) { return t.id == "covariance"; });
+        std::find_if(tables.begin(), tables.end(), [](const Table& t) { return t.id == "covariance"; });
     ASSERT_NE(table, tables.end());
     EXPECT_EQ(
-        std::count_if(tables.begin(), tables.end(), [](const DataTable& t) { return t.id == "correlation"; }),
-        0);
-    ASSERT_EQ(table->rows.size(), 3 * points);
-    for (const auto& row : table->rows) {
-        ASSERT_EQ(row.size(), table->columns.size());
+        std::count_if(tables.begin(), tables.end(), [](const Table& t) { return t.id == "correlation"; }), 0);
+    ASSERT_EQ(table->rows, 3 * points);
+    for (const auto& row : test::rows_of(*table)) {
         EXPECT_EQ(std::get<std::string>(row[3]), "mm");
         if (std::get<std::string>(row[1]) != "x" || std::get<std::string>(row[2]) != "y") continue;
-        EXPECT_NEAR(std::get<double>(row[5]), 1e6 * of_point(0, 1), 1e-12);
-        EXPECT_NEAR(std::get<double>(row[6]),
+        EXPECT_NEAR(test::si_of(row[5]), 1e6 * of_point(0, 1), 1e-12);
+        EXPECT_NEAR(test::si_of(row[6]),
                     of_point(0, 1) / point[0].standard_uncertainty / point[1].standard_uncertainty, 1e-12);
     }
 }
@@ -142,10 +141,9 @@ TEST(ResultTables, CorrelationsOfInputsAreThereWithTheIdsOfTheBudget) {
     InputSet inputs = result.inputs;
     inputs.correlations = {{0, 4, -0.36}};
     result.inputs = inputs;
-    const std::vector<DataTable> tables =
-        result_tables(test::sample_project(), test::sample_analysis(result));
+    const std::vector<Table> tables = result_tables(test::sample_project(), test::sample_analysis(result));
     const auto table = std::find_if(tables.begin(), tables.end(),
-                                    [](const DataTable& t) { return t.id == "input-correlations"; });
+                                    [](const Table& t) { return t.id == "input-correlations"; });
     ASSERT_NE(table, tables.end());
     EXPECT_EQ(to_csv(*table),
               "symbol,component,id,other symbol,other component,other id,r\r\n"
@@ -154,27 +152,20 @@ TEST(ResultTables, CorrelationsOfInputsAreThereWithTheIdsOfTheBudget) {
 
 TEST(ResultTables, CovarianceIsInTheProductOfUnits) {
     const UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
-    const std::vector<DataTable> tables =
-        result_tables(test::sample_project(), test::sample_analysis(result));
-    const DataTable& covariance = tables[2];
+    const std::vector<Table> tables = result_tables(test::sample_project(), test::sample_analysis(result));
+    const Table& covariance = tables[2];
     // row x (mm), column alpha (deg)
-    const double shown = std::get<double>(covariance.rows[0][2 + 3]);
+    const double shown = test::si_of(covariance.columns[2 + 3].cell(0));
     EXPECT_NEAR(shown, result.covariance(0, 3) * 1e3 * 180.0 / std::acos(-1.0), 1e-12);
-    EXPECT_EQ(covariance.columns[2 + 3].header, "alpha (pose 1) × deg");
-    EXPECT_EQ(std::get<std::string>(covariance.rows[0][1]), "mm");
+    EXPECT_EQ(covariance.columns[2 + 3].key, "alpha (pose 1) × deg");
+    EXPECT_EQ(std::get<std::string>(covariance.columns[1].cell(0)), "mm");
 }
 
 TEST(ResultTables, WithoutMonteCarloItsCellsAreEmpty) {
     const UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
-    const std::vector<DataTable> tables =
-        result_tables(test::sample_project(), test::sample_analysis(result));
+    const std::vector<Table> tables = result_tables(test::sample_project(), test::sample_analysis(result));
     EXPECT_EQ(tables.size(), 7U);
-    const auto& columns = tables[0].columns;
-    const auto shortest = std::find_if(columns.begin(), columns.end(),
-                                       [](const TableColumn& c) { return c.header == "shortest low"; });
-    ASSERT_NE(shortest, columns.end());
-    const auto index = static_cast<std::size_t>(shortest - columns.begin());
-    EXPECT_TRUE(std::holds_alternative<std::monostate>(tables[0].rows[0][index]));
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(tables[0].cell(0, "shortest low")));
 }
 
 }  // namespace

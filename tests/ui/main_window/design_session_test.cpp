@@ -56,8 +56,9 @@ TEST_F(DesignSession, ARunIsShownAndSymbolsAreSet) {
     press(window_->properties(), "run_design");
     EXPECT_TRUE(window_->results().stage().shows(tab()));
     ASSERT_TRUE(wait_for([this] { return design_status().is_current(); }));
-    DataTable table{
-        "outputs", "Uncertainties", {{"output", {}, false, 0}}, {{std::string("alpha_xy (pose 1)")}}, {}};
+    Table table{"outputs", "Uncertainties"};
+    table.add("output");
+    table.row({std::string("alpha_xy (pose 1)")});
     EXPECT_TRUE(html_of({table}).contains(QStringLiteral("α</i><sub>"))) << html_of({table}).toStdString();
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/kinds/equation/setup.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::equation_model::observations_test {
 namespace {
@@ -14,26 +15,26 @@ ObservedQuantity voltage() {
     return {"V", "voltage", Unit::of("V"), {{"", {5.007, 4.994, 5.005, 4.990, 4.999}}}};
 }
 
-const std::vector<TableCell>& row(const DataTable& table, std::size_t at) {
-    return table.rows.at(at);
+std::vector<Cell> row(const Table& table, std::size_t at) {
+    return test::rows_of(table).at(at);
 }
 
 TEST(Observations, TheTableHasMeanDeviationAndUncertaintyOfTheMean) {
     const auto tables = observation_tables({voltage()});
     ASSERT_EQ(tables.size(), 1u);
-    const std::vector<TableCell>& v = row(tables.front(), 0);
+    const std::vector<Cell> v = row(tables.front(), 0);
     EXPECT_EQ(std::get<std::string>(v[0]), "V");
-    EXPECT_EQ(std::get<double>(v[1]), 5.0);
+    EXPECT_EQ(test::si_of(v[1]), 5.0);
     EXPECT_NEAR(std::get<Quantity>(v[2]).value, 4.9990, 1e-12);
     // By hand: sum of squares 0.000206, s^2 = 0.0000515.
     EXPECT_NEAR(std::get<Quantity>(v[3]).value, std::sqrt(0.000206 / 4), 1e-12);
     EXPECT_NEAR(std::get<Quantity>(v[4]).value, 0.0032, 5e-5) << "published";
-    EXPECT_EQ(std::get<double>(v[5]), 4.0);
+    EXPECT_EQ(test::si_of(v[5]), 4.0);
 }
 
 TEST(Observations, FiguresAreInTheUnitOfTheQuantity) {
     ObservedQuantity t{"t", "temperature", Unit::of("degC"), {{"", {20.1, 20.3, 20.2}}}};
-    const DataTable table = observation_tables({t}).front();
+    const Table table = observation_tables({t}).front();
     EXPECT_NEAR(std::get<Quantity>(row(table, 0)[2]).value, 20.2, 1e-12);
     EXPECT_EQ(std::get<Quantity>(row(table, 0)[2]).unit, Unit::of("degC"));
     EXPECT_NEAR(std::get<Quantity>(row(table, 0)[3]).value, 0.1, 1e-12);
@@ -42,8 +43,8 @@ TEST(Observations, FiguresAreInTheUnitOfTheQuantity) {
 
 TEST(Observations, SeriesAreTold) {
     ObservedQuantity x{"x", "x", Unit(), {{"", {1.0, 2.0}}, {"day 1", {1.5, 2.5, 2.0}}, {"day 2", {3.0}}}};
-    const DataTable table = observation_tables({x}).front();
-    ASSERT_EQ(table.rows.size(), 2u) << "one observation has no deviation";
+    const Table table = observation_tables({x}).front();
+    ASSERT_EQ(table.rows, 2u) << "one observation has no deviation";
     EXPECT_EQ(std::get<std::string>(row(table, 1)[0]), "x, day 1");
     const PlotSpecification chart = observation_figures({x}).front();
     ASSERT_EQ(chart.series.size(), 3u);

@@ -75,7 +75,7 @@ TEST(ForceLoads, LoadsAreThoseThatWereGiven) {
 }
 
 TEST(ForceLoads, WithoutCompensationTheLoadsAreToldWrong) {
-    const DataTable table = table_with(ForceProject().model_tables("loads"), "loads");
+    const Table table = table_with(ForceProject().model_tables("loads"), "loads");
     const Row published = {-0.73, 2.05, -1.42, -2.72, 2.90, -1.54};
     const Row found = numbers(table, 6);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(found[6 + i], published[i], 0.0051) << i;
@@ -91,7 +91,7 @@ TEST(ForceLoads, CompensationBeatsThePaper) {
 }
 
 TEST(ForceLoads, TheMatrixIsWellConditioned) {
-    const DataTable table = table_with(ForceProject().model_tables("loads"), "matrix");
+    const Table table = table_with(ForceProject().model_tables("loads"), "matrix");
     ASSERT_FALSE(table.notes.empty());
     EXPECT_NE(table.notes[0].english().find(": 1.028"), std::string::npos) << table.notes[0];
 }

@@ -79,7 +79,7 @@ UncertaintyResult ForceProject::monte_carlo(const std::string& analysis_id, std:
     return *run_analysis(*prepared, {});
 }
 
-std::vector<DataTable> ForceProject::asset_tables(const std::string& id) {
+std::vector<Table> ForceProject::asset_tables(const std::string& id) {
     problems = {};
     const AssetLibrary assets = made_assets(project, problems);
     const AssetLibrary::Entry* entry = assets.find(id);
@@ -87,7 +87,7 @@ std::vector<DataTable> ForceProject::asset_tables(const std::string& id) {
     return entry->asset->evaluation();
 }
 
-std::vector<DataTable> ForceProject::model_tables(const std::string& analysis_id) {
+std::vector<Table> ForceProject::model_tables(const std::string& analysis_id) {
     const auto prepared = prepare(analysis_id);
     if (!prepared) throw std::runtime_error(words());
     return prepared->model->evaluation();
@@ -108,22 +108,17 @@ bool ForceProject::warns(const std::string& analysis_id, const std::string& expe
     return prepare(analysis_id) && !problems.has_errors() && words().find(expected) != std::string::npos;
 }
 
-const DataTable& table_with(const std::vector<DataTable>& tables, const std::string& id) {
-    for (const DataTable& table : tables)
+const Table& table_with(const std::vector<Table>& tables, const std::string& id) {
+    for (const Table& table : tables)
         if (table.id == id) return table;
     throw std::out_of_range(id);
 }
 
-std::vector<double> numbers(const DataTable& table, std::size_t column) {
+std::vector<double> numbers(const Table& table, std::size_t column) {
     std::vector<double> values;
-    for (const auto& row : table.rows) {
-        const TableCell cell = column < row.size() ? row[column] : TableCell();
-        if (const double* value = std::get_if<double>(&cell))
-            values.push_back(table.columns[column].unit.from_si(*value));
-        else if (const Quantity* quantity = std::get_if<Quantity>(&cell))
-            values.push_back(quantity->value);
-        else
-            values.push_back(std::nan(""));
+    for (std::size_t row = 0; row < table.rows; ++row) {
+        const auto number = exact_quantity(table.columns.at(column).cell(row));
+        values.push_back(number ? number->value : std::nan(""));
     }
     return values;
 }

@@ -32,8 +32,8 @@ public:
     std::shared_ptr<const PreparedAnalysis> prepare(const std::string& analysis_id);
     UncertaintyResult first_order(const std::string& analysis_id);
     UncertaintyResult monte_carlo(const std::string& analysis_id, std::uint64_t trials);
-    std::vector<DataTable> asset_tables(const std::string& id);
-    std::vector<DataTable> model_tables(const std::string& analysis_id);
+    std::vector<Table> asset_tables(const std::string& id);
+    std::vector<Table> model_tables(const std::string& analysis_id);
 
     std::string words() const;
     bool refuses(const std::string& analysis_id, const std::string& expected);
@@ -43,8 +43,8 @@ public:
     Problems problems;
 };
 
-const DataTable& table_with(const std::vector<DataTable>& tables, const std::string& id);
+const Table& table_with(const std::vector<Table>& tables, const std::string& id);
 /// Numbers of a column, in the unit of the table's head or of the cell; NaN for other cells.
-std::vector<double> numbers(const DataTable& table, std::size_t column);
+std::vector<double> numbers(const Table& table, std::size_t column);
 
 }  // namespace covaria

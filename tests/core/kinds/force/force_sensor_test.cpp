@@ -9,6 +9,7 @@
 #include "core/base/resource_path.h"
 #include "core/project/project_file.h"
 #include "tests/core/kinds/force/force_project.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::force_sensor_test {
 namespace {
@@ -38,7 +39,7 @@ const Row table_2[] = {
     {.01621, .00116, .00114, .00414, nan, .00148}, {.00521, .00406, .00057, .00166, .00231, nan}};
 
 TEST(ForceSensor, ReadingsReproduceTable1) {
-    const DataTable table = table_with(ForceProject().asset_tables("sensor"), "table-1");
+    const Table table = table_with(ForceProject().asset_tables("sensor"), "table-1");
     expect_rounds_to(numbers(table, 1), {100, 100, 100, 1, 1, 1}, 1.0, "rated load");
     expect_rounds_to(numbers(table, 2), {.52782, .47948, .48070, .64724, .65273, .60874}, 1e-5,
                      "rated output");
@@ -46,7 +47,7 @@ TEST(ForceSensor, ReadingsReproduceTable1) {
 }
 
 TEST(ForceSensor, ReadingsReproduceTable2) {
-    const DataTable table = table_with(ForceProject().asset_tables("sensor"), "table-2");
+    const Table table = table_with(ForceProject().asset_tables("sensor"), "table-2");
     for (std::size_t c = 0; c < 6; ++c) {
         Row published;
         for (const Row& row : table_2) published.push_back(row[c]);
@@ -57,7 +58,7 @@ TEST(ForceSensor, ReadingsReproduceTable2) {
 }
 
 TEST(ForceSensor, ReadingsReproduceTable3) {
-    const DataTable table = table_with(ForceProject().asset_tables("sensor"), "table-3");
+    const Table table = table_with(ForceProject().asset_tables("sensor"), "table-3");
     expect_rounds_to(numbers(table, 1), {.00021, .00018, .00012, .00031, .00029, .00024}, 1e-5, "u_A");
     expect_rounds_to(numbers(table, 2), {.00027, .00031, .00028, .00041, .00040, .00062}, 1e-5, "u_B");
     expect_rounds_to(numbers(table, 3), {.00051, .00046, .00029, .00089, .00094, .00078}, 1e-5, "hysteresis");
@@ -70,7 +71,7 @@ TEST(ForceSensor, ReadingsReproduceTable3) {
 }
 
 TEST(ForceSensor, Table4IsTable2ByTheRatedOutput) {
-    const DataTable table = table_with(ForceProject().asset_tables("sensor"), "table-4");
+    const Table table = table_with(ForceProject().asset_tables("sensor"), "table-4");
     const Row printed[] = {{nan, .98, .89, .80, 2.48, .86}, {.59, nan, .21, nan, .18, .67},
                            {nan, .43, nan, .94, .17, .09},  {.30, .60, 1.48, nan, .63, .27},
                            {.49, .07, .21, 1.32, nan, .38}, {.69, .04, .55, 1.38, .23, nan}};
@@ -84,10 +85,10 @@ TEST(ForceSensor, Table4IsTable2ByTheRatedOutput) {
 }
 
 TEST(ForceSensor, StatesWhatOfThePrintedTablesReproduces) {
-    const DataTable table = table_with(ForceProject().asset_tables("sensor-printed"), "stated");
+    const Table table = table_with(ForceProject().asset_tables("sensor-printed"), "stated");
     std::map<std::string, std::string> summary, cells;
     std::string quantity;
-    for (const auto& row : table.rows) {
+    for (const auto& row : test::rows_of(table)) {
         const std::string name = english_of(row[0]), sensor = english_of(row[1]);
         if (!name.empty())
             summary[quantity = name] = sensor;
@@ -114,7 +115,7 @@ TEST(ForceSensor, StatesWhatOfThePrintedTablesReproduces) {
 }
 
 TEST(ForceSensor, TheQuotedMachineGivesTheseTypeBUncertainties) {
-    const DataTable table = table_with(ForceProject().asset_tables("sensor-printed"), "type-b");
+    const Table table = table_with(ForceProject().asset_tables("sensor-printed"), "type-b");
     expect_rounds_to(numbers(table, 4), {.000157, .000229, .000277, .000311, .000301, .000357}, 1e-6, "u_B");
     EXPECT_NEAR(numbers(table, 2)[0], 2.887e-6, 0.5e-6);
 }
@@ -122,8 +123,8 @@ TEST(ForceSensor, TheQuotedMachineGivesTheseTypeBUncertainties) {
 TEST(ForceSensor, WhichIndexIsTheLoadIsAChoice) {
     ForceProject project;
     project.asset("sensor-printed").values["interference_rows"] = std::string("load");
-    const std::vector<DataTable> tables = project.asset_tables("sensor-printed");
-    const DataTable& table = table_with(tables, "table-3");
+    const std::vector<Table> tables = project.asset_tables("sensor-printed");
+    const Table& table = table_with(tables, "table-3");
     expect_rounds_to(numbers(table, 4), {.01621, .00406, .00606, .00712, .00854, .00896}, 1e-5,
                      "interference");
     const Row reference = {3.30, 1.09, 1.45, 1.40, 1.61, 1.82}, found = numbers(table, 7);
@@ -135,13 +136,13 @@ TEST(ForceSensor, WhichIndexIsTheLoadIsAChoice) {
 }
 
 TEST(ForceSensor, GumBesideThePaper) {
-    const DataTable table = table_with(ForceProject().model_tables("combined"), "paper-and-gum");
+    const Table table = table_with(ForceProject().model_tables("combined"), "paper-and-gum");
     expect_rounds_to(numbers(table, 1), {.912, 1.220, 1.667, 1.680, 2.780, 1.204}, 1e-3, "paper");
     expect_rounds_to(numbers(table, 2), {1.446, 1.425, 2.123, 2.637, 2.990, 1.388}, 1e-3, "all");
     expect_rounds_to(numbers(table, 3), {.804, 1.138, 1.715, 1.608, 2.873, 1.015}, 1e-3, "largest only");
     expect_rounds_to(numbers(table, 4), {.147, .159, .129, .183, .178, .230}, 1e-3, "alone");
     expect_rounds_to(numbers(table, 7), {2.704, 2.117, 3.335, 4.592, 3.697, 2.269}, 1e-3, "worst case");
-    for (const auto& row : table.rows) EXPECT_EQ(english_of(row[8]), "yes");
+    for (const auto& row : test::rows_of(table)) EXPECT_EQ(english_of(row[8]), "yes");
 }
 
 /// k u of the relative loads, in %.

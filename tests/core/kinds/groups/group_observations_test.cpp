@@ -38,11 +38,11 @@ FirstOrderOutput mean_of(const covaria::Setup& setup) {
 }
 
 double cell(const MeasurementModel& model, const std::string& id, std::size_t row, std::size_t column) {
-    for (const DataTable& table : model.evaluation())
+    for (const Table& table : model.evaluation())
         if (table.id == id) {
-            const TableCell& found = table.rows.at(row).at(column);
+            const Cell found = table.columns.at(column).cell(row);
             return std::holds_alternative<Quantity>(found) ? std::get<Quantity>(found).value
-                                                           : std::get<double>(found);
+                                                           : std::get<Measured>(found).si;
         }
     throw std::runtime_error("no table " + id);
 }

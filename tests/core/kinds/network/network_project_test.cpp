@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "tests/core/kinds/network/network_project.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::network_project_test {
 namespace {
@@ -55,9 +56,9 @@ TEST(NetworkProject, PrecisionOfTheReadingsIsShownBesideTheTotal) {
     Network network;
     const auto prepared = network.prepare();
     ASSERT_NE(prepared, nullptr);
-    const DataTable table = prepared->model->evaluation().front();
+    const Table table = prepared->model->evaluation().front();
     const auto cell = [&](std::size_t row, std::size_t column) {
-        return 1e3 * std::get<double>(table.rows.at(row).at(column));
+        return 1e3 * test::si_of(table.columns.at(column).cell(row));
     };
     // Of B the reference is a Monte Carlo run without deviations of the stations, 100 000 trials or more.
     expect_relative({cell(3, 1), cell(4, 1), cell(5, 1)}, {.0142, .0765, .0761},
@@ -297,21 +298,22 @@ TEST(NetworkReadings, AnOutlierIsFound) {
     std::get<double>(rows[6][3]) += 10 * 3.5e-4;  // azimuth of B by C3
     const auto prepared = network.prepare("recommended");
     ASSERT_NE(prepared, nullptr) << network.words();
-    const DataTable residuals = prepared->model->evaluation().at(1);
+    const Table residuals = prepared->model->evaluation().at(1);
+    const auto rows_found = test::rows_of(residuals);
     std::size_t largest = 0;
     double w = 0.0;
-    for (std::size_t i = 0; i < residuals.rows.size(); ++i)
-        if (const double* value = std::get_if<double>(&residuals.rows[i][6]);
-            value && std::abs(*value) > std::abs(w)) {
-            w = *value;
+    for (std::size_t i = 0; i < residuals.rows; ++i)
+        if (const auto value = exact_quantity(rows_found[i][6]);
+            value && std::abs(value->value) > std::abs(w)) {
+            w = value->value;
             largest = i;
         }
     EXPECT_GT(std::abs(w), 3.29);
-    EXPECT_EQ(english_of(residuals.rows[largest][0]), "B");
-    EXPECT_EQ(english_of(residuals.rows[largest][1]), "C3");
-    EXPECT_EQ(english_of(residuals.rows[largest][7]), "outlier?");
+    EXPECT_EQ(english_of(rows_found[largest][0]), "B");
+    EXPECT_EQ(english_of(rows_found[largest][1]), "C3");
+    EXPECT_EQ(english_of(rows_found[largest][7]), "outlier?");
     double redundancy = 0.0;
-    for (const auto& row : residuals.rows) redundancy += std::get<double>(row[5]);
+    for (const auto& row : rows_found) redundancy += test::si_of(row[5]);
     EXPECT_NEAR(redundancy, 27 - 9, 1e-6);
     EXPECT_NE(residuals.notes.front().english().find("18 degrees of freedom"), std::string::npos)
         << residuals.notes.front();

@@ -1,6 +1,7 @@
 // Calibrated lengths in the network of Galetto et al.: as checks, as constraints; large set-ups. Millimetres.
 #include "core/kinds/registries.h"
 #include "tests/core/kinds/network/network_project.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::network_scale_bar_test {
 namespace {
@@ -72,9 +73,9 @@ TEST(NetworkScaleBar, GivenReadingsAreAdjustedWithIt) {
     give_bar(network, "constraint", 0.001, 728.5);
     const auto prepared = network.prepare("recommended");
     ASSERT_NE(prepared, nullptr) << network.words();
-    const DataTable residuals = prepared->model->evaluation().back();
-    EXPECT_EQ(english_of(residuals.rows.back()[1]), "scale bar");
-    EXPECT_EQ(residuals.rows.size(), 28u);
+    const Table residuals = prepared->model->evaluation().back();
+    EXPECT_EQ(english_of(test::rows_of(residuals).back()[1]), "scale bar");
+    EXPECT_EQ(residuals.rows, 28u);
     EXPECT_NE(residuals.notes.front().english().find("19 degrees of freedom"), std::string::npos)
         << residuals.notes.front();
     const UncertaintyResult result = network.run("recommended", 0);

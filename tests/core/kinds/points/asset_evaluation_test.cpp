@@ -8,6 +8,7 @@
 #include "core/kinds/points/error_budget.h"
 #include "core/kinds/points/point_uncertainty.h"
 #include "core/kinds/registries.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::asset_evaluation_test {
 namespace {
@@ -147,7 +148,7 @@ covaria::Setup small_artefact() {
 }
 
 double cell(const Asset& asset, std::size_t row, std::size_t column) {
-    return std::get<double>(asset.evaluation().front().rows.at(row).at(column));
+    return test::si_of(test::rows_of(asset.evaluation().front()).at(row).at(column));
 }
 
 TEST(ArtefactPoints, EvaluatesObservationsWithoutTheDefiningCoordinates) {

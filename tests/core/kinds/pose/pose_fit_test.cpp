@@ -8,6 +8,7 @@
 #include "core/math/rotation.h"
 #include "tests/core/kinds/pose/pose_case.h"
 #include "tests/core/kinds/pose/stewart.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::pose_fit_test {
 namespace {
@@ -80,7 +81,7 @@ covaria::Setup measured(const std::array<double, 3>& u, unsigned seed, bool comm
     return s;
 }
 
-DataTable fits_of(const covaria::Setup& s) {
+Table fits_of(const covaria::Setup& s) {
     const auto tables = make(s)->evaluation();
     EXPECT_EQ(tables.size(), 2u);
     return tables.front();
@@ -93,10 +94,10 @@ TEST(PoseFit, ChiSquareHasItsDegreesOfFreedom) {
         double sum = 0.0, small = 0.0, degrees = 0.0;
         constexpr int repeats = 400;
         for (unsigned k = 0; k < repeats; ++k) {
-            const DataTable table = fits_of(measured({.05, .2, .1}, 1000 + k, common));
-            degrees = std::get<double>(table.rows[1][3]);
-            sum += std::get<double>(table.rows[1][4]);
-            small += std::get<double>(table.rows[1][5]) < 0.5;
+            const Table table = fits_of(measured({.05, .2, .1}, 1000 + k, common));
+            degrees = test::si_of(table.columns[3].cell(1));
+            sum += test::si_of(table.columns[4].cell(1));
+            small += test::si_of(table.columns[5].cell(1)) < 0.5;
         }
         EXPECT_EQ(degrees, common ? 3.0 * points - 6.0 - 3.0 : 3.0 * points - 6.0);
         EXPECT_NEAR(sum / repeats, degrees, 4 * std::sqrt(2 * degrees / repeats));
@@ -105,11 +106,11 @@ TEST(PoseFit, ChiSquareHasItsDegreesOfFreedom) {
 }
 
 TEST(PoseFit, RedundanciesSumUp) {
-    const DataTable table = make(measured({.05, .2, .1}, 5, false))->evaluation()[1];
+    const Table table = make(measured({.05, .2, .1}, 5, false))->evaluation()[1];
     double sum = 0.0;
-    for (const auto& row : table.rows)
+    for (const auto& row : test::rows_of(table))
         if (std::get<std::string>(row[0]) == "pose 1")
-            for (std::size_t c = 8; c < 11; ++c) sum += std::get<double>(row[c]);
+            for (std::size_t c = 8; c < 11; ++c) sum += test::si_of(row[c]);
     EXPECT_NEAR(sum, 3.0 * points - 6.0, 1e-9);
 }
 

@@ -22,9 +22,8 @@ struct Loaded {
 // Columns of the budget: coordinate, u_cal, u_T, u_var, b, n, u_c.
 std::vector<double> budget_row(const Asset& asset, std::size_t row) {
     std::vector<double> mm;
-    const DataTable table = asset.evaluation().front();
-    for (std::size_t c : {1, 2, 3, 4, 6})
-        mm.push_back(table.columns[c].unit.from_si(std::get<double>(table.rows.at(row).at(c))));
+    const Table table = asset.evaluation().front();
+    for (std::size_t c : {1, 2, 3, 4, 6}) mm.push_back(exact_quantity(table.columns[c].cell(row))->value);
     return mm;
 }
 

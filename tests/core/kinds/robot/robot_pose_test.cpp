@@ -7,6 +7,7 @@
 
 #include "core/kinds/robot/serial_robot.h"
 #include "tests/core/kinds/robot/robot_project.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::robot_pose_test {
 namespace {
@@ -135,7 +136,7 @@ TEST(RobotPose, TableOneFollowsFromItsComponents) {
         const Unit unit = Unit::of(is_length(entry.parameter) ? "mm" : "deg");
         EXPECT_NEAR(unit.interval_from_si(u), entry.u, .5001e-4) << entry.joint << symbol_of(entry.parameter);
     }
-    EXPECT_EQ(asset->evaluation().front().rows.size(), 6u * 4u) << "d_2 is 0 by definition, beta_2 is there";
+    EXPECT_EQ(asset->evaluation().front().rows, 6u * 4u) << "d_2 is 0 by definition, beta_2 is there";
 }
 
 // Degrees of freedom 29, 7 and 5 of the repeats, counts and ranges: k of 95 % is 2.24 to 2.57, not 2.
@@ -144,12 +145,12 @@ TEST(RobotPose, EffectiveDegreesOfFreedomOfTableOne) {
     SetupTable& table = robot.asset_table("er10l-components", "uncertainties");
     for (std::size_t row = 0; row < table.rows.size(); ++row)
         table.rows[row][7] = row < 5 ? 29.0 : row < 10 ? 7.0 : 5.0;
-    const DataTable parameters = robot.asset("er10l-components")->evaluation().front();
+    const Table parameters = robot.asset("er10l-components")->evaluation().front();
     double least = 1e9, most = 0.0;
-    for (const auto& row : parameters.rows)
-        if (const double* nu = std::get_if<double>(&row.back())) {
-            least = std::min(least, *nu);
-            most = std::max(most, *nu);
+    for (const auto& row : test::rows_of(parameters))
+        if (const auto* nu = std::get_if<Measured>(&row.back())) {
+            least = std::min(least, nu->si);
+            most = std::max(most, nu->si);
         }
     EXPECT_NEAR(least, 5.0, .05);
     EXPECT_NEAR(most, 9.6, .05);

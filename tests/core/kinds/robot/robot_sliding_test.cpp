@@ -5,6 +5,7 @@
 
 #include "core/kinds/robot/serial_robot.h"
 #include "tests/core/made.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::robot_sliding_test {
 namespace {
@@ -117,10 +118,10 @@ TEST(SlidingJoints, InverseKinematicsFindsTheirReadings) {
                                                            : found.problems.items()[0].message.english());
     const auto tables = found.analysis->model->evaluation();
     std::vector<double> readings;
-    for (std::size_t i = 1; i <= 4; ++i) readings.push_back(std::get<double>(tables[0].rows[0][i]));
+    for (std::size_t i = 1; i <= 4; ++i) readings.push_back(test::si_of(tables[0].columns[i].cell(0)));
     EXPECT_LT((link_frames(found.robot(), readings).back().translation() - X.translation()).norm(), 1e-7);
-    EXPECT_EQ(tables[0].columns[1].header, "s_1");
-    EXPECT_EQ(tables[0].columns[1].unit.text(), "mm");
+    EXPECT_EQ(tables[0].columns[1].key, "s_1");
+    EXPECT_EQ(tables[0].columns[1].unit->text(), "mm");
 }
 
 TEST(SlidingJoints, LimitsAndWrongColumnsAreSaid) {

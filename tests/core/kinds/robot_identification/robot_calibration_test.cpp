@@ -10,6 +10,7 @@
 #include "core/kinds/robot/serial_robot.h"
 #include "core/math/rotation.h"
 #include "tests/core/kinds/robot/robot_project.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::robot_calibration_test {
 namespace {
@@ -66,15 +67,15 @@ Eigen::Isometry3d somewhere() {
     return X;
 }
 
-DataTable table_called(const PreparedAnalysis& analysis, const std::string& id) {
-    for (const DataTable& table : analysis.model->evaluation())
+Table table_called(const PreparedAnalysis& analysis, const std::string& id) {
+    for (const Table& table : analysis.model->evaluation())
         if (table.id == id) return table;
     throw std::out_of_range(id);
 }
 
 std::map<std::string, std::string> held_in(const PreparedAnalysis& analysis) {
     std::map<std::string, std::string> held;
-    for (const auto& row : table_called(analysis, "not-identified").rows)
+    for (const auto& row : test::rows_of(table_called(analysis, "not-identified")))
         held[english_of(row[0])] = english_of(row[1]);
     return held;
 }
@@ -165,8 +166,8 @@ TEST(Calibration, MonteCarloAgreesWithItsCovariance) {
         EXPECT_NEAR(y.monte_carlo->standard_uncertainty / y.first_order.standard_uncertainty, 1.0,
                     4.0 * std::sqrt(.5 / 20'000))
             << y.quantity.group << y.quantity.symbol;
-    const DataTable table = table_called(*robot.prepare(measured), "identified");
-    for (const auto& row : table.rows)
+    const Table table = table_called(*robot.prepare(measured), "identified");
+    for (const auto& row : test::rows_of(table))
         for (const OutputResult& y : r.outputs)
             if (y.quantity.symbol == english_of(row[0])) {
                 EXPECT_NEAR(std::get<Quantity>(row[4]).value,
@@ -266,7 +267,7 @@ TEST(Calibration, AnOutlierIsNamed) {
     EXPECT_TRUE(says(robot, "pose P17: the residual of its")) << robot.words();
     EXPECT_TRUE(says(robot, "times as large as the uncertainties of points and readings explain"));
     std::size_t outliers = 0;
-    for (const auto& r : table_called(*prepared, "residuals").rows)
+    for (const auto& r : test::rows_of(table_called(*prepared, "residuals")))
         outliers += english_of(r.back()) == "outlier";
     EXPECT_GE(outliers, 1u);
     row[1] = std::string("check");
@@ -277,12 +278,12 @@ TEST(Calibration, AnOutlierIsNamed) {
 TEST(Calibration, PosesHeldBackAgreeWithTheIdentifiedArm) {
     Robot robot;
     const UncertaintyResult r = robot.run(measured, 0);
-    const DataTable table = table_called(*robot.prepare(measured), "check-poses");
-    ASSERT_EQ(table.rows.size(), 10u);
+    const Table table = table_called(*robot.prepare(measured), "check-poses");
+    ASSERT_EQ(table.rows, 10u);
     std::size_t disagree = 0;
-    for (const auto& row : table.rows) {
-        EXPECT_GT(std::get<double>(row[1]), 20.0 * std::get<double>(row[5])) << "nominal is far worse";
-        disagree += std::get<double>(row[7]) > 1.0;
+    for (const auto& row : test::rows_of(table)) {
+        EXPECT_GT(test::si_of(row[1]), 20.0 * test::si_of(row[5])) << "nominal is far worse";
+        disagree += test::si_of(row[7]) > 1.0;
     }
     EXPECT_LE(disagree, 4u) << "30 coordinates, 5 % of them beyond U";
     // The same uncertainty by the engine: points, fit and check pose together.
@@ -290,7 +291,7 @@ TEST(Calibration, PosesHeldBackAgreeWithTheIdentifiedArm) {
     for (const OutputResult& y : r.outputs)
         if (y.quantity.group == "check C1")
             largest = std::max(largest, 2.0 * y.first_order.standard_uncertainty);
-    EXPECT_NEAR(largest / std::get<double>(table.rows[0][6]), 1.0, 1e-9);
+    EXPECT_NEAR(largest / test::si_of(table.columns[6].cell(0)), 1.0, 1e-9);
 }
 
 TEST(Calibration, UncertainReadingsCount) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/core/kinds/robot/robot_project.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::robot_circle_points_test {
 namespace {
@@ -166,8 +167,8 @@ TEST(CirclePoints, WhatCannotBeIdentifiedIsNamed) {
     const auto prepared = robot.prepare(simulated);
     ASSERT_NE(prepared, nullptr);
     std::set<std::string> names;
-    const DataTable missing = prepared->model->evaluation().at(2);
-    for (const auto& row : missing.rows) names.insert(english_of(row[0]));
+    const Table missing = prepared->model->evaluation().at(2);
+    for (const auto& row : test::rows_of(missing)) names.insert(english_of(row[0]));
     EXPECT_EQ(names,
               (std::set<std::string>{"theta_1", "d_1", "d_2", "theta_6", "d_6", "a_6", "alpha_6", "tool"}));
 }
