@@ -4,6 +4,7 @@
 #include <QFocusEvent>
 #include <QHeaderView>
 #include <QScrollBar>
+#include <algorithm>
 
 #include "ui/forms/cell_delegate.h"
 #include "ui/models/budget_sheet_model.h"
@@ -40,6 +41,7 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     frozen_->setVerticalScrollMode(ScrollPerPixel);
     for (int column = 1; column < model.columnCount(); ++column) frozen_->setColumnHidden(column, true);
     connect(horizontalHeader(), &QHeaderView::sectionResized, this, &BudgetSheetView::place_frozen);
+    connect(&model, &QAbstractItemModel::dataChanged, this, &BudgetSheetView::give_way_in_turn);
     connect(verticalHeader(), &QHeaderView::geometriesChanged, this, &BudgetSheetView::place_frozen);
     connect(verticalScrollBar(), &QScrollBar::valueChanged, frozen_->verticalScrollBar(),
             &QScrollBar::setValue);
@@ -77,8 +79,19 @@ void BudgetSheetView::place_frozen() {
 }
 
 void BudgetSheetView::resizeEvent(QResizeEvent* event) {
+    give_way_in_turn();
     SpreadsheetView::resizeEvent(event);
     place_frozen();
+}
+
+/// The source is the first column to go where not all have room; it stands in the inspector as well.
+void BudgetSheetView::give_way_in_turn() {
+    constexpr int source = BudgetSheetModel::source, name = 1, narrow_name = 110;
+    int others = std::min(columnWidth(name), narrow_name);
+    for (int column = 0; column < model()->columnCount(); ++column)
+        if (column != name && column != source) others += columnWidth(column);
+    const int wanted = std::max(horizontalHeader()->sectionSizeHint(source), sizeHintForColumn(source));
+    setColumnHidden(source, others + wanted > viewport()->width());
 }
 
 /// Not under the frozen column; what stands in that is in view, wherever the others are.

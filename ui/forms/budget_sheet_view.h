@@ -28,6 +28,7 @@ protected:
 
 private:
     void place_frozen();
+    void give_way_in_turn();
 
     const SpreadsheetModel& sheet_;
     QTableView* frozen_;  ///< the first column over the others

@@ -15,10 +15,10 @@
 #include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
 #include "ui/forms/prose_editor.h"
-#include "ui/forms/scrolled.h"
 #include "ui/forms/simple_editors.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
+#include "ui/theme/fold_groups.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -83,11 +83,9 @@ QStringList unnamed_results(Document& document) {
 CertificateForm::CertificateForm(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      fields_(new QWidget),
-      layout_(new QFormLayout(fields_)),
+      groups_(new FoldGroups),
       state_(new QLabel(this)),
       next_(new QPushButton(tr("Next Missing"), this)) {
-    layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     add_head();
     for (const CertificateSection& section : certificate_sections()) add_section(section);
     refresh();
@@ -111,57 +109,57 @@ void CertificateForm::add_head() {
     head->addWidget(next_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    head->setContentsMargins(layout_->contentsMargins());
+    head->setContentsMargins(16, 2, 16, 8);
+    column->setSpacing(0);
     column->addLayout(head);
-    column->addWidget(scrolled(fields_), 1);
+    column->addWidget(groups_);
     connect(next_, &QPushButton::clicked, this, &CertificateForm::focus_next_missing);
 }
 
 void CertificateForm::add_section(const CertificateSection& section) {
-    auto* label = new QLabel(core_text(section.title), fields_);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
-    label->setContentsMargins(0, 10, 0, 0);
-    layout_->addRow(label);
-    for (const CertificateField& field : section.fields) add_field(certificate_field(field.member));
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    form->setVerticalSpacing(4);
+    for (const CertificateField& field : section.fields) add_field(*form, certificate_field(field.member));
+    groups_->add(page, core_text(section.title));
 }
 
-void CertificateForm::add_field(const CertificateField& field) {
-    FieldEditor* editor = make_editor(field);
-    QLabel* title = make_form_label(field.title, fields_);
+void CertificateForm::add_field(QFormLayout& form, const CertificateField& field) {
+    FieldEditor* editor = make_editor(field, form.parentWidget());
+    QLabel* title = make_form_label(field.title, form.parentWidget());
     title->setToolTip(help_text(spec_of(field)));
     title->setBuddy(editor);
-    layout_->addRow(title, editor);
+    form.addRow(title, editor);
     set_help_place(*editor, to_qt(field_anchor("certificate", anchor_words(pointer_of(field)))));
-    rows_.push_back({&field, editor});
+    rows_.push_back({&field, editor, groups_->count()});
     connect(editor, &FieldEditor::edited, this, [this, &field](const SetupValue& value) {
         const std::string* text = std::get_if<std::string>(&value);
         write(field, text ? *text : std::string());
     });
 }
 
-FieldEditor* CertificateForm::make_editor(const CertificateField& field) {
+FieldEditor* CertificateForm::make_editor(const CertificateField& field, QWidget* page) {
     const FieldSpec spec = spec_of(field);
     switch (field.kind) {
         case CertificateText::line:
         case CertificateText::country:
-            return new TextEditor(spec, fields_);
+            return new TextEditor(spec, page);
         case CertificateText::lines:
-            return new ProseEditor(spec, fields_);
+            return new ProseEditor(spec, page);
         case CertificateText::language:
-            return new ChoiceEditor(spec, tr("English (none chosen)"), fields_);
+            return new ChoiceEditor(spec, tr("English (none chosen)"), page);
         case CertificateText::site:
-            return new ChoiceEditor(spec, tr("in the laboratory, or at the place stated"), fields_);
+            return new ChoiceEditor(spec, tr("in the laboratory, or at the place stated"), page);
         case CertificateText::picture:
-            return new FileEditor(spec, document_, tr("Pictures (*.png *.jpg *.jpeg)"), fields_);
+            return new FileEditor(spec, document_, tr("Pictures (*.png *.jpg *.jpeg)"), page);
         case CertificateText::date:
         case CertificateText::dates:
             break;
     }
     const auto days =
         field.kind == CertificateText::dates ? DateEditor::Days::interval : DateEditor::Days::one;
-    return new DateEditor(spec, days, document_, {project_address, spec.key}, fields_);
+    return new DateEditor(spec, days, document_, {project_address, spec.key}, page);
 }
 
 void CertificateForm::write(const CertificateField& field, const std::string& text) {
@@ -181,7 +179,26 @@ void CertificateForm::refresh() {
                                  ? clause_words(*row.field)
                                  : to_qt(said_in_place_of(row.field->member, in)));
     }
+    count_stated();
     refresh_state();
+}
+
+/// "3 of 5"; a section that lacks something is open.
+void CertificateForm::count_stated() {
+    const Certificate& certificate = document_.project().certificate;
+    const Conformity conformity = conformity_in(document_.project());
+    for (int group = 0; group < groups_->count(); ++group) {
+        int fields = 0, stated = 0;
+        bool lacks = false;
+        for (const Row& row : rows_) {
+            if (row.group != group) continue;
+            ++fields;
+            stated += int(!(certificate.*row.field->member).empty());
+            lacks = lacks || is_missing(*row.field, certificate, conformity);
+        }
+        groups_->set_summary(group, tr("%1 of %2").arg(stated).arg(fields));
+        if (lacks) groups_->offer(group);
+    }
 }
 
 void CertificateForm::refresh_state() {
@@ -224,6 +241,7 @@ void CertificateForm::refresh_problems() {
 bool CertificateForm::focus_field(const std::string& path) {
     for (const Row& row : rows_)
         if (path == pointer_of(*row.field)) {
+            FoldGroups::reveal(*row.editor);
             row.editor->focus_part({});
             return true;
         }
@@ -241,6 +259,7 @@ void CertificateForm::focus_next_missing() {
         const Row& row = rows_[(first + i) % rows_.size()];
         if (!is_missing(*row.field, document_.project().certificate, conformity_in(document_.project())))
             continue;
+        FoldGroups::reveal(*row.editor);
         row.editor->focus_part({});
         return bring_into_view(*row.editor);
     }

@@ -13,8 +13,11 @@
 
 namespace covaria::ui {
 
+class FoldGroups;
+
 /// Follows the document; every edit is one undo step, typing in one field merges. What ISO/IEC 17025 requires
-/// and is not stated yet is counted above the fields, and its clause stands in the empty field.
+/// and is not stated yet is counted above the fields, and its clause stands in the empty field. Sections in
+/// which nothing is missing are folded to a count.
 class CertificateForm : public QWidget {
     Q_OBJECT
 public:
@@ -28,19 +31,20 @@ private:
     struct Row {
         const CertificateField* field;
         FieldEditor* editor;
+        int group;
     };
     void add_head();
     void add_section(const CertificateSection& section);
-    void add_field(const CertificateField& field);
-    FieldEditor* make_editor(const CertificateField& field);
+    void add_field(QFormLayout& form, const CertificateField& field);
+    FieldEditor* make_editor(const CertificateField& field, QWidget* page);
+    void count_stated();
     void write(const CertificateField& field, const std::string& text);
     void refresh();
     void refresh_state();  ///< what is missing, also of what only the made project knows
     void refresh_problems();
 
     Document& document_;
-    QWidget* fields_;  ///< scrolled, below what is missing and the way to it
-    QFormLayout* layout_;
+    FoldGroups* groups_;  ///< a section each, below what is missing and the way to it
     QLabel* state_;
     QPushButton* next_;
     std::vector<Row> rows_;

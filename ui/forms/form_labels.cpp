@@ -13,7 +13,7 @@ namespace covaria::ui {
 namespace {
 
 constexpr int narrowest_list = 10;  // letters
-constexpr int widest_label = 24;    // digits: longer titles take a second line
+constexpr int widest_label = 12;    // digits, 96 px at the usual size: longer titles take a second line
 
 QString label_of(const std::string& title) {
     const Text text = title_text(core_words(title));
@@ -24,11 +24,23 @@ QString label_of(const std::string& title) {
 
 QLabel* make_form_label(const std::string& title, QWidget* parent) {
     auto* label = new QLabel(label_of(title), parent);
-    const int most = widest_label * label->fontMetrics().horizontalAdvance(QLatin1Char('0'));
-    if (label->sizeHint().width() <= most) return label;
-    label->setWordWrap(true);
-    label->setFixedWidth(most);
+    wrap_label(*label);
     return label;
+}
+
+void wrap_label(QLabel& label) {
+    const int most = widest_label * label.fontMetrics().horizontalAdvance(QLatin1Char('0'));
+    if (!label.wordWrap() && label.sizeHint().width() <= most) return label.setFixedWidth(most);
+    label.setWordWrap(true);
+    label.setFixedWidth(std::max(most, label.minimumSizeHint().width()));
+}
+
+void wrap_labels(const QWidget& page) {
+    for (const QFormLayout* form : page.findChildren<QFormLayout*>())
+        for (int row = 0; row < form->rowCount(); ++row) {
+            const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole);
+            if (auto* label = qobject_cast<QLabel*>(item ? item->widget() : nullptr)) wrap_label(*label);
+        }
 }
 
 QString as_label(const QString& words) {

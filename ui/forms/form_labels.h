@@ -11,6 +11,10 @@ namespace covaria::ui {
 
 /// A title that is a symbol is set as one; a long one is broken into lines.
 QLabel* make_form_label(const std::string& title, QWidget* parent);
+/// As wide as all labels of the inspector, but for a word that is wider; what is longer takes a second line.
+void wrap_label(QLabel& label);
+/// All labels beside fields on the page.
+void wrap_labels(const QWidget& page);
 
 /// First letter as at the beginning of a sentence: for words that come in lower case.
 QString as_label(const QString& words);

@@ -1,6 +1,8 @@
-// Rows of label and editor; sections and rows hide where their fields are not used.
+// Rows of label and editor in sections that fold; both hide where their fields are not used.
 #include "ui/forms/setup_form.h"
 
+#include <QHBoxLayout>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -9,14 +11,38 @@
 #include "ui/document/missing_fields.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
+#include "ui/forms/table_editor.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/fold_groups.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
 namespace {
+
 constexpr qsizetype most_messages = 5;  // at a field; all are in the problems list
+
+void show_row(QFormLayout& form, QWidget& editor, QWidget* head, bool shown) {
+    form.setRowVisible(&editor, shown);
+    if (head) form.setRowVisible(head, shown);
 }
+
+/// How many a table has; of other fields nothing.
+QString rows_of(FieldEditor& editor) {
+    auto* table = qobject_cast<TableEditor*>(&editor);
+    return table ? QString::number(table->model().rowCount()) : QString();
+}
+
+QWidget* in_a_row(QWidget& title, QWidget& tools) {
+    auto* whole = new QWidget;
+    auto* row = new QHBoxLayout(whole);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(&title, 1);
+    row->addWidget(&tools);
+    return whole;
+}
+
+}  // namespace
 
 SetupForm::SetupForm(Document& document, SetupAddress address, QWidget* parent)
     : SetupForm(document, address, find_schema(document.project(), address), parent) {}
@@ -26,12 +52,16 @@ SetupForm::SetupForm(Document& document, SetupAddress address, const SetupSchema
       document_(document),
       address_(std::move(address)),
       schema_(schema),
-      layout_(new QFormLayout(this)),
+      groups_(new FoldGroups(this)),
       taken_(new QLabel(this)) {
-    layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     taken_->setWordWrap(true);
     taken_->setObjectName(QStringLiteral("taken"));
-    layout_->addRow(taken_);
+    taken_->setContentsMargins(16, 8, 16, 8);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(taken_);
+    column->addWidget(groups_);
     if (schema_) build();
     refresh();
     refresh_problems();
@@ -41,7 +71,7 @@ SetupForm::SetupForm(Document& document, SetupAddress address, const SetupSchema
 
 void SetupForm::build() {
     std::string section;
-    sections_.push_back(nullptr);
+    add_section({});  // of fields that stand before all sections
     for (const FieldSpec& field : schema_->fields()) {
         if (field.section != section && !field.section.empty()) add_section(core_text(field.section));
         section = field.section;
@@ -50,13 +80,12 @@ void SetupForm::build() {
 }
 
 void SetupForm::add_section(const QString& title) {
-    auto* label = new QLabel(title, this);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
-    label->setContentsMargins(0, sections_.size() > 1 ? 10 : 0, 0, 0);
-    layout_->addRow(label);
-    sections_.push_back(label);
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    form->setVerticalSpacing(4);
+    const bool is_first = sections_.size() == 1 && rows_.empty();
+    sections_.push_back({groups_->add(page, title, is_first), form});
 }
 
 void SetupForm::add_field(const FieldSpec& field) {
@@ -65,22 +94,24 @@ void SetupForm::add_field(const FieldSpec& field) {
     title->setToolTip(help_text(field));
     title->setBuddy(editor);
     set_help_place(*editor, help_anchor(document_.project(), address_, field.key));
-    if (editor->is_wide() && !sections_.empty() && sections_.back() &&
-        sections_.back()->text() == title->text()) {
-        sections_.back()->setToolTip(title->toolTip());
-        sections_.back()->setBuddy(editor);
+    QFormLayout& form = *sections_.back().form;
+    QWidget* head = nullptr;
+    if (editor->is_wide() && groups_->title(sections_.back().group) == title->text()) {
+        groups_->head(sections_.back().group)->setToolTip(title->toolTip());
         delete std::exchange(title, nullptr);  // the heading says it
-        layout_->addRow(editor);
+        form.addRow(editor);
     } else if (editor->is_wide()) {
         title->setWordWrap(false);
         title->setMinimumWidth(0);
         title->setMaximumWidth(QWIDGETSIZE_MAX);
-        layout_->addRow(title);
-        layout_->addRow(editor);
+        auto* table = qobject_cast<TableEditor*>(editor);
+        head = table ? in_a_row(*title, *table->take_tools()) : title;
+        form.addRow(head);
+        form.addRow(editor);
     } else {
-        layout_->addRow(title, editor);
+        form.addRow(title, editor);
     }
-    rows_.push_back({&field, editor, editor->is_wide() ? title : nullptr, sections_.size() - 1});
+    rows_.push_back({&field, editor, head, sections_.size() - 1});
     connect(editor, &FieldEditor::edited, this,
             [this, &field](const SetupValue& value) { write(field, value); });
     connect(editor, &FieldEditor::part_selected, this,
@@ -114,16 +145,19 @@ void SetupForm::refresh() {
     say_what_is_taken();
     if (!setup) return;
     std::vector<bool> used(sections_.size(), false);
+    std::vector<QStringList> counts(sections_.size());
     for (const Row& row : rows_) {
         const bool shown = is_shown(*schema_, *row.field, *setup);
-        layout_->setRowVisible(row.editor, shown);
-        if (row.title) layout_->setRowVisible(row.title, shown);
+        show_row(*sections_[row.section].form, *row.editor, row.head, shown);
+        if (const QString rows = rows_of(*row.editor); shown && !rows.isEmpty()) counts[row.section] << rows;
         if (!shown) forget_unread("/setup/" + row.field->key);
         used[row.section] = used[row.section] || shown;
         row.editor->set_value(value_of(*row.field, *setup));
     }
-    for (std::size_t i = 0; i < sections_.size(); ++i)
-        if (sections_[i]) layout_->setRowVisible(sections_[i], used[i]);
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+        groups_->set_shown(sections_[i].group, used[i]);
+        groups_->set_summary(sections_[i].group, counts[i].join(QStringLiteral(", ")));
+    }
 }
 
 /// Links take the place of what the fields state of their quantities.
@@ -145,7 +179,7 @@ void SetupForm::say_what_is_taken() {
                      .arg(source ? to_qt(source->name) : to_qt(from), named.join(QStringLiteral(", ")));
     }
     taken_->setText(words.join(QLatin1Char('\n')));
-    layout_->setRowVisible(taken_, !words.isEmpty());
+    taken_->setVisible(!words.isEmpty());
 }
 
 /// A field that is not used holds no run.
@@ -160,12 +194,15 @@ void SetupForm::refresh_problems() {
         const std::string path = prefix + row.field->key;
         QStringList messages;
         std::vector<std::string> places;
-        for (const Problem& problem : document_.problems().items())
-            if ((problem.path == path || problem.path.starts_with(path + '/')) &&
-                !is_missing(document_.project(), document_.problems(), problem)) {
-                messages << to_qt(problem.message);
-                places.push_back(problem.path.substr(path.size()));
-            }
+        bool lacks = false;
+        for (const Problem& problem : document_.problems().items()) {
+            if (problem.path != path && !problem.path.starts_with(path + '/')) continue;
+            lacks = true;
+            if (is_missing(document_.project(), document_.problems(), problem)) continue;
+            messages << to_qt(problem.message);
+            places.push_back(problem.path.substr(path.size()));
+        }
+        if (lacks) groups_->offer(sections_[row.section].group);
         if (const auto more = messages.size() - most_messages; more > 0) {
             messages.resize(most_messages);
             messages << tr("and %n more", nullptr, int(more));
@@ -177,7 +214,10 @@ void SetupForm::refresh_problems() {
 
 void SetupForm::focus_first() {
     for (const Row& row : rows_)
-        if (layout_->isRowVisible(row.editor)) return row.editor->focus_part({});
+        if (sections_[row.section].form->isRowVisible(row.editor)) {
+            FoldGroups::reveal(*row.editor);
+            return row.editor->focus_part({});
+        }
 }
 
 bool SetupForm::focus_field(const std::string& path) {
@@ -187,6 +227,7 @@ bool SetupForm::focus_field(const std::string& path) {
     const std::size_t slash = relative.find('/', 1);
     FieldEditor* found = editor(relative.substr(1, slash == std::string::npos ? slash : slash - 1));
     if (!found) return false;
+    FoldGroups::reveal(*found);
     found->focus_part(slash == std::string::npos ? std::string() : relative.substr(slash));
     return true;
 }

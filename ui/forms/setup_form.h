@@ -13,8 +13,11 @@
 
 namespace covaria::ui {
 
+class FoldGroups;
+
 /// Follows the document; every edit is one undo step, typing in one field merges. When the entry is removed
-/// the form stays empty of use: its owner deletes it.
+/// the form stays empty of use: its owner deletes it. The first section is open, and those that lack
+/// something.
 class SetupForm : public QWidget {
     Q_OBJECT
 public:
@@ -39,8 +42,13 @@ private:
     struct Row {
         const FieldSpec* field;
         FieldEditor* editor;
-        QLabel* title;  ///< of a wide editor; null when the layout made the label
+        QWidget* head;  ///< of a wide editor: its title; null: it stands beside the editor
         std::size_t section;
+    };
+    /// Of the fields that belong together, in a group that folds.
+    struct Section {
+        int group;
+        QFormLayout* form;
     };
     void build();
     void add_field(const FieldSpec& field);
@@ -54,10 +62,10 @@ private:
     Document& document_;
     SetupAddress address_;
     const SetupSchema* schema_;
-    QFormLayout* layout_;
+    FoldGroups* groups_;
     QLabel* taken_;  ///< what other analyses give in place of this set-up
     std::vector<Row> rows_;
-    std::vector<QLabel*> sections_;
+    std::vector<Section> sections_;
 };
 
 }  // namespace covaria::ui

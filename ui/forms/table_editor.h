@@ -1,8 +1,10 @@
-// Editor of a table field: the spreadsheet with its buttons and import.
+// Editor of a table field: the spreadsheet with its tools and import.
 #pragma once
 
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
+#include <QToolButton>
 #include <vector>
 
 #include "ui/forms/field_editor.h"
@@ -23,11 +25,16 @@ public:
 
     SetupTableModel& model() { return *model_; }
     SpreadsheetView& view() { return *view_; }
+    /// Small buttons for rows and import: seen while the keyboard is in the table or in them. Whoever takes
+    /// them puts them into the head of the table.
+    QWidget* take_tools();
     /// Asks for a file, shows the preview, replaces the table.
     void import_csv();
 
 private:
-    QPushButton* add_button(const QString& text, QAction* action);
+    void make_tools();
+    QToolButton* add_tool(const QString& picture, const QString& text, QAction* action);
+    void follow_focus(const QWidget* focused);
     void choose_unit(int column, const QPoint& position);
     /// Columns for the seventh joint, say, of a table whose arms have six, unless all are asked for.
     void hide_unused_columns();
@@ -35,6 +42,8 @@ private:
     FieldSpec field_;
     SetupTableModel* model_;
     SpreadsheetView* view_;
+    QWidget* tools_;             ///< keeps its height
+    QPointer<QWidget> buttons_;  ///< in it, with the focus
     QLabel* note_;
     QLabel* origin_;  ///< which file a linked table is read from
     QPushButton* embed_;

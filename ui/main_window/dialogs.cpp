@@ -1,8 +1,10 @@
 #include "ui/main_window/dialogs.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
@@ -42,12 +44,25 @@ DiskAnswer ask_reload(QWidget* parent, const QString& name, bool modified) {
     return box.clickedButton() == reload ? DiskAnswer::reload : DiskAnswer::keep;
 }
 
-int ask_recover(QWidget* parent, const QStringList& entries) {
-    bool accepted = false;
-    const QString chosen = QInputDialog::getItem(parent, tr("Recover Unsaved Work"),
-                                                 tr("Covaria did not end properly. Unsaved work was kept:"),
-                                                 entries, 0, false, &accepted);
-    return accepted ? int(entries.indexOf(chosen)) : -1;
+RecoverAnswer ask_recover(QWidget* parent, const QStringList& entries) {
+    using What = RecoverAnswer::What;
+    QMessageBox box(QMessageBox::Question, tr("Recover Unsaved Work"),
+                    tr("Covaria did not end properly. Unsaved work was kept:"), QMessageBox::NoButton,
+                    parent);
+    auto* list = new QComboBox(&box);
+    list->addItems(entries);
+    list->setAccessibleName(tr("Kept projects"));
+    if (auto* grid = qobject_cast<QGridLayout*>(box.layout())) grid->addWidget(list, 1, 2);
+    auto* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
+    auto* later = box.addButton(tr("Later"), QMessageBox::RejectRole);
+    auto* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(recover);
+    box.setEscapeButton(later);
+    box.exec();
+    const What what = box.clickedButton() == recover   ? What::recover
+                      : box.clickedButton() == discard ? What::discard
+                                                       : What::later;
+    return {what, list->currentIndex()};
 }
 
 bool ask_confirm(QWidget* parent, const QString& question, const QString& action) {

@@ -11,6 +11,11 @@ namespace covaria::ui {
 
 enum class SaveAnswer { save, discard, cancel };
 enum class DiskAnswer { reload, keep };
+/// Later: it is kept, and asked about at the next start.
+struct RecoverAnswer {
+    enum class What { recover, later, discard } what = What::later;
+    int entry = 0;  ///< of those that were kept
+};
 
 struct Dialogs {
     std::function<QString(const QString& folder)> file_to_open;
@@ -21,8 +26,8 @@ struct Dialogs {
         file_to_save;
     std::function<SaveAnswer(const QString& name)> save_changes;
     std::function<DiskAnswer(const QString& name, bool modified)> changed_on_disk;
-    /// Which of the recovered projects (by title and time) to open; -1 = none.
-    std::function<int(const QStringList& entries)> recover;
+    /// What to do with which of the kept projects (by title and time).
+    std::function<RecoverAnswer(const QStringList& entries)> recover;
     std::function<bool(const QString& question, const QString& action)> confirm;
     std::function<QString(const QString& title, const QString& label, const QString& text)> ask_text;
     std::function<void(const QString& title, const QString& message)> show_message;

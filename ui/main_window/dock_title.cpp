@@ -36,14 +36,15 @@ DockTitle::DockTitle(QDockWidget& dock, QWidget* controls) : QWidget(&dock), doc
     row->setSpacing(2);
     if (controls) {
         row->addWidget(controls, 1);
-    } else {
-        auto* label = new ElidedLabel(dock.windowTitle());
-        QFont font = label->font();
-        font.setWeight(QFont::DemiBold);
-        label->setFont(font);
-        row->addWidget(label, 1);
-        connect(&dock, &QWidget::windowTitleChanged, label, &QLabel::setText);
+        connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
+        return;  // it floats by dragging, and the view menu closes it
     }
+    auto* label = new ElidedLabel(dock.windowTitle());
+    QFont font = label->font();
+    font.setWeight(QFont::DemiBold);
+    label->setFont(font);
+    row->addWidget(label, 1);
+    connect(&dock, &QWidget::windowTitleChanged, label, &QLabel::setText);
     row->addSpacing(4);
     QToolButton* floating = add_button(*row, QStringLiteral("float"), tr("Float or dock"));
     QToolButton* close = add_button(*row, QStringLiteral("close"), tr("Close"));

@@ -1,4 +1,4 @@
-// The title bar of a dock: its title, or controls of what it holds, then float and close.
+// The title bar of a dock: its title with float and close, or what its content gives for a title.
 #pragma once
 
 #include <QWidget>

@@ -25,6 +25,14 @@ QAction* make_action(QObject* parent, const char* picture, const QString& text,
     return action;
 }
 
+QStringList words_of(const std::vector<RecoveryEntry>& entries) {
+    QStringList words;
+    for (const RecoveryEntry& entry : entries)
+        words << FileActions::tr("%1 (%2)").arg(
+            entry.title, QLocale::system().toString(entry.saved_at, QLocale::ShortFormat));
+    return words;
+}
+
 }  // namespace
 
 QString errors_in_words(const Problems& problems) {
@@ -215,13 +223,13 @@ bool FileActions::offer_recovery() {
     store_.remove_leftovers();
     const std::vector<RecoveryEntry> entries = store_.abandoned();
     if (entries.empty()) return false;
-    QStringList words;
-    for (const RecoveryEntry& entry : entries)
-        words << tr("%1 (%2)").arg(entry.title,
-                                   QLocale::system().toString(entry.saved_at, QLocale::ShortFormat));
-    const int chosen = dialogs.recover(words);
-    if (chosen < 0) return false;
-    const RecoveryEntry& entry = entries[static_cast<std::size_t>(chosen)];
+    const RecoverAnswer answer = dialogs.recover(words_of(entries));
+    if (answer.what == RecoverAnswer::What::later) return false;
+    const RecoveryEntry& entry = entries[static_cast<std::size_t>(answer.entry)];
+    if (answer.what == RecoverAnswer::What::discard) {
+        RecoveryStore::remove(entry.recovery_file);
+        return false;
+    }
     LoadedProject loaded = RecoveryStore::load(entry);
     if (!loaded.is_whole) {
         dialogs.show_message(tr("The work could not be recovered"), errors_in_words(loaded.problems));

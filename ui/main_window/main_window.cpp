@@ -28,9 +28,11 @@
 #include "ui/main_window/only_middle.h"
 #include "ui/main_window/pane_keys.h"
 #include "ui/main_window/preferences_dialog.h"
+#include "ui/main_window/recent_recorder.h"
 #include "ui/main_window/run_actions.h"
 #include "ui/main_window/search_actions.h"
 #include "ui/main_window/shortcut_tip.h"
+#include "ui/main_window/side_widths.h"
 #include "ui/main_window/step_menu.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/main_window/undo_action.h"
@@ -39,6 +41,7 @@
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
 #include "ui/pages/empty_project.h"
+#include "ui/pages/inspector_head.h"
 #include "ui/pages/library_browser.h"
 #include "ui/pages/message_panes.h"
 #include "ui/pages/project_pane.h"
@@ -104,8 +107,11 @@ void MainWindow::make_panes() {
     properties_ = new PropertiesPane(document_, runner_, selection_);
     problems_ = new ProblemsPane(document_);
     log_ = new LogPane;
-    add_dock(Qt::LeftDockWidgetArea, tr("Project"), QStringLiteral("project"), project_);
-    add_dock(Qt::RightDockWidgetArea, tr("Properties"), QStringLiteral("properties"), properties_);
+    // The first row of the tree is the title of its dock.
+    add_dock(Qt::LeftDockWidgetArea, tr("Project"), QStringLiteral("project"), project_)
+        ->setTitleBarWidget(new QWidget);
+    add_dock(Qt::RightDockWidgetArea, tr("Properties"), QStringLiteral("properties"), properties_,
+             &properties_->head());
     QDockWidget* problems =
         add_dock(Qt::BottomDockWidgetArea, tr("Problems"), QStringLiteral("problems"), problems_);
     QDockWidget* log = add_dock(Qt::BottomDockWidgetArea, tr("Log"), QStringLiteral("log"), log_);
@@ -147,29 +153,16 @@ void MainWindow::arrange() {
     }
     tabifyDockWidget(docks_[2], docks_[3]);
     if (help_) help_->hide();
-    given_to_names_ = room_for_names();
-    const int for_forms = std::max({395, (27 * width()) / 100, properties_->room_for_tabs() + 4});
-    resizeDocks({docks_[0], docks_[1]}, {given_to_names_, for_forms}, Qt::Horizontal);
+    resizeDocks({docks_[0], docks_[1]}, side_widths(*this), Qt::Horizontal);
     resizeDocks({docks_[2]}, {height() / 5}, Qt::Vertical);
     addToolBar(Qt::TopToolBarArea, toolbar_);
     toolbar_->show();
 }
 
-int MainWindow::room_for_names() const {
-    return std::clamp(project_->wanted_width(), 184, (32 * width()) / 100);
-}
-
-/// Takes what names of another project needed, never what the user gave.
-void MainWindow::give_names_room() {
-    const int wanted = room_for_names();
-    const int now = docks_[0]->width();
-    if (now < wanted || now == given_to_names_) resizeDocks({docks_[0]}, {wanted}, Qt::Horizontal);
-    given_to_names_ = wanted;
-}
-
 void MainWindow::make_actions() {
     const auto say = [this](const QString& text) { statusBar()->showMessage(text, 8000); };
-    undo_ = make_undo_action(document_, this, say);
+    undo_ = make_undo_action(document_, this, say,
+                             [this](const SetupAddress& entry) { selection_.select_entry(entry); });
     redo_ = make_redo_action(document_, this, say);
     undo_->setIcon(icon(QStringLiteral("undo")));
     redo_->setIcon(icon(QStringLiteral("redo")));
@@ -185,6 +178,7 @@ void MainWindow::make_toolbar() {
     toolbar_->setObjectName(QStringLiteral("tools"));
     toolbar_->setAccessibleName(tr("Tools"));
     toolbar_->setIconSize({20, 20});
+    toolbar_->setMovable(false);
     const QList<QList<QAction*>> groups{{files_.new_action, files_.open_action, files_.save_action},
                                         {undo_, redo_},
                                         {run_->run, run_->stop, run_->live},
@@ -201,6 +195,9 @@ void MainWindow::make_toolbar() {
         button->setPopupMode(QToolButton::InstantPopup);
     toolbar_->widgetForAction(add_->menuAction())->setObjectName(QStringLiteral("add_button"));
     toolbar_->widgetForAction(exports_->document_action)->setObjectName(QStringLiteral("export_pdf_button"));
+    for (QAction* worded : {add_->menuAction(), run_->run, run_->stop, run_->live, exports_->document_action})
+        if (auto* button = qobject_cast<QToolButton*>(toolbar_->widgetForAction(worded)))
+            button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     project_actions_ << exports_->document_action << exports_->pdf_action << exports_->certificate_action;
 }
 
@@ -292,13 +289,8 @@ void MainWindow::make_help_menu() {
 void MainWindow::connect_panes() {
     connect_middle();
     // When the menu or the list that it was chosen from has given the keyboard back.
-    connect(
-        project_, &ProjectPane::entry_added, properties_,
-        [this] {
-            give_names_room();
-            properties_->go_to_first_field();
-        },
-        Qt::QueuedConnection);
+    connect(project_, &ProjectPane::entry_added, properties_, &PropertiesPane::go_to_first_field,
+            Qt::QueuedConnection);
     connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
     connect(&selection_, &Selection::entry_changed, this, &MainWindow::lead_from_equations_to_budget,
             Qt::QueuedConnection);
@@ -389,6 +381,9 @@ void MainWindow::connect_middle() {
     const auto list_recent = [this, start] { start->set_recent_files(files_.recent_files()); };
     connect(&files_, &FileActions::recent_changed, start, list_recent);
     list_recent();
+    auto* recorder =
+        new RecentRecorder({document_, runner_, selection_, results_->answer(), scene_->view()}, this);
+    connect(recorder, &RecentRecorder::recorded, this, list_recent);
     EmptyProject* empty = &pages_->empty();
     connect(empty, &EmptyProject::library_wanted, this, &MainWindow::show_library);
     connect(empty, &EmptyProject::analysis_wanted, project_, &ProjectPane::add_analysis);
@@ -498,10 +493,6 @@ void MainWindow::take_preferences() {
     const bool other_numbers = wanted.numbers != numbers_;
     const bool other_font = !(std::exchange(font_, wanted.font) == wanted.font);
     if (other_numbers || other_font) finish_typing();  // what was typed is of the form before
-    if (other_font) {
-        // Widths of names as well, when all have taken it.
-        QMetaObject::invokeMethod(this, &MainWindow::give_names_room, Qt::QueuedConnection);
-    }
     if (other_numbers) {
         apply_number_form(numbers_ = wanted.numbers);
         setLocale(QLocale());
@@ -534,7 +525,6 @@ void MainWindow::show_project() {
         arrange();
         restore_window(*this);
     }
-    give_names_room();
     selection_.clear();
     budget_->start_over();
     scene_->start_over();

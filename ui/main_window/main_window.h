@@ -75,9 +75,6 @@ private:
                           QWidget* content, QWidget* controls = nullptr);
     /// As at the first start.
     void arrange();
-    /// Of the project tree, within a share of the window.
-    int room_for_names() const;
-    void give_names_room();
     void count_problems();
     void make_menus();
     void make_actions();
@@ -127,7 +124,6 @@ private:
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     NumberForm numbers_ = NumberForm::system;
-    int given_to_names_ = 0;  ///< width of the tree that no one but this gave
     FontChoice font_;
     bool is_typed_ = false;     ///< the analysis being looked at
     bool has_project_ = false;  ///< false: only the start page has been shown

@@ -18,6 +18,7 @@
 #include "ui/pages/stage.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
+#include "ui/theme/fold_groups.h"
 #include "ui/theme/languages.h"
 #include "ui/theme/output_words.h"
 #include "ui/theme/strings.h"
@@ -146,16 +147,26 @@ void SearchActions::add_quantities(const std::string& analysis, const QString& n
                        [this, entry, place = of + to_qt(inputs[i].source), has = !inputs[i].source.empty()] {
                            if (has) return go_to_(place);
                            selection_.select_entry(entry);
-                           properties_.tabs()->setCurrentIndex(1);
+                           properties_.show_inputs();
                        }});
 }
 
 void SearchActions::add_tabs(std::vector<Findable>& all) const {
-    for (QTabWidget* tabs : {&results_.tabs(), properties_.tabs()})
-        for (int i = 0; i < tabs->count(); ++i)
-            all.push_back({without_mnemonic(tabs->tabText(i)), tr("tab"), [tabs, i] {
-                               tabs->setCurrentIndex(i);
-                               if (QWidget* place = place_for_keys(*tabs->currentWidget())) place->setFocus();
+    const auto go_into = [](QWidget& page) {
+        if (QWidget* place = place_for_keys(page)) place->setFocus();
+    };
+    QTabWidget& tabs = results_.tabs();
+    for (int i = 0; i < tabs.count(); ++i)
+        all.push_back({without_mnemonic(tabs.tabText(i)), tr("tab"), [&tabs, i, go_into] {
+                           tabs.setCurrentIndex(i);
+                           go_into(*tabs.currentWidget());
+                       }});
+    FoldGroups& groups = properties_.groups();
+    for (int i = 0; i < groups.count(); ++i)
+        if (!groups.title(i).isEmpty())
+            all.push_back({groups.title(i), tr("group"), [this, &groups, i, go_into] {
+                               properties_.show_group(i);
+                               go_into(*groups.page(i));
                            }});
 }
 

@@ -6,7 +6,10 @@
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "ui/theme/strings.h"
 
@@ -18,6 +21,22 @@ namespace {
 bool edits_cell(const QLineEdit& line) {
     const QWidget* around = line.parentWidget();
     return around && qobject_cast<QAbstractItemView*>(around->parentWidget());
+}
+
+/// Entries of `after` that are not as they were.
+template <class Entry>
+void take_changed(const std::vector<Entry>& before, const std::vector<Entry>& after, SetupOwner owner,
+                  std::vector<SetupAddress>& changed) {
+    for (const Entry& entry : after)
+        if (std::ranges::find(before, entry) == before.end()) changed.push_back({owner, entry.id});
+}
+
+/// Where a step was: the one entry that it changed.
+std::optional<SetupAddress> changed_entry(const Project& before, const Project& after) {
+    std::vector<SetupAddress> changed;
+    take_changed(before.assets, after.assets, SetupOwner::asset, changed);
+    take_changed(before.analyses, after.analyses, SetupOwner::analysis, changed);
+    return changed.size() == 1 ? std::optional(changed.front()) : std::nullopt;
 }
 
 /// A field in which nothing was typed leaves undo to the document.
@@ -46,15 +65,20 @@ QAction* make_redo_action(Document& document, QObject* parent, std::function<voi
     return action;
 }
 
-QAction* make_undo_action(Document& document, QObject* parent, std::function<void(const QString&)> say) {
+QAction* make_undo_action(Document& document, QObject* parent, std::function<void(const QString&)> say,
+                          std::function<void(const SetupAddress&)> go) {
     auto* action = new QAction(parent);
-    QObject::connect(action, &QAction::triggered, &document, [&document, say = std::move(say)] {
-        const QUndoStack& stack = document.undo_stack();
-        const int before = stack.index();
-        const QString step = stack.undoText();
-        document.undo();
-        if (stack.index() < before) say(tr("Undone: %1").arg(step));
-    });
+    QObject::connect(action, &QAction::triggered, &document,
+                     [&document, say = std::move(say), go = std::move(go)] {
+                         const QUndoStack& stack = document.undo_stack();
+                         const int before = stack.index();
+                         const QString step = stack.undoText();
+                         const ProjectSnapshot project = document.snapshot();
+                         document.undo();
+                         if (stack.index() >= before) return;
+                         say(tr("Undone: %1").arg(step));
+                         if (const auto entry = changed_entry(*project, document.project())) go(*entry);
+                     });
     const auto refresh = [&document, action] {
         const QUndoStack& stack = document.undo_stack();
         action->setEnabled(document.can_undo());

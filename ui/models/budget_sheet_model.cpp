@@ -258,7 +258,8 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     const char* key = section == estimate ? "estimate" : head_of(section).of_budget;
     if (!key) return {};
     // What is stated stays in the row's unit, what comes of it is in that of the results below.
-    const TableView view{section == contribution ? units_ : DisplayUnits(), digits_, language_of_window()};
+    const TableView view{section == contribution ? figures_.units_of_contributions() : DisplayUnits(),
+                         digits_, language_of_window()};
     const Column& of = figures_.table()[key];
     if (role == exact_role) {
         const auto number = exact_number(of, at, view.units);
@@ -295,7 +296,8 @@ QVariant BudgetSheetModel::headerData(int section, Qt::Orientation orientation, 
     if (of_output && result_ && result_->outputs.size() > 1)
         title = title + " (" + symbol_text(result_->outputs[output_].quantity.symbol) + ")";
     if (section == contribution && result_)
-        title = head_with_unit(title, units_.of(result_->outputs[output_].quantity.unit).interval());
+        title = head_with_unit(
+            title, figures_.units_of_contributions().of(result_->outputs[output_].quantity.unit).interval());
     if (role == Qt::DisplayRole) return to_qt(to_unicode(title));
     if (role == typeset_role) return QVariant::fromValue(title);
     if (role == Qt::ToolTipRole)

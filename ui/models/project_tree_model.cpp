@@ -22,6 +22,34 @@ QString title_of_kind(const AssetEntry& asset) {
     return core_text(kind ? kind->title : asset.kind);
 }
 
+struct Verdicts {
+    int failed = 0, all = 0;
+};
+
+/// Of the requirements as they are now; none where nothing is known.
+Verdicts not_met(const AnalysisEntry& analysis, const AnalysisStatus& status) {
+    if (analysis.requirements.empty() || !status.is_current()) return {};
+    const std::vector<RequirementResult> verdicts = judge(*status.result, analysis);
+    const auto failed = std::count_if(verdicts.begin(), verdicts.end(),
+                                      [](const RequirementResult& verdict) { return !is_met(verdict); });
+    return {static_cast<int>(failed), static_cast<int>(verdicts.size())};
+}
+
+int not_met_in(const Project& project, const SetupAddress& at, AnalysisRunner& runner) {
+    const AnalysisEntry* analysis = at.owner == SetupOwner::analysis ? project.find_analysis(at.id) : nullptr;
+    return analysis ? not_met(*analysis, runner.status(to_qt(at.id))).failed : 0;
+}
+
+/// What its icons are chosen by.
+QVariant sign_of(const AnalysisEntry& analysis, const AnalysisStatus& status, int role) {
+    if (role == state_role) return static_cast<int>(status.state);
+    if (role == verdict_role) return ProjectTreeModel::verdict_words(analysis, status);
+    if (role == icon_role) return QStringLiteral("model-") + to_qt(analysis.model);
+    if (role != met_role) return {};
+    const auto [failed, all] = not_met(analysis, status);
+    return all > 0 && failed == 0;
+}
+
 /// As it was typed where it is edited, else told apart from others of that name.
 template <class Entry>
 QString name_for(int role, const Project& project, const Entry& entry, bool of_analysis) {
@@ -156,6 +184,9 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const {
             return static_cast<int>(worst_of(at));
         case incomplete_role:
             return is_incomplete(at);
+        case count_role:
+            return is_incomplete(at) ? static_cast<int>(found_in(at).size())
+                                     : not_met_in(document_.project(), at, runner_);
         default:
             break;
     }
@@ -212,17 +243,13 @@ QVariant ProjectTreeModel::asset_data(const AssetEntry& asset, int column, int r
 }
 
 QString ProjectTreeModel::verdict_words(const AnalysisEntry& analysis, const AnalysisStatus& status) {
-    if (analysis.requirements.empty() || !status.is_current()) return {};
-    const std::vector<RequirementResult> verdicts = judge(*status.result, analysis);
-    const auto not_met = std::count_if(verdicts.begin(), verdicts.end(),
-                                       [](const RequirementResult& verdict) { return !is_met(verdict); });
-    return not_met == 0 ? QString() : tr("%1 of %2 requirements not met").arg(not_met).arg(verdicts.size());
+    const auto [failed, all] = not_met(analysis, status);
+    return failed == 0 ? QString() : tr("%1 of %2 requirements not met").arg(failed).arg(all);
 }
 
 QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int column, int role) const {
     const AnalysisStatus& status = runner_.status(to_qt(analysis.id));
-    if (role == state_role) return static_cast<int>(status.state);
-    if (role == verdict_role) return verdict_words(analysis, status);
+    if (const QVariant sign = sign_of(analysis, status, role); sign.isValid()) return sign;
     if (role == Qt::DisplayRole || role == Qt::EditRole)
         return column == name_column ? name_for(role, document_.project(), analysis, true)
                                      : words(status.state);

@@ -22,6 +22,9 @@ enum Role : int {
     verdict_role,     ///< how many requirements of an analysis are not met, in words; empty: none
     help_role,        ///< where the help of the item is: an anchor of a page
     index_role,       ///< of an output among the result's outputs
+    count_role,       ///< int: how many requirements are not met, or what is missing; 0: no number is shown
+    met_role,         ///< bool: all that is required of an analysis is met
+    icon_role,        ///< name of an icon: of the model of an analysis
 };
 
 }  // namespace covaria::ui

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "core/views/result_columns.h"
 
@@ -19,6 +20,22 @@ std::optional<std::size_t> row_of(const std::string& source, const std::string& 
 }
 
 }  // namespace
+
+Unit readable_unit(double si, const Unit& usual) {
+    const auto reads = [si](const Unit& unit) {
+        const double shown = std::abs(unit.interval_from_si(si));
+        return shown >= 1.0 && shown < 1000.0;
+    };
+    if (!(std::abs(si) > 0.0) || usual.has_offset() || reads(usual)) return usual;
+    std::optional<Unit> best;
+    for (const Unit& unit : DisplayUnits::choices(usual)) {
+        // Prefixes, not other systems: a millimetre becomes a nanometre, and no inch.
+        const double step = std::log10(unit.interval_from_si(usual.interval_to_si(1.0)));
+        const bool is_prefix = std::abs(step / 3.0 - std::round(step / 3.0)) < 1e-9;
+        if (is_prefix && reads(unit) && !best) best = unit;
+    }
+    return best.value_or(usual);
+}
 
 void SheetFigures::follow(std::shared_ptr<const UncertaintyResult> result, std::size_t output,
                           const std::string& key) {
@@ -101,13 +118,23 @@ void SheetFigures::make_table() {
     }
 }
 
-/// In the units of the result below and of the row: "-575 nm/K".
+/// By the same prefix above and below the line: what is added up has c = 1. Else in the usual unit of the
+/// result in which it has one to three digits before the point, per unit of the row: "-575 nm/K".
 Cell SheetFigures::sensitivity(std::size_t row, const BudgetComponent& component) const {
     if (!lines_[row]) return std::string("0");
     const Unit& of_result = units_.of(result_->outputs[output_].quantity.unit);
     const double si = result_->budget.rows[output_][*lines_[row]].sensitivity;
-    return Quantity{of_result.interval_from_si(component.unit.interval_to_si(si)),
-                    quotient(of_result, component.unit)};
+    if (of_result.dimension() == component.unit.dimension()) return Quantity{si, Unit()};
+    const double of_one = component.unit.interval_to_si(si);
+    const Unit shown = readable_unit(of_one, of_result);
+    return Quantity{shown.interval_from_si(of_one), quotient(shown, component.unit)};
+}
+
+DisplayUnits SheetFigures::units_of_contributions() const {
+    const OutputResult& output = result_->outputs[output_];
+    DisplayUnits units;
+    units.choose(readable_unit(output.first_order.standard_uncertainty, units_.of(output.quantity.unit)));
+    return units;
 }
 
 /// What is said of a component that the result does not depend on, to first order.

@@ -13,6 +13,10 @@
 
 namespace covaria::ui {
 
+/// `usual`, or of the units that differ from it by powers of 1000 the one in which an interval of `si` has
+/// one to three digits before the point.
+Unit readable_unit(double si, const Unit& usual);
+
 class SheetFigures {
 public:
     /// `unit_of_row` is the unit in which a row states its figures.
@@ -30,6 +34,8 @@ public:
     void set_units(const DisplayUnits& units) { units_ = units; }
     /// Null: the row states none.
     const BudgetComponent* component(std::size_t row) const;
+    /// That in which the standard uncertainty of the result is read best; of a result.
+    DisplayUnits units_of_contributions() const;
     /// Its columns have the keys of the budget's. What is stated stays in the row's unit.
     const Table& table() const { return table_; }
 

@@ -1,11 +1,14 @@
 #include "ui/pages/answer_strip.h"
 
 #include <QClipboard>
+#include <QGraphicsOpacityEffect>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <optional>
 
 #include "core/project/stated_requirements.h"
 #include "core/result/representation.h"
@@ -29,6 +32,28 @@ namespace covaria::ui {
 namespace {
 
 constexpr int side_room = 16, top_room = 12, part_room = 14;  // px
+
+/// In the analysis, or else in what it uses.
+std::optional<Problem> first_error(const Document& document, const std::string& analysis) {
+    const SetupAddress entry{SetupOwner::analysis, analysis};
+    if (!exists(document.project(), entry)) return std::nullopt;
+    const auto& all = document.problems().items();
+    const auto in_entry = [inside = entry_path(document.project(), entry) + '/'](const Problem& problem) {
+        return problem.severity == Severity::error && problem.path.starts_with(inside);
+    };
+    auto wrong = std::ranges::find_if(all, in_entry);
+    if (wrong == all.end()) wrong = std::ranges::find(all, Severity::error, &Problem::severity);
+    return wrong == all.end() ? std::nullopt : std::optional(*wrong);
+}
+
+void dim(QWidget& part, bool dimmed) {
+    auto* effect = qobject_cast<QGraphicsOpacityEffect*>(part.graphicsEffect());
+    if (dimmed == (effect != nullptr)) return;
+    if (!dimmed) return part.setGraphicsEffect(nullptr);
+    effect = new QGraphicsOpacityEffect(&part);
+    effect->setOpacity(opacity_of_last);
+    part.setGraphicsEffect(effect);
+}
 
 }  // namespace
 
@@ -112,6 +137,8 @@ void AnswerStrip::take_result() {
     value_->show_text(known ? answer_.value : Text("\u2013"));
     value_->set_rank(known && status.is_of_present() ? 1 : 3);
     coverage_->show_text(answer_.coverage);
+    for (QWidget* part : {static_cast<QWidget*>(value_), static_cast<QWidget*>(coverage_)})
+        dim(*part, known && is_refused(status));
     copy_->setEnabled(known);
     if (status.state != RunState::running) progress_.clear();
     show_verdict(status);
@@ -193,10 +220,21 @@ void AnswerStrip::show_next_step() {
                                entry_path(project, {SetupOwner::analysis, to_std(id)}));
     }
     next_->setVisible(missing.has_value());
-    if (!missing) return;
+    if (!missing) return show_way_to_error();
     next_place_ = to_qt(missing->path);
     next_->setText(tr("Next: %1").arg(core_text(missing->title)));
     next_->setToolTip(tr("Goes to the field that must be given next"));
+}
+
+/// The last answer stays while a field is wrong, with the way to that field.
+void AnswerStrip::show_way_to_error() {
+    const QString& id = selection_.analysis();
+    const auto wrong = is_refused(runner_.status(id)) ? first_error(document_, to_std(id)) : std::nullopt;
+    if (!wrong) return;
+    next_place_ = to_qt(wrong->path);
+    next_->setText(tr("Show the Field"));
+    next_->setToolTip(to_qt(wrong->message));
+    next_->show();
 }
 
 QString AnswerStrip::statements() const {

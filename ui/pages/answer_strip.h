@@ -55,6 +55,7 @@ private:
     void lay_out();
     void show_state();
     void show_next_step();
+    void show_way_to_error();
     void show_verdict(const AnalysisStatus& status);
     void show_progress(const QString& id, const RunProgress& progress);
     void give_way();

@@ -6,10 +6,16 @@
 #include "core/base/error.h"
 #include "ui/models/project_tree_model.h"
 #include "ui/models/roles.h"
+#include "ui/theme/fonts.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/theme.h"
 
 namespace covaria::ui {
 namespace {
+
+constexpr int beside_icons = 8, for_plus = 28;  // px at the left of icons, at the right of the title
+// px above and below a line of text together: rows of 36, 28 and 24 px at the usual size.
+constexpr int around_project = 20, around_category = 12, around_entry = 8;
 
 QString category_icon(int category) {
     static const std::array<QString, ProjectTreeModel::category_count> names{
@@ -28,6 +34,7 @@ QString icon_of(const QModelIndex& index) {
                                                                      : QStringLiteral("warning");
     }
     if (index.column() == ProjectTreeModel::name_column) {
+        if (const QString own = index.data(icon_role).toString(); !icon(own).isNull()) return own;
         const QVariant category = index.data(category_role);
         return category.isValid() ? category_icon(category.toInt()) : QString();
     }
@@ -37,6 +44,7 @@ QString icon_of(const QModelIndex& index) {
                    ? QStringLiteral("error")
                    : QStringLiteral("warning");
     if (!index.data(verdict_role).toString().isEmpty()) return QStringLiteral("state-not-met");
+    if (index.data(met_role).toBool()) return QStringLiteral("state-met");
     const QVariant state = index.data(state_role);
     return state.isValid() ? state_icon(static_cast<RunState>(state.toInt())) : QString();
 }
@@ -77,18 +85,50 @@ QString state_icon(RunState state) {
     return QStringLiteral("state-out-of-date");
 }
 
+/// In the tree: the project, a category, or an entry. What is listed elsewhere is an entry.
+EntryDelegate::Level EntryDelegate::level_of(const QModelIndex& index) {
+    if (index.parent().isValid() || index.data(severity_role).isValid()) return Level::entry;
+    return index.data(category_role).toInt() == ProjectTreeModel::project_row ? Level::project
+                                                                              : Level::category;
+}
+
 void EntryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const {
-    QStyledItemDelegate::paint(painter, option, index);
+    const bool in_tree = !index.data(severity_role).isValid();
+    QStyleOptionViewItem cell(option);
+    if (in_tree && index.column() == ProjectTreeModel::name_column) cell.rect.adjust(beside_icons, 0, 0, 0);
+    if (in_tree && level_of(index) == Level::project) cell.rect.adjust(0, 0, -for_plus, 0);
+    if (!in_tree || level_of(index) != Level::category)
+        return QStyledItemDelegate::paint(painter, cell, index);
+    initStyleOption(&cell, index);
+    painter->save();
+    painter->setFont(cell.font);
+    painter->setPen(tokens_of(cell.palette).ink3);
+    painter->drawText(cell.rect.adjusted(4, 0, 0, -4), Qt::AlignLeft | Qt::AlignBottom, cell.text);
+    painter->restore();
 }
 
 QSize EntryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    return QStyledItemDelegate::sizeHint(option, index);
+    const QSize size = QStyledItemDelegate::sizeHint(option, index);
+    if (index.data(severity_role).isValid()) return size;
+    const int line = option.fontMetrics.height();
+    const Level level = level_of(index);
+    return {size.width() + beside_icons, line + (level == Level::project    ? around_project
+                                                 : level == Level::category ? around_category
+                                                                            : around_entry)};
 }
 
 void EntryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     TypesetDelegate::initStyleOption(option, index);
-    const QString name = icon_of(index);
+    const Level level = level_of(index);
+    if (level == Level::project) option->font.setWeight(QFont::DemiBold);
+    if (level == Level::category) {
+        option->font = sized(option->font, TextSize::small);
+        option->font.setWeight(QFont::DemiBold);
+        return;
+    }
+    const bool is_name = index.column() == ProjectTreeModel::name_column;
+    const QString name = level == Level::project && is_name ? QString() : icon_of(index);
     if (name.isEmpty()) return;
     option->icon = icon(name);
     option->features |= QStyleOptionViewItem::HasDecoration;
@@ -97,8 +137,13 @@ void EntryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIn
     const bool is_state =
         !index.data(severity_role).isValid() && index.column() == ProjectTreeModel::state_column;
     if (is_state && (option->state & QStyle::State_Selected)) option->icon = on_disc(option->icon, *option);
+    if (!is_state) return;
     // The state's words are in the tooltip and in the status bar; the name needs the room.
-    if (is_state) option->text.clear();
+    const int count = index.data(count_role).toInt();
+    option->text = count > 0 ? QString::number(count) : QString();
+    option->font = sized(option->font, TextSize::small);
+    option->decorationPosition = QStyleOptionViewItem::Right;
+    option->displayAlignment = Qt::AlignRight | Qt::AlignVCenter;
 }
 
 }  // namespace covaria::ui

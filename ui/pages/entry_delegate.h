@@ -12,6 +12,8 @@ QString state_icon(RunState state);
 class EntryDelegate : public TypesetDelegate {
 public:
     using TypesetDelegate::TypesetDelegate;
+    enum class Level { project, category, entry };
+    static Level level_of(const QModelIndex& index);
     /// Names and messages are words, not symbols: they are drawn as they are.
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;

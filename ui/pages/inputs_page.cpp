@@ -18,14 +18,12 @@
 #include "ui/forms/correlation_edit.h"
 #include "ui/forms/link_dialog.h"
 #include "ui/forms/quantity_notes_edit.h"
-#include "ui/forms/scrolled.h"
 #include "ui/models/roles.h"
 #include "ui/pages/evaluation_view.h"
-#include "ui/pages/side_by_side.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/fold_groups.h"
 #include "ui/theme/quiet_table.h"
 #include "ui/theme/strings.h"
-#include "ui/theme/tabs.h"
 #include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
@@ -45,24 +43,25 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     observations_ = new EvaluationView(Qt::Vertical);
     correlations_ = new CorrelationEdit(document_);
     notes_ = new QuantityNotesEdit(document_, analysis_);
-    auto* details = details_ = new Tabs;
-    details->addTab(scrolled(components_), tr("Components"));
-    details->addTab(observations_, tr("Observations"));
-    correlations_page_ = scrolled(correlations_);
-    details->addTab(correlations_page_, tr("Correlations"));
-    details->addTab(notes_, tr("Notes"));
-    QSplitter* splitter = one_above_other(table_, details, 10, 13);
-    widen_to_content(*splitter, *table_);
+    details_ = new FoldGroups;
+    details_->add(components_, tr("Components"), true);
+    details_->add(observations_, tr("Observations"), true);
+    details_->add(correlations_, tr("Correlations"));
+    details_->add(notes_, tr("Notes on the quantity"));
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(4, 4, 4, 4);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* above = new QVBoxLayout;
+    above->setContentsMargins(16, 2, 16, 8);
     auto* note =
         new QLabel(tr("The quantities that the set-up makes. What is changed here replaces what the "
                       "set-up states."));
     note->setWordWrap(true);
     note->setEnabled(false);
-    column->addWidget(note);
-    column->addWidget(search_);
-    column->addWidget(splitter, 1);
+    above->addWidget(note);
+    above->addWidget(search_);
+    column->addLayout(above);
+    column->addWidget(table_);
+    column->addWidget(details_);
     connect(search_, &QLineEdit::textChanged, &filter_, &QSortFilterProxyModel::setFilterFixedString);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             &InputsPage::show_quantity);
@@ -95,6 +94,7 @@ void InputsPage::make_table() {
                                                      QHeaderView::Interactive);
     table_->viewport()->installEventFilter(this);
     connect(&filter_, &QAbstractItemModel::modelReset, this, &InputsPage::fit_components);
+    connect(&filter_, &QAbstractItemModel::modelReset, this, &InputsPage::fit_height);
     // The others fit their contents in their own time.
     connect(table_->horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
         if (column != InputQuantitiesModel::components_column) fit_components();
@@ -110,6 +110,14 @@ void InputsPage::fit_components() {
     constexpr int column = InputQuantitiesModel::components_column;
     const int others = head.length() - head.sectionSize(column);
     head.resizeSection(column, std::max(head.sectionSizeHint(column), table_->viewport()->width() - others));
+}
+
+/// Of few quantities the table shows all; more are scrolled.
+void InputsPage::fit_height() {
+    constexpr int fewest = 3, most = 10;
+    const int rows = std::clamp(model_.rowCount(), fewest, most);
+    table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
+                           rows * table_->verticalHeader()->defaultSectionSize() + 2);
 }
 
 bool InputsPage::eventFilter(QObject* watched, QEvent* event) {
@@ -141,7 +149,7 @@ void InputsPage::show_observations(const std::string& symbol) {
     if (const auto& prepared = model_.analysis())
         for (PlotSpecification& chart : core_plots(prepared->model->figures()))
             if (!symbol.empty() && chart.quantity == symbol) charts.push_back(std::move(chart));
-    show_tab(*details_, observations_, !charts.empty());
+    details_->set_shown(observations, !charts.empty());
     observations_->show_evaluation({}, std::move(charts));
 }
 
@@ -196,7 +204,7 @@ bool InputsPage::focus_field(const std::string& path) {
         return select_quantity(analysis->links[number].input);
     }
     if (path.starts_with(entry + "/correlations")) {
-        details_->setCurrentWidget(correlations_page_);
+        details_->open(correlations);
         const auto pair = pair_in(*analysis, path.substr(entry.size())).value_or(CorrelatedPair());
         correlations_->focus_pair(pair.first, pair.second);
         return true;
@@ -214,11 +222,17 @@ bool InputsPage::focus_field(const std::string& path) {
 bool InputsPage::select_quantity(const std::string& symbol) {
     const int row = model_.row_of(symbol);
     if (row < 0) return false;
-    details_->setCurrentIndex(0);
-    search_->clear();
-    table_->selectRow(filter_.mapFromSource(model_.index(row, 0)).row());
+    details_->open(components);
+    show_quantity_of(symbol);
     table_->setFocus(Qt::OtherFocusReason);
     return true;
+}
+
+void InputsPage::show_quantity_of(const std::string& symbol) {
+    const int row = model_.row_of(symbol);
+    if (row < 0) return;
+    search_->clear();
+    table_->selectRow(filter_.mapFromSource(model_.index(row, 0)).row());
 }
 
 }  // namespace covaria::ui

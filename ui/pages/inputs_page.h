@@ -1,5 +1,5 @@
-// The input quantities of an analysis: a table, and below it the selected one's components, observations and
-// notes, and the correlations.
+// The input quantities of an analysis: a table, and below it, in groups that fold, the selected one's
+// components, observations and notes, and the correlations.
 #pragma once
 
 #include <QSortFilterProxyModel>
@@ -12,13 +12,13 @@
 
 class QLineEdit;
 class QTableView;
-class QTabWidget;
 
 namespace covaria::ui {
 
 class ComponentsEdit;
 class CorrelationEdit;
 class EvaluationView;
+class FoldGroups;
 class QuantityNotesEdit;
 struct LinkChoice;
 
@@ -27,6 +27,8 @@ class InputsPage : public QWidget {
 public:
     InputsPage(Document& document, AnalysisRunner& runner, std::string analysis, QWidget* parent = nullptr);
 
+    /// The quantity whose page is seen; the keyboard stays where it is.
+    void show_quantity_of(const std::string& symbol);
     /// "/analyses/0/inputs/3/...": selects the quantity of that edit. False if the pointer names none.
     bool focus_field(const std::string& path);
     QTableView& table() { return *table_; }
@@ -37,7 +39,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    enum Detail { components, observations, correlations, notes };
     void fit_components();
+    void fit_height();
     void show_menu(const QPoint& at);
     void ask_for_link(const std::string& symbol);
     void make_table();
@@ -54,10 +58,9 @@ private:
     QLineEdit* search_;
     QTableView* table_;
     ComponentsEdit* components_;
-    QTabWidget* details_ = nullptr;
+    FoldGroups* details_;
     EvaluationView* observations_;
     CorrelationEdit* correlations_;
-    QWidget* correlations_page_ = nullptr;
     QuantityNotesEdit* notes_;
 };
 

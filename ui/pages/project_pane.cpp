@@ -4,7 +4,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
-#include <QScrollBar>
+#include <QToolButton>
 #include <algorithm>
 
 #include "core/kinds/registries.h"
@@ -20,6 +20,8 @@
 
 namespace covaria::ui {
 namespace {
+
+constexpr int narrowest = 40, least_for_names = 96;  // px
 
 bool is_typed_as_budget(const std::string& model) {
     const ModelDescriptor* descriptor = find_model(model);
@@ -47,10 +49,12 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
     setAccessibleName(tr("Project"));
     setFrameShape(QFrame::NoFrame);
     setHeaderHidden(true);
-    setUniformRowHeights(true);
     setEditTriggers(QAbstractItemView::EditKeyPressed);
     setItemDelegate(new EntryDelegate(this));
-    setIndentation(14);
+    setIndentation(0);
+    setRootIsDecorated(false);
+    setItemsExpandable(false);
+    setMinimumWidth(narrowest);
     duplicate_action = new QAction(icon(QStringLiteral("duplicate")), tr("Dup&licate"), this);
     duplicate_action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_D));
     rename_action = new QAction(icon(QStringLiteral("rename")), tr("Re&name"), this);
@@ -65,7 +69,17 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(0, QHeaderView::Stretch);
     header()->setSectionResizeMode(1, QHeaderView::Fixed);  // a mark; its words are in the tooltip
-    follow_font(*this, [this] { header()->resizeSection(1, fontMetrics().height() + 14); });
+    header()->setMinimumSectionSize(0);
+    follow_font(*this, [this] { header()->resizeSection(1, fontMetrics().height() + 28); });
+    plus_ = new QToolButton(this);
+    plus_->setIcon(icon(QStringLiteral("add")));
+    plus_->setAutoRaise(true);
+    plus_->setFocusPolicy(Qt::NoFocus);  // by keys from the tool bar and the menu
+    plus_->setPopupMode(QToolButton::InstantPopup);
+    plus_->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    plus_->setToolTip(tr("Add an analysis or what it uses"));
+    plus_->setAccessibleName(plus_->toolTip());
+    plus_->setMenu(make_add_menu(plus_));
     setFirstColumnSpanned(ProjectTreeModel::project_row, {}, true);  // its title has no state
     expandAll();
     connect(duplicate_action, &QAction::triggered, this, &ProjectPane::duplicate_selected);
@@ -73,8 +87,12 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
     connect(delete_action, &QAction::triggered, this, &ProjectPane::delete_selected);
     connect(&selection_, &Selection::entry_changed, this, &ProjectPane::follow_selection);
     connect(&document_, &Document::project_replaced, this, &QTreeView::expandAll);
-    connect(&model_, &QAbstractItemModel::rowsInserted, this,
-            [this](const QModelIndex& above) { expand(above); });
+    connect(&model_, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex& above) {
+        expand(above);
+        show_filled_groups();
+    });
+    connect(&model_, &QAbstractItemModel::rowsRemoved, this, &ProjectPane::show_filled_groups);
+    show_filled_groups();
     update_actions();
 }
 
@@ -153,23 +171,21 @@ void ProjectPane::currentChanged(const QModelIndex& current, const QModelIndex& 
     update_actions();
 }
 
-int ProjectPane::wanted_width() const {
-    int names = 0, rows = 1;
-    QStyleOptionViewItem option;
-    initViewItemOption(&option);
-    const auto take = [&](const QModelIndex& index, int depth) {
-        names = std::max(names, itemDelegate()->sizeHint(option, index).width() + depth * indentation());
-    };
-    for (int category = ProjectTreeModel::artefacts; category < ProjectTreeModel::category_count;
-         ++category) {
-        const QModelIndex above = model_.index(category, 0);
-        take(above, 1);
-        for (int row = 0; row < model_.rowCount(above); ++row) take(model_.index(row, 0, above), 2);
-        rows += 1 + model_.rowCount(above);
-    }
-    const bool scrolls = rows * sizeHintForRow(0) > viewport()->height();
-    return names + header()->sectionSize(1) + 2 * frameWidth() + 12 +
-           (scrolls ? verticalScrollBar()->sizeHint().width() : 0);
+void ProjectPane::show_filled_groups() {
+    for (int category = ProjectTreeModel::artefacts; category < ProjectTreeModel::category_count; ++category)
+        setRowHidden(category, {}, model_.rowCount(model_.index(category, 0)) == 0);
+}
+
+/// Where names have no room it is a column of icons; names and states are in their tooltips.
+void ProjectPane::resizeEvent(QResizeEvent* event) {
+    QTreeView::resizeEvent(event);
+    const bool narrow = width() < least_for_names;
+    setColumnHidden(ProjectTreeModel::state_column, narrow);
+    const QRect first = visualRect(model_.index(ProjectTreeModel::project_row, 0));
+    const QSize size = plus_->sizeHint();
+    plus_->setVisible(!narrow);
+    plus_->setGeometry(viewport()->width() - size.width() - 4, (first.height() - size.height()) / 2,
+                       size.width(), size.height());
 }
 
 void ProjectPane::follow_selection() {

@@ -12,6 +12,7 @@
 
 class QAction;
 class QMenu;
+class QToolButton;
 
 namespace covaria::ui {
 
@@ -47,9 +48,6 @@ public:
     /// What can be done to an entry.
     void fill_menu(QMenu& menu, const SetupAddress& address);
 
-    /// That shows the names of entries whole; a title may be longer.
-    int wanted_width() const;
-
 signals:
     void library_wanted();
     void scene_wanted(const QString& asset, bool shown);
@@ -61,8 +59,10 @@ signals:
 protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void show_filled_groups();
     void follow_selection();
     void update_actions();
 
@@ -71,6 +71,7 @@ private:
     Selection& selection_;
     const PreferenceStore& preferences_;
     ProjectTreeModel model_;
+    QToolButton* plus_;  ///< at the right of the first row
 };
 
 /// The everyday one, whose budget is typed, first.

@@ -5,11 +5,15 @@
 #include <QPointer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
 
 #include "ui/document/setup_address.h"
 #include "ui/forms/bring_into_view.h"
 #include "ui/forms/certificate_form.h"
 #include "ui/forms/designs_form.h"
+#include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
 #include "ui/forms/options_form.h"
 #include "ui/forms/quantity_edit.h"
@@ -22,41 +26,41 @@
 #include "ui/pages/asset_evaluation.h"
 #include "ui/pages/field_help.h"
 #include "ui/pages/inputs_page.h"
+#include "ui/pages/inspector_head.h"
 #include "ui/pages/notes_page.h"
 #include "ui/pages/project_page.h"
+#include "ui/theme/fold_groups.h"
 #include "ui/theme/strings.h"
-#include "ui/theme/tabs.h"
 
 namespace covaria::ui {
 namespace {
 
-enum AnalysisTab {
-    setup_tab,
-    inputs_tab,
-    options_tab,
-    studies_tab,
-    designs_tab,
-    requirements_tab,
-    notes_tab
-};
+constexpr int certificate_group = 1;  // of the project
 
-QStringList analysis_tabs() {
-    return {PropertiesPane::tr("Set-up"),  PropertiesPane::tr("Inputs"),  PropertiesPane::tr("Options"),
-            PropertiesPane::tr("Studies"), PropertiesPane::tr("Designs"), PropertiesPane::tr("Requirements"),
-            PropertiesPane::tr("Notes")};
+/// Of an analysis, the group in which a JSON pointer into the project is edited; nullopt: in the set-up.
+std::optional<AnalysisGroup> group_of_place(const std::string& path, const std::string& entry) {
+    static constexpr std::array<std::pair<const char*, AnalysisGroup>, 7> places{
+        {{"/inputs", inputs_group},
+         {"/links", inputs_group},
+         {"/correlations", inputs_group},
+         {"/options", options_group},
+         {"/studies", studies_group},
+         {"/designs", designs_group},
+         {"/requirements", requirements_group}}};
+    for (const auto& [key, group] : places)
+        if (path.starts_with(entry + key)) return group;
+    return std::nullopt;
 }
 
 }  // namespace
 
-int PropertiesPane::room_for_tabs() {
-    TabBar bar;
-    for (const QString& title : analysis_tabs()) bar.addTab(title);
-    return bar.closest_width();
-}
-
 PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selection& selection,
                                QWidget* parent)
-    : QWidget(parent), document_(document), runner_(runner), selection_(selection) {
+    : QWidget(parent),
+      document_(document),
+      runner_(runner),
+      selection_(selection),
+      head_(new InspectorHead(document, selection)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -64,6 +68,7 @@ PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selec
     column->addWidget(help_);
     connect(&selection_, &Selection::entry_changed, this, &PropertiesPane::rebuild);
     connect(&document_, &Document::project_changed, this, &PropertiesPane::discard_if_gone);
+    connect(&document_, &Document::project_changed, this, [this] { summarise(); });
     connect(&runner_, &AnalysisRunner::state_changed, this, &PropertiesPane::show_forecast);
     connect(&selection_, &Selection::field_changed, this, &PropertiesPane::follow_field);
     rebuild();
@@ -71,7 +76,7 @@ PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selec
 
 void PropertiesPane::rebuild() {
     help_->start_over();
-    delete tabs_;
+    delete area_;
     setup_ = nullptr;
     certificate_ = nullptr;
     project_ = nullptr;
@@ -80,20 +85,31 @@ void PropertiesPane::rebuild() {
     studies_ = nullptr;
     designs_ = nullptr;
     requirements_ = nullptr;
-    tabs_ = new Tabs(this);
-    connect(tabs_, &QTabWidget::currentChanged, this, &PropertiesPane::start_help);
-    static_cast<QVBoxLayout*>(layout())->insertWidget(0, tabs_, 1);
+    groups_ = new FoldGroups;
     const SetupAddress& entry = selection_.entry();
-    if (entry.owner == SetupOwner::project) return add_project_pages();
-    if (!find_setup(document_.project(), entry)) {
-        hint_ = new QLabel(hint());
-        hint_->setWordWrap(true);
-        hint_->setMargin(16);
-        hint_->setAlignment(Qt::AlignTop);
-        hint_->setEnabled(false);
-        tabs_->addTab(hint_, tr("Properties"));
-        return;
-    }
+    if (entry.owner == SetupOwner::project)
+        add_project_pages();
+    else if (find_setup(document_.project(), entry))
+        add_entry_pages(entry);
+    else
+        add_hint();
+    wrap_labels(*groups_);
+    area_ = scrolled(groups_);
+    static_cast<QVBoxLayout*>(layout())->insertWidget(0, area_, 1);
+    connect(groups_, &FoldGroups::opened, this, &PropertiesPane::start_help);
+    summarise();
+}
+
+void PropertiesPane::add_hint() {
+    hint_ = new QLabel(hint());
+    hint_->setWordWrap(true);
+    hint_->setMargin(16);
+    hint_->setAlignment(Qt::AlignTop);
+    hint_->setEnabled(false);
+    groups_->add(hint_, {});
+}
+
+void PropertiesPane::add_entry_pages(const SetupAddress& entry) {
     setup_ = new SetupForm(document_, entry);
     set_help_place(*this, help_anchor(document_.project(), entry));
     connect(setup_, &SetupForm::part_selected, this, [this](const QString& path) {
@@ -101,12 +117,12 @@ void PropertiesPane::rebuild() {
         selection_.select_field(path);
         following_ = false;
     });
-    tabs_->addTab(scrolled(setup_), analysis_tabs()[setup_tab]);
+    groups_->add(setup_, {});
     if (entry.owner == SetupOwner::asset)
-        add_asset_pages(entry);
+        groups_->add(new AssetEvaluation(document_, entry.id), tr("Evaluation"));
     else
         add_analysis_pages(entry);
-    add_notes_page(entry);
+    groups_->add(new NotesPage(document_, entry), tr("Notes"));
 }
 
 /// Where no entry is selected.
@@ -117,17 +133,16 @@ QString PropertiesPane::hint() const {
                : tr("Select an entry of the project tree to see its properties.");
 }
 
-/// What was said of a field of another tab is over.
+/// What was said of a field of another group is over.
 void PropertiesPane::start_help() {
     const QWidget* focused = QApplication::focusWidget();
-    const QWidget* page = tabs_->currentWidget();
-    if (!page || (focused && page->isAncestorOf(focused))) return;
-    const auto shows = [page](const auto& editors) {
+    if (focused && groups_->isAncestorOf(focused)) return;
+    const auto shows = [this](const auto& editors) {
         return std::any_of(editors.begin(), editors.end(),
-                           [page](const QWidget* editor) { return editor->isVisibleTo(page); });
+                           [this](const QWidget* editor) { return editor->isVisibleTo(groups_); });
     };
-    help_->start_over(shows(page->findChildren<QuantityEdit*>()) ||
-                      shows(page->findChildren<SpreadsheetView*>()));
+    help_->start_over(shows(groups_->findChildren<QuantityEdit*>()) ||
+                      shows(groups_->findChildren<SpreadsheetView*>()));
 }
 
 void PropertiesPane::set_units(const DisplayUnits& units) {
@@ -135,36 +150,21 @@ void PropertiesPane::set_units(const DisplayUnits& units) {
     if (requirements_) requirements_->set_units(units_);
 }
 
-void PropertiesPane::start_over() {
-    const int tab = tabs_->currentIndex();
-    rebuild();
-    tabs_->setCurrentIndex(tab);
-}
-
 void PropertiesPane::add_project_pages() {
     project_ = new ProjectPage(document_);
-    tabs_->addTab(scrolled(project_), tr("Project"));
+    groups_->add(project_, tr("Project"), true);
     certificate_ = new CertificateForm(document_);
     set_help_place(*certificate_, QStringLiteral("certificate"));
-    tabs_->addTab(certificate_, tr("Certificate"));
-    tabs_->addTab(scrolled(new ReportForm(document_)), tr("Report"));
-}
-
-void PropertiesPane::add_asset_pages(const SetupAddress& entry) {
-    tabs_->addTab(new AssetEvaluation(document_, entry.id), tr("Evaluation"));
+    groups_->add(certificate_, tr("Certificate"), true);
+    groups_->add(new ReportForm(document_), tr("Report"));
 }
 
 void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
-    const QStringList titles = analysis_tabs();
     inputs_ = new InputsPage(document_, runner_, entry.id);
     options_ = new OptionsForm(document_, entry.id);
     show_forecast(to_qt(entry.id));
-    tabs_->addTab(inputs_, titles[inputs_tab]);
-    tabs_->addTab(scrolled(options_), titles[options_tab]);
     studies_ = new StudiesForm(document_, runner_, selection_, entry.id);
-    tabs_->addTab(scrolled(studies_), titles[studies_tab]);
     designs_ = new DesignsForm(document_, runner_, selection_, entry.id);
-    tabs_->addTab(scrolled(designs_), titles[designs_tab]);
     requirements_ = new RequirementsForm(document_, runner_, entry.id);
     requirements_->set_units(units_);
     connect(requirements_, &RequirementsForm::place_wanted, this, &PropertiesPane::place_wanted);
@@ -173,17 +173,24 @@ void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
     set_help_place(*studies_, QStringLiteral("analysis-studies"));
     set_help_place(*designs_, QStringLiteral("analysis-designs"));
     set_help_place(*requirements_, QStringLiteral("analysis-requirements"));
-    tabs_->addTab(scrolled(requirements_), titles[requirements_tab]);
+    groups_->add(inputs_, tr("Inputs"));
+    groups_->add(options_, tr("Options"));
+    groups_->add(studies_, tr("Studies"));
+    groups_->add(designs_, tr("Designs"));
+    groups_->add(requirements_, tr("Requirements"));
 }
 
 void PropertiesPane::show_forecast(const QString& analysis) {
     if (!options_ || analysis != to_qt(selection_.entry().id)) return;
     const auto& prepared = runner_.status(analysis).prepared;
     options_->set_forecast(prepared ? to_qt(prepared->forecast) : QString());
+    summarise();
 }
 
-void PropertiesPane::add_notes_page(const SetupAddress& entry) {
-    tabs_->addTab(new NotesPage(document_, entry), analysis_tabs()[notes_tab]);
+void PropertiesPane::summarise() {
+    const AnalysisEntry* analysis = document_.project().find_analysis(selection_.entry().id);
+    if (analysis && inputs_ && groups_->count() > notes_group)
+        summarise_groups(*groups_, *analysis, runner_.status(to_qt(analysis->id)));
 }
 
 void PropertiesPane::discard_if_gone() {
@@ -196,23 +203,22 @@ void PropertiesPane::follow_field(const QString& field) {
     if (following_ || !setup_ || field.isEmpty()) return;
     const QPointer<QWidget> focus = QApplication::focusWidget();
     following_ = true;
-    if (setup_->focus_field(to_std(field))) tabs_->setCurrentIndex(setup_tab);
+    if (setup_->focus_field(to_std(field))) scroll_to_focus();
     following_ = false;
     if (focus) focus->setFocus();
 }
 
-void PropertiesPane::show_studies() {
-    if (studies_) tabs_->setCurrentIndex(studies_tab);
-}
-
-void PropertiesPane::show_designs() {
-    if (designs_) tabs_->setCurrentIndex(designs_tab);
-}
-
 void PropertiesPane::go_to_first_field() {
-    if (!setup_) return;
-    tabs_->setCurrentIndex(setup_tab);
-    setup_->focus_first();
+    if (setup_) setup_->focus_first();
+}
+
+/// Its head at the top of the pane, as far as what is below it allows.
+void PropertiesPane::show_group(int group) {
+    if (group >= groups_->count()) return;
+    groups_->open(group);
+    QMetaObject::invokeMethod(
+        this, [this, group] { area_->ensureWidgetVisible(groups_->page(group), 0, 0); },
+        Qt::QueuedConnection);
 }
 
 void PropertiesPane::focus_field(const QString& path) {
@@ -230,20 +236,14 @@ void PropertiesPane::scroll_to_focus() {
 void PropertiesPane::go_to_field(const QString& path) {
     const std::string field = to_std(path);
     if (certificate_ && path.startsWith(QStringLiteral("/certificate"))) {
-        tabs_->setCurrentIndex(1);
+        groups_->open(certificate_group);
         if (!certificate_->focus_field(field)) certificate_->focus_next_missing();
         return;
     }
-    if (project_ && project_->focus_field(field)) return tabs_->setCurrentIndex(0);
-    if (studies_ && studies_->focus_field(field)) return tabs_->setCurrentIndex(studies_tab);
-    if (designs_ && designs_->focus_field(field)) return tabs_->setCurrentIndex(designs_tab);
-    if (requirements_ && requirements_->focus_field(field)) return tabs_->setCurrentIndex(requirements_tab);
-    if (setup_ && setup_->focus_field(field))
-        tabs_->setCurrentIndex(setup_tab);
-    else if (options_ && options_->focus_field(field))
-        tabs_->setCurrentIndex(options_tab);
-    else if (inputs_ && inputs_->focus_field(field))
-        tabs_->setCurrentIndex(inputs_tab);
+    const auto group = group_of_place(field, entry_path(document_.project(), selection_.entry()));
+    if (inputs_ && group) groups_->open(*group);  // what is hidden gets no focus
+    const auto focus_in = [&](auto*... forms) { (void)((forms && forms->focus_field(field)) || ...); };
+    focus_in(project_, studies_, designs_, requirements_, setup_, options_, inputs_);
 }
 
 }  // namespace covaria::ui

@@ -1,6 +1,6 @@
-// The properties of what is selected: title, certificate and report of the project, an asset's set-up and
-// evaluation, or an analysis' set-up, inputs, correlations and options. Every form comes from a schema or
-// from the model's input quantities.
+// The properties of what is selected, in groups that fold: title, certificate and report of the project, an
+// asset's set-up and evaluation, or an analysis' set-up, inputs, correlations and options. Every form comes
+// from a schema or from the model's input quantities.
 #pragma once
 
 #include <QLabel>
@@ -10,16 +10,19 @@
 
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
+#include "ui/pages/group_summaries.h"
 #include "ui/run/analysis_runner.h"
 
 class QStackedLayout;
-class QTabWidget;
+class QScrollArea;
 
 namespace covaria::ui {
 
 class CertificateForm;
 class FieldHelp;
+class FoldGroups;
 class InputsPage;
+class InspectorHead;
 class OptionsForm;
 class ProjectPage;
 class RequirementsForm;
@@ -33,16 +36,18 @@ public:
     PropertiesPane(Document& document, AnalysisRunner& runner, Selection& selection,
                    QWidget* parent = nullptr);
 
-    void show_studies();  ///< of the analysis
-    void show_designs();
+    void show_group(int group);
+    void show_inputs() { show_group(inputs_group); }  ///< of the analysis
+    void show_studies() { show_group(studies_group); }
+    void show_designs() { show_group(designs_group); }
     /// Forms made anew: numbers are written in another form.
-    void start_over();
+    void start_over() { rebuild(); }
     /// Brings the field that a JSON pointer into the project names into view and gives it the focus.
     void focus_field(const QString& path);
     SetupForm* setup_form() const { return setup_; }
-    QTabWidget* tabs() const { return tabs_; }
-    /// px in which the names of all tabs of an analysis are whole.
-    static int room_for_tabs();
+    FoldGroups& groups() const { return *groups_; }
+    /// Names what is selected, and leads to the entries before and after it: the pane's title.
+    InspectorHead& head() { return *head_; }
     /// Of requirements and what is said of them.
     void set_units(const DisplayUnits& units);
     /// Of the set-up, where one begins to fill it in.
@@ -53,15 +58,16 @@ signals:
     void place_wanted(const QString& path);
 
 private:
+    void summarise();
     void start_help();
     void go_to_field(const QString& path);
     void scroll_to_focus();
     void rebuild();
     QString hint() const;
     void add_project_pages();
-    void add_asset_pages(const SetupAddress& entry);
+    void add_entry_pages(const SetupAddress& entry);
+    void add_hint();
     void add_analysis_pages(const SetupAddress& entry);
-    void add_notes_page(const SetupAddress& entry);
     void discard_if_gone();
     void follow_field(const QString& field);
     void show_forecast(const QString& analysis);
@@ -70,7 +76,9 @@ private:
     AnalysisRunner& runner_;
     Selection& selection_;
     FieldHelp* help_ = nullptr;
-    QTabWidget* tabs_ = nullptr;
+    InspectorHead* head_;
+    QScrollArea* area_ = nullptr;
+    FoldGroups* groups_ = nullptr;
     QPointer<QLabel> hint_;  ///< where no entry is selected
     SetupForm* setup_ = nullptr;
     CertificateForm* certificate_ = nullptr;

@@ -18,13 +18,19 @@
 
 namespace covaria::ui {
 
+QString time_left_words(double seconds) {
+    constexpr double minute = 60.0, hour = 3600.0, most_seconds = 90.0;
+    if (seconds < most_seconds) return RunStatus::tr("%1 s left").arg(std::ceil(seconds));
+    if (seconds < hour) return RunStatus::tr("%1 min left").arg(std::ceil(seconds / minute));
+    return RunStatus::tr("%1 h left").arg(QLocale().toString(seconds / hour, 'f', 1));
+}
+
 QString progress_words(const RunProgress& progress) {
     QString words = RunStatus::tr("%1 trials").arg(to_qt(count_text(progress.trials_done)));
     if (progress.trials_per_second > 0)
         words +=
             RunStatus::tr(", %1 million/s").arg(QLocale().toString(progress.trials_per_second / 1e6, 'f', 2));
-    if (progress.seconds_left >= 0)
-        words += RunStatus::tr(", %1 s left").arg(std::ceil(progress.seconds_left));
+    if (progress.seconds_left >= 0) words += QStringLiteral(", ") + time_left_words(progress.seconds_left);
     return words;
 }
 
@@ -97,7 +103,7 @@ void RunStatus::show_inquiry_progress(const QString& name, const RunProgress& pr
     if (progress.best)
         words += tr(", best so far %1").arg(localized(format_significant(*progress.best, 5)));
     else if (progress.seconds_left >= 0)
-        words += tr(", %1 s left").arg(std::ceil(progress.seconds_left));
+        words += QStringLiteral(", ") + time_left_words(progress.seconds_left);
     show_bar(words, progress);
 }
 

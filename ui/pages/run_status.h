@@ -42,5 +42,7 @@ private:
 
 /// "1 234 000 trials", "2.3 million trials/s", "4 s left" in words for people.
 QString progress_words(const RunProgress& progress);
+/// "40 s left", "9 min left", "2.5 h left".
+QString time_left_words(double seconds);
 
 }  // namespace covaria::ui

@@ -8,8 +8,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QStyleOptionToolButton>
-#include <QStylePainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,6 +15,7 @@
 
 #include "core/made/examples.h"
 #include "ui/pages/question_tile.h"
+#include "ui/pages/recent_card.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/fonts.h"
 #include "ui/theme/icons.h"
@@ -26,7 +25,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int gap = 20, page_margin = 32, widest_page = 1160 + 2 * page_margin, in_a_row = 4, most_recent = 8;
+constexpr int gap = 20, page_margin = 32, widest_page = 1160 + 2 * page_margin, in_a_row = 4;
 
 QLabel* heading(const QString& text, TextSize size = TextSize::title) {
     auto* label = new QLabel(text);
@@ -39,47 +38,6 @@ QLabel* quiet(const QString& text) {
     label->setEnabled(false);
     return label;
 }
-
-/// A recent file: its name, and under it the folder.
-class RecentButton : public QToolButton {
-public:
-    explicit RecentButton(const QString& file) : folder_(QDir::toNativeSeparators(QFileInfo(file).path())) {
-        if (folder_.startsWith(QDir::homePath()))
-            folder_.replace(0, QDir::homePath().size(), QLatin1Char('~'));
-        setText(QFileInfo(file).completeBaseName());
-        setToolTip(QDir::toNativeSeparators(file));
-        setAccessibleName(text());
-        setAccessibleDescription(folder_);
-        setAutoRaise(true);
-        setCursor(Qt::PointingHandCursor);
-        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    }
-    QSize sizeHint() const override { return {160, 2 * fontMetrics().lineSpacing() + 12}; }
-
-protected:
-    void paintEvent(QPaintEvent*) override {
-        const Tokens& t = tokens_of(palette());
-        QStylePainter painter(this);
-        QStyleOptionToolButton option;
-        initStyleOption(&option);
-        option.text.clear();
-        painter.drawComplexControl(QStyle::CC_ToolButton, option);
-        const QRect area = rect().adjusted(8, 6, -8, -6);
-        QFont bold = font();
-        bold.setWeight(QFont::DemiBold);
-        painter.setFont(bold);
-        painter.setPen(t.ink);
-        painter.drawText(area, Qt::AlignLeft | Qt::AlignTop,
-                         painter.fontMetrics().elidedText(text(), Qt::ElideRight, area.width()));
-        painter.setFont(sized(font(), TextSize::small));
-        painter.setPen(t.ink2);
-        painter.drawText(area, Qt::AlignLeft | Qt::AlignBottom,
-                         painter.fontMetrics().elidedText(folder_, Qt::ElideMiddle, area.width()));
-    }
-
-private:
-    QString folder_;
-};
 
 QGridLayout* grid() {
     auto* lines = new QGridLayout;
@@ -101,7 +59,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     page->addLayout(make_head());
     page->addLayout(make_tiles());
     page->addSpacing(gap);
-    page->addWidget(heading(tr("Recent")));
+    page->addLayout(make_head_of_recent());
     page->addLayout(recent_ = grid());
     page->addSpacing(gap);
     add_examples(*page);
@@ -138,6 +96,17 @@ QHBoxLayout* StartPage::make_head() {
     QPushButton* steps = add("help", tr("First Steps"), &StartPage::first_steps_wanted);
     steps->setObjectName(QStringLiteral("first_steps"));
     steps->setToolTip(tr("A budget from nothing to a PDF, in ten steps beside the window"));
+    return row;
+}
+
+QHBoxLayout* StartPage::make_head_of_recent() {
+    all_recent_ = new QToolButton;
+    all_recent_->setAutoRaise(true);
+    all_recent_->setPopupMode(QToolButton::InstantPopup);
+    all_recent_->setMenu(new QMenu(all_recent_));
+    auto* row = new QHBoxLayout;
+    row->addWidget(heading(tr("Recent")), 1);
+    row->addWidget(all_recent_);
     return row;
 }
 
@@ -225,18 +194,26 @@ void StartPage::add_examples(QVBoxLayout& column) {
     column.addLayout(lines);
 }
 
+/// One row of cards; all files are in the list at the right of the heading.
 void StartPage::set_recent_files(const QStringList& files) {
     while (QLayoutItem* item = recent_->takeAt(0)) {
         delete item->widget();
         delete item;
     }
-    for (int i = 0; i < std::min(most_recent, int(files.size())); ++i) {
-        auto* button = new RecentButton(files[i]);
-        connect(button, &QToolButton::clicked, this, [this, file = files[i]] { emit file_wanted(file); });
-        recent_->addWidget(button, i / in_a_row, i % in_a_row);
+    const int shown = std::min(in_a_row, int(files.size()));
+    for (int i = 0; i < shown; ++i) {
+        auto* card = new RecentCard(files[i]);
+        connect(card, &RecentCard::clicked, this, [this, file = files[i]] { emit file_wanted(file); });
+        recent_->addWidget(card, 0, i);
     }
     if (files.isEmpty())
         recent_->addWidget(quiet(tr("Projects that you open are listed here.")), 0, 0, 1, in_a_row);
+    all_recent_->setVisible(files.size() > shown);
+    all_recent_->setText(tr("Show All %1").arg(files.size()));
+    QMenu* menu = all_recent_->menu();
+    menu->clear();
+    for (const QString& file : files)
+        menu->addAction(QDir::toNativeSeparators(file), this, [this, file] { emit file_wanted(file); });
 }
 
 /// 1 to 5 open the tiles, the arrow keys go from one to the next.

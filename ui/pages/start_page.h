@@ -8,6 +8,8 @@
 
 class QGridLayout;
 class QHBoxLayout;
+class QMenu;
+class QToolButton;
 class QVBoxLayout;
 
 namespace covaria::ui {
@@ -39,6 +41,7 @@ protected:
 
 private:
     QHBoxLayout* make_head();
+    QHBoxLayout* make_head_of_recent();
     QHBoxLayout* make_tiles();
     void add_tile(QHBoxLayout& row, QuestionTile* tile);
     QMenu* menu_of(AnalysisTemplate::Topic topic);
@@ -47,6 +50,7 @@ private:
     void add_examples(QVBoxLayout& column);
 
     QGridLayout* recent_ = nullptr;
+    QToolButton* all_recent_ = nullptr;  ///< lists those that have no card
     QList<QuestionTile*> tiles_;
 };
 

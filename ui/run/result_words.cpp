@@ -45,6 +45,11 @@ bool is_preview(const AnalysisStatus& status) {
 
 }  // namespace
 
+bool is_refused(const AnalysisStatus& status) {
+    const bool waits = status.state == RunState::running || status.state == RunState::incomplete;
+    return !status.held.isEmpty() || (!status.prepared && !waits);
+}
+
 QString result_words(const AnalysisStatus& status) {
     if (is_preview(status)) return preview_words(status);
     const UncertaintyResult& result = *status.result;

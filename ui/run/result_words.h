@@ -12,6 +12,10 @@ QString result_words(const AnalysisStatus& status);
 /// What must be said wherever a part of the result goes that is no report; empty for a current result.
 QString reservation(const AnalysisStatus& status);
 
+/// A field is wrong: what is shown is of the state before, and is faint.
+bool is_refused(const AnalysisStatus& status);
+inline constexpr double opacity_of_last = 0.45;
+
 /// Why an analysis that is not prepared shows nothing: it has problems, or something is not given yet.
 QString unprepared_words(const AnalysisStatus& status);
 

@@ -32,6 +32,16 @@ namespace {
 
 constexpr int usual_probability = 2;  // of the list: 95 %
 
+/// While a field is wrong the last picture of the analysis stays, faint.
+bool keeps_last_picture(SceneView& view, const QString& analysis, const AnalysisStatus& status) {
+    constexpr char of_analysis[] = "of_analysis";
+    const bool refused = is_refused(status);
+    view.setProperty(is_faint, refused);
+    view.update();
+    if (!refused) view.setProperty(of_analysis, analysis);
+    return refused && view.scene() && view.property(of_analysis).toString() == analysis;
+}
+
 /// "0.021 0.034 0.012 mm"
 QString triple(const Eigen::Vector3d& v, const LengthUnit& unit) {
     const auto number = [&](int i) { return localized(format_significant(v[i] * unit.per_metre, 2)); };
@@ -233,9 +243,7 @@ void ScenePanel::set_dark(bool dark) {
 }
 
 void ScenePanel::set_units(const DisplayUnits& units) {
-    if (units.chosen() == units_.chosen()) return;
-    units_ = units;
-    refresh();
+    if (std::exchange(units_, units).chosen() != units.chosen()) refresh();
 }
 
 void ScenePanel::show_study(std::shared_ptr<const StudyResult> study, const StudySceneOptions& wanted) {
@@ -293,6 +301,7 @@ void ScenePanel::refresh() {
 void ScenePanel::build_scene() {
     refresh_due_ = false;
     const AnalysisStatus& status = runner_.status(analysis_);
+    if (keeps_last_picture(*view_, analysis_, status)) return;
     if (!status.prepared) {
         const bool of_equations = flat_->isVisibleTo(this) && equations_of_ == analysis_;
         if (of_equations || (below_ && !below_->isHidden())) {

@@ -16,6 +16,9 @@
 
 namespace covaria::ui {
 
+/// Property, a bool: the picture is faint, being of a state that is no more.
+inline constexpr char is_faint[] = "is_faint";
+
 /// Left drag orbits, middle or Shift+left drag pans, wheel or right drag zooms, click selects, double click
 /// fits. An item whose position is written in the project is moved by dragging it, in the plane of the
 /// picture, or along one axis by its arrows, and turned by the tips of its axes; with Ctrl in round steps.

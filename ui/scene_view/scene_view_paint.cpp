@@ -2,6 +2,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "ui/run/result_words.h"
 #include "ui/scene_view/handle_painter.h"
 #include "ui/scene_view/scene_view.h"
 #include "ui/scene_view/view_cube_painter.h"
@@ -12,6 +13,12 @@ namespace covaria::ui {
 namespace {
 
 constexpr double radius_of_ring = 6.0;  // about the dots of a trial that was picked
+
+void draw_image(QPainter& painter, const QWidget& view, const QImage& image) {
+    painter.setOpacity(view.property(is_faint).toBool() ? opacity_of_last : 1.0);
+    painter.drawImage(view.rect(), image);
+    painter.setOpacity(1.0);
+}
 
 }  // namespace
 
@@ -33,7 +40,7 @@ void SceneView::paintEvent(QPaintEvent*) {
 
 void SceneView::paint_picture(QPainter& painter) const {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(rect(), image_);
+    draw_image(painter, *this, image_);
     if (const QString item = item_with_handles(); !item.isEmpty())
         paint_handles(painter,
                       handle_marks(*scene_, camera_, picture_size(), to_std(item),

@@ -371,19 +371,20 @@ TEST_F(BudgetSession, AQuantityHasAPageOfItsOwn) {
     QTest::mouseDClick(sheet()->viewport(), Qt::LeftButton, {}, at);
     auto* notes = window_->properties().findChild<QPlainTextEdit*>(QStringLiteral("quantity_notes"));
     ASSERT_NE(notes, nullptr);
-    auto* details = qobject_cast<QTabWidget*>(notes->parentWidget()->parentWidget());
+    const FoldGroups* details = nullptr;
+    for (const QWidget* around = notes->parentWidget(); around && !details; around = around->parentWidget())
+        details = qobject_cast<const FoldGroups*>(around);
     ASSERT_NE(details, nullptr);
     ASSERT_TRUE(wait_for([&] { return details->isVisible(); }));
     EXPECT_EQ(details->count(), 4);
-    EXPECT_TRUE(details->isTabVisible(1));
-    details->setCurrentIndex(1);
-    auto* observed = qobject_cast<EvaluationView*>(details->currentWidget());
+    auto* observed = qobject_cast<EvaluationView*>(details->page(1));
     ASSERT_NE(observed, nullptr);
+    EXPECT_TRUE(wait_for([&] { return observed->isVisible(); }));
     EXPECT_EQ(observed->chart().plot().quantity, "V");
     EXPECT_EQ(observed->chart().plot().series.front().y.size(), 5u);
     settle();
     keep_picture(QStringLiteral("quantity-observations.png"));
-    details->setCurrentWidget(notes);
+    FoldGroups::reveal(*notes);
     notes->setFocus();
     QTest::keyClicks(notes, QStringLiteral("five readings"));
     const auto& kept = [&]() -> const std::vector<QuantityNotes>& {

@@ -40,7 +40,7 @@ protected:
         open(project_copy(QString::fromLatin1(name)));
         select(SetupOwner::analysis, id);
         ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
-        show_tab(QStringLiteral("Designs"));
+        show_group(QStringLiteral("Designs"));
         window_->results().stage().show_view(&tab());
     }
 };
@@ -230,7 +230,7 @@ TEST_F(DesignSession, AChangedFileOfCandidatesMakesTheResultOld) {
     open(project);
     select(SetupOwner::analysis, "points");
     ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
-    show_tab(QStringLiteral("Designs"));
+    show_group(QStringLiteral("Designs"));
     window_->results().stage().show_view(&tab());
     type_into("design_candidates", QStringLiteral("more.csv"));
     type_into("design_starts", QStringLiteral("1"));

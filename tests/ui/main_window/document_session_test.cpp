@@ -23,7 +23,7 @@ class DocumentSession : public Session {
 protected:
     void go_to_project(const QString& tab) {
         window_->project_pane().setCurrentIndex(window_->project_pane().model()->index(0, 0));
-        show_tab(tab);
+        show_group(tab);
     }
     const Project& project() const { return window_->document().project(); }
     /// Everything that is required, through the fields.
@@ -83,7 +83,7 @@ protected:
 TEST_F(DocumentSession, WhatIsSaidOfAnEmptyProjectFollowsUndo) {
     window_->document().replace({});
     window_->selection().clear();
-    auto* hint = qobject_cast<QLabel*>(window_->properties().tabs()->widget(0));
+    auto* hint = qobject_cast<QLabel*>(window_->properties().groups().page(0));
     ASSERT_NE(hint, nullptr);
     const auto says_empty = [hint] {
         return hint->text().startsWith(QStringLiteral("The project is empty"));
@@ -200,7 +200,7 @@ TEST_F(DocumentSession, WhatIsMissingIsNamedBeforeTheExport) {
             << one.title << "\n"
             << asked.toStdString();
     EXPECT_EQ(window_->selection().entry(), project_address) << "where it is stated";
-    EXPECT_EQ(window_->properties().tabs()->currentIndex(), 1);
+    EXPECT_TRUE(window_->properties().groups().is_open(1));
     shoot(QStringLiteral("certificate-form-empty"));
 }
 

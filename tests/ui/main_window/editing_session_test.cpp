@@ -155,7 +155,7 @@ TEST_F(EditingSession, EscapeTakesBackWhatWasTyped) {
 
 TEST_F(EditingSession, TypingANameIsOneStep) {
     open(project_copy());
-    show_tab(QStringLiteral("Notes"));
+    show_group(QStringLiteral("Notes"));
     QLineEdit* name = nullptr;
     for (QLineEdit* edit : window_->properties().findChildren<QLineEdit*>())
         if (edit->accessibleName() == QStringLiteral("Name")) name = edit;
@@ -209,7 +209,7 @@ class MixedEdits : public Session {
 protected:
     void edit(int i) {
         const QString number = QString::number(0.07 + 0.001 * i);
-        if (i % 10 == 0) show_tab(QStringLiteral("Set-up"));
+        if (i % 10 == 0) show_group(QStringLiteral("Set-up"));
         switch (i % 10) {
             case 0:
                 return type_into("base_u_x", number + QStringLiteral(" mm"));
@@ -234,7 +234,7 @@ protected:
                 return trigger(QStringLiteral("Delete"));
             default:
                 click_in_tree(QStringLiteral("Renamed %1").arg(i - 4));
-                show_tab(QStringLiteral("Options"));
+                show_group(QStringLiteral("Options"));
                 return type_into("trials", QString::number(1000 + i));
         }
     }

@@ -78,7 +78,7 @@ TEST_F(EquationSession, EquationsCanBeEmptiedAndWrittenAnew) {
 
 TEST_F(EquationSession, ARequirementIsJudged) {
     open_gauge_block();
-    show_tab(QStringLiteral("Requirements"));
+    show_group(QStringLiteral("Requirements"));
     auto* form = window_->properties().findChild<RequirementsForm*>();
     ASSERT_NE(form, nullptr);
     ASSERT_TRUE(wait_for([&] { return form->outputs()->count() == 1; }));
@@ -107,7 +107,7 @@ TEST_F(EquationSession, ARequirementIsJudged) {
 // the result stays up to date.
 TEST_F(EquationSession, AChangedLimitIsJudgedAtOnce) {
     open_gauge_block();
-    show_tab(QStringLiteral("Requirements"));
+    show_group(QStringLiteral("Requirements"));
     auto* form = window_->properties().findChild<RequirementsForm*>();
     ASSERT_NE(form, nullptr);
     ASSERT_TRUE(wait_for([&] { return form->outputs()->count() == 1; }));
@@ -144,7 +144,7 @@ TEST_F(EquationSession, AChangedLimitIsJudgedAtOnce) {
 // 17.4: live mode judges as well, first by the law of propagation, then by the trials.
 TEST_F(EquationSession, LiveModeJudges) {
     open_gauge_block();
-    show_tab(QStringLiteral("Requirements"));
+    show_group(QStringLiteral("Requirements"));
     auto* form = window_->properties().findChild<RequirementsForm*>();
     ASSERT_NE(form, nullptr);
     ASSERT_TRUE(wait_for([&] { return form->outputs()->count() == 1; }));

@@ -44,7 +44,8 @@ TEST_F(EvaluationSession, AnAssetShowsItsTablesAndCharts) {
     open(project_copy(QStringLiteral("force-moment-sensor")));
     wait_until_idle();
     window_->selection().select_entry({SetupOwner::asset, "sensor"});
-    EvaluationView* view = shown_in(*window_->properties().tabs());
+    show_group(QStringLiteral("Evaluation"));
+    auto* view = window_->properties().findChild<EvaluationView*>();
     ASSERT_NE(view, nullptr);
     ASSERT_TRUE(wait_for_text(*view, QStringLiteral("Kim, Table 3")));
     for (const char* const number : {"0.004 81", "1.6671", "2.78"})

@@ -148,10 +148,16 @@ TEST_F(FileSession, WorkOfAKilledWindowIsRecovered) {
     QStringList offered;
     window_->files().dialogs.recover = [&](const QStringList& entries) {
         offered = entries;
-        return 0;
+        return RecoverAnswer{RecoverAnswer::What::later};
     };
     window_->begin({});
     ASSERT_EQ(offered.size(), 1);
+    EXPECT_FALSE(window_->document().is_modified());
+    EXPECT_EQ(recovery_files().size(), 1) << "later: it is kept";
+    window_->files().dialogs.recover = [](const QStringList&) {
+        return RecoverAnswer{RecoverAnswer::What::recover};
+    };
+    window_->begin({});
     EXPECT_TRUE(window_->document().is_modified());
     EXPECT_TRUE(window_->isWindowModified());
     EXPECT_EQ(field<QLineEdit>("base_u_x")->text(), QStringLiteral("0.123 mm"));

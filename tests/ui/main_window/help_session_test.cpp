@@ -129,7 +129,7 @@ TEST_F(HelpSession, AnEntryOfTheTreeAnswersWithItsKind) {
 TEST_F(HelpSession, ATextOfTheCertificateAnswersWithItsClause) {
     open(project_copy());
     window_->selection().select_entry(project_address);
-    show_tab(QStringLiteral("Certificate"));
+    show_group(QStringLiteral("Certificate"));
     window_->properties().focus_field(QStringLiteral("/certificate/item/serialNumber"));
     press_f1();
     EXPECT_EQ(to_std(pane().place()), field_anchor("certificate", "certificate-item-serialnumber"));
@@ -153,7 +153,7 @@ TEST_F(HelpSession, ThePaneStandsBesideTheFormAndLeavesItTheFocus) {
 
 TEST_F(HelpSession, AnOptionAnswersWithItsOwn) {
     open(project_copy());
-    show_tab(QStringLiteral("Options"));
+    show_group(QStringLiteral("Options"));
     field("trials")->setFocus();
     press_f1();
     EXPECT_EQ(to_std(pane().place()), field_anchor("options", "trials"));

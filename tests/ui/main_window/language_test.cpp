@@ -221,6 +221,13 @@ protected:
             look_at_contents(*tabs.widget(i));
         }
     }
+    void look_at_groups() {
+        for (FoldGroups* groups : window_->properties().findChildren<FoldGroups*>())
+            for (int i = 0; i < groups->count(); ++i) groups->open(i);
+        settle();
+        look_at_all(window_->properties());
+        look_at_contents(window_->properties());
+    }
     void look_at_all(QWidget& top) {
         look_at(top);
         for (QWidget* widget : top.findChildren<QWidget*>()) look_at(*widget);
@@ -336,7 +343,7 @@ TEST_F(Languages, EveryTextAboutResultsIsInTheCatalogues) {
         window_->results().compare_tab().findChild<QAction*>(QStringLiteral("keep_before"))->trigger();
         window_->selection().select_output(0);
         look_at_tabs(window_->results().tabs());
-        look_at_tabs(*window_->properties().tabs());
+        look_at_groups();
     }
     for (const QString& one : found_.values()) ADD_FAILURE() << one.toStdString();
     EXPECT_EQ(brackets_.unknown(), QStringList());

@@ -24,10 +24,10 @@ protected:
     /// Of the forms of what is selected, those that scroll sideways.
     QStringList too_wide() {
         QStringList found;
-        QTabWidget& tabs = *window_->properties().tabs();
-        for (int tab = 0; tab < tabs.count(); ++tab) {
-            tabs.setCurrentIndex(tab);
-            const auto areas = tabs.widget(tab)->parentWidget()->findChildren<QScrollArea*>();
+        FoldGroups& groups = window_->properties().groups();
+        for (int group = 0; group < groups.count(); ++group) {
+            window_->properties().show_group(group);
+            const auto areas = window_->properties().findChildren<QScrollArea*>();
             const auto scrolls = [](const QScrollArea* area) {
                 return area->isVisible() && area->horizontalScrollBar()->maximum() > 0;
             };
@@ -36,7 +36,7 @@ protected:
             for (const QScrollArea* area : areas)
                 if (scrolls(area))
                     found << QStringLiteral("%1: %2 px")
-                                     .arg(tabs.tabText(tab))
+                                     .arg(groups.title(group))
                                      .arg(area->horizontalScrollBar()->maximum()) +
                                  widest(*area->widget(), area->viewport()->width());
         }
@@ -100,13 +100,13 @@ TEST_F(LargeFontSession, ALongLabelStandsOverItsField) {
     box = field<QComboBox>("base_third_point");
     EXPECT_TRUE(wait_for(label_is_over, 5000));
     keep_picture(QStringLiteral("forms-18pt-set-up"));
-    show_tab(QStringLiteral("Options"));
+    show_group(QStringLiteral("Options"));
     const auto* trials = field<QLineEdit>("trials");
     EXPECT_TRUE(wait_for(
         [&] { return trials->width() > trials->fontMetrics().horizontalAdvance(trials->text()) + 8; }, 5000))
         << "cut to " << trials->width();
     for (const char* tab : {"Inputs", "Options", "Studies", "Designs", "Requirements"}) {
-        show_tab(QLatin1String(tab));
+        show_group(QLatin1String(tab));
         keep_picture(QStringLiteral("forms-18pt-%1").arg(QString::fromLatin1(tab).toLower()));
     }
 }
@@ -120,7 +120,7 @@ TEST_F(LargeFontSession, NorWithTheUsualFont) {
 TEST_F(LargeFontSession, NorDoTheInputsWithTheUsualFont) {
     open(QStringLiteral(COVARIA_SOURCE_DIR "/projects/ballbar-tcp.covaria"));
     select(SetupOwner::analysis, window_->document().project().analyses.front().id);
-    show_tab(QStringLiteral("Inputs"));
+    show_group(QStringLiteral("Inputs"));
     const QTableView* table = nullptr;
     for (const auto* each : window_->properties().findChildren<QTableView*>())
         if (each->accessibleName() == QStringLiteral("Input quantities")) table = each;

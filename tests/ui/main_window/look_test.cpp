@@ -68,11 +68,11 @@ TEST_F(Look, PropertiesOfEverythingAreShown) {
         for (const AssetEntry& asset : project.assets) entries.push_back({SetupOwner::asset, asset.id});
         for (const SetupAddress& entry : entries) {
             window_->selection().select_entry(entry);
-            QTabWidget& tabs = *window_->properties().tabs();
-            for (int tab = 0; tab < tabs.count(); ++tab) {
-                tabs.setCurrentIndex(tab);
+            FoldGroups& groups = window_->properties().groups();
+            for (int group = 0; group < groups.count(); ++group) {
+                window_->properties().show_group(group);
                 shoot(QStringLiteral("properties-%1-%2-%3")
-                          .arg(QString::fromStdString(entry.id), tabs.tabText(tab).toLower(),
+                          .arg(QString::fromStdString(entry.id), groups.title(group).toLower(),
                                QString::fromLatin1(theme)));
             }
         }
@@ -164,24 +164,31 @@ TEST_F(Look, ColumnsAreChosenAndRemembered) {
     EXPECT_TRUE(again.isColumnHidden(column(*again.model(), QStringLiteral("k"))));
 }
 
-TEST_F(Look, TheTreeHasRoomForNamesOfTheNextProjectToo) {
-    const auto* tree = window_->findChild<ProjectPane*>();
+// The stage has the room; what is cut of a name stands in its tooltip. Groups without entries are not there.
+TEST_F(Look, TheTreeIsNarrowAndItsNamesAreWholeInTheirTooltips) {
+    auto* tree = window_->findChild<ProjectPane*>();
     ASSERT_TRUE(tree);
     for (const char* name : {"force-moment-sensor", "lsm-network"}) {
         open(project_copy(QString::fromLatin1(name)));
         wait_until_idle();
         settle();
-        QStyleOptionViewItem option;
-        option.initFrom(tree);
+        EXPECT_NEAR(tree->width(), 184, 4);
+        EXPECT_NEAR(window_->properties().width(), 296, 4) << "in a window of 1280 px";
         const QAbstractItemModel& model = *tree->model();
-        for (int category = 1; category < model.rowCount(); ++category)  // the first is the project
-            for (int row = 0; row < model.rowCount(model.index(category, 0)); ++row) {
-                const QModelIndex entry = model.index(row, 0, model.index(category, 0));
-                EXPECT_LE(tree->itemDelegate()->sizeHint(option, entry).width(),
-                          tree->visualRect(entry).width())
+        for (int category = 1; category < model.rowCount(); ++category) {  // the first is the project
+            const QModelIndex above = model.index(category, 0);
+            EXPECT_EQ(tree->isRowHidden(category, {}), model.rowCount(above) == 0);
+            for (int row = 0; row < model.rowCount(above); ++row) {
+                const QModelIndex entry = model.index(row, 0, above);
+                EXPECT_EQ(tree->visualRect(entry).height(), 24);
+                EXPECT_TRUE(entry.data(Qt::ToolTipRole).toString().contains(entry.data().toString()))
                     << entry.data().toString().toStdString();
             }
+            if (model.rowCount(above) > 0) EXPECT_EQ(tree->visualRect(above).height(), 28);
+        }
     }
+    tree->resize(60, tree->height());
+    EXPECT_TRUE(tree->isColumnHidden(1)) << "icons only";
 }
 
 // A table with other columns than before: what appears in the place of a hidden one is fitted as well.

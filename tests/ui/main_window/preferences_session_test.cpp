@@ -86,7 +86,7 @@ TEST_F(PreferencesSession, UnitsHoldInEveryTableOfTheWindowAndInNoDocument) {
     ResultsPane& results = window_->results();
     results.stage().show_view(&results.compare_tab());
     trigger(QStringLiteral("Keep as Before"));
-    show_tab(QStringLiteral("Requirements"));
+    show_group(QStringLiteral("Requirements"));
     auto* form = window_->properties().findChild<RequirementsForm*>();
     ASSERT_NE(form, nullptr);
     ASSERT_TRUE(wait_for([&] { return form->outputs()->count() > 0; }));
@@ -124,7 +124,7 @@ TEST_F(PreferencesSession, UnitsHoldInEveryTableOfTheWindowAndInNoDocument) {
 
 TEST_F(PreferencesSession, TheFormOfNumbersIsOneInTablesFieldsAndCharts) {
     run();
-    show_tab(QStringLiteral("Options"));
+    show_group(QStringLiteral("Options"));
     ASSERT_EQ(field<QLineEdit>("coverageProbability")->text(), QStringLiteral("0.95"));
     ASSERT_TRUE(cell_of("U").contains(QLatin1Char('.')));
     const std::string project = bytes(), json = results();

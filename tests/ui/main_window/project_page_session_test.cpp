@@ -36,7 +36,7 @@ TEST_F(ProjectPageSession, WhatTheProjectStatesIsObeyedAndUndone) {
     ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
     const double k = status().result->outputs[0].coverage_factor;
     window_->selection().select_entry(project_address);
-    show_tab(QStringLiteral("Project"));
+    show_group(QStringLiteral("Project"));
     type_into("project_author", QStringLiteral("A. Author"));
     type_into("project_number", QStringLiteral("2026-17"));
     choose("lengths", QStringLiteral("µm"));

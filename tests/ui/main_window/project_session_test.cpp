@@ -54,7 +54,7 @@ protected:
         type_into("moving_u_x", QStringLiteral("50 um"));
         type_into("moving_u_y", QStringLiteral("0.05"));
         type_into("moving_u_z", QStringLiteral("0.08"));
-        show_tab(QStringLiteral("Options"));
+        show_group(QStringLiteral("Options"));
         type_into("trials", QStringLiteral("20000"));
         EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
     }

@@ -145,7 +145,7 @@ TEST_F(ReportSession, ChartsOfTheHtmlReportFillTheirFrames) {
 TEST_F(ReportSession, APreviewIsNoResult) {
     open(project_copy());
     wait_until_idle();
-    show_tab(QStringLiteral("Options"));
+    show_group(QStringLiteral("Options"));
     type_into("trials", QStringLiteral("30000000"));
     ASSERT_TRUE(wait_for([this] { return status().stage == ResultStage::preview; }));
     EXPECT_FALSE(status().is_current());

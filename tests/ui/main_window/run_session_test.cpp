@@ -44,7 +44,7 @@ bool says(const QWidget& pane, const QString& words) {
 TEST_F(RunSession, ALongRunIsStoppedAndTheWindowStaysResponsive) {
     open(project_copy());
     wait_until_idle();
-    show_tab(QStringLiteral("Options"));
+    show_group(QStringLiteral("Options"));
     type_into("trials", QStringLiteral("100000000"));
     ASSERT_TRUE(wait_for(
         [this] { return status().state == RunState::running && status().stage == ResultStage::preview; }));

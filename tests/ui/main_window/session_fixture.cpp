@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "ui/theme/tabs.h"
+#include "ui/theme/fold_groups.h"
 
 namespace covaria::ui {
 
@@ -61,28 +61,21 @@ void Session::choose(const char* name, const QString& title) {
     choose_in(*box, title);
 }
 
-void Session::show_tab(const QString& title) {
-    QTabWidget& tabs = *window_->properties().tabs();
-    for (int i = 0; i < tabs.count(); ++i)
-        if (plain_words(tabs.tabText(i)) == title) {
-            auto* bar = qobject_cast<TabBar*>(tabs.tabBar());
-            if (bar && bar->is_in_menu(i)) {
-                QMenu* menu = bar->menu_button().menu();
-                emit menu->aboutToShow();
-                for (QAction* entry : menu->actions())
-                    if (plain_words(entry->text()) == title) return entry->trigger();
-                FAIL() << title.toStdString() << " is not in the menu";
-            }
-            QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(i).center());
-            ASSERT_EQ(tabs.currentIndex(), i);
+void Session::show_group(const QString& title) {
+    FoldGroups& groups = window_->properties().groups();
+    for (int i = 0; i < groups.count(); ++i)
+        if (groups.title(i) == title) {
+            if (!groups.is_open(i)) QTest::mouseClick(groups.head(i), Qt::LeftButton);
+            ASSERT_TRUE(groups.is_open(i));
             return;
         }
-    FAIL() << "no tab " << title.toStdString();
+    FAIL() << "no group " << title.toStdString();
 }
 
 void Session::press_button(const char* table, const QString& words) {
-    for (QPushButton* button : sheet(table)->parentWidget()->findChildren<QPushButton*>())
-        if (plain_words(button->text()) == words) {
+    sheet(table)->setFocus();  // the tools of a table are there with the keyboard
+    for (QAbstractButton* button : window_->properties().findChildren<QAbstractButton*>())
+        if (button->isVisible() && plain_words(button->text()) == words) {
             QTest::mouseClick(button, Qt::LeftButton);
             return;
         }

@@ -15,6 +15,7 @@
 #include "ui/pages/properties_pane.h"
 #include "ui/pages/results_pane.h"
 #include "ui/scene_view/scene_panel.h"
+#include "ui/theme/fold_groups.h"
 
 namespace covaria::ui {
 
@@ -25,10 +26,12 @@ protected:
     /// Chooses it; a disabled or missing entry fails the test.
     void trigger(const QString& words);
 
-    /// The first field of the properties with this name; fails the test when a user would not see it.
+    /// The first field of the properties with this name, in whichever group, which is opened for it; fails
+    /// the test when a user would not see it.
     template <class Widget = QWidget>
     Widget* field(const char* name) const {
         auto* found = window_->properties().findChild<Widget*>(QString::fromLatin1(name));
+        if (found) FoldGroups::reveal(*found);
         EXPECT_NE(found, nullptr) << name;
         EXPECT_TRUE(found && wait_for([&] { return found->isVisible(); }, 2000)) << name << " is not shown";
         return found;
@@ -40,7 +43,8 @@ protected:
     /// Goes through a list by the arrow keys to the entry with this title.
     void choose(const char* name, const QString& title);
     static void choose_in(QComboBox& box, const QString& title);
-    void show_tab(const QString& title);
+    /// Of the properties; opens it by a click on its head where it is folded.
+    void show_group(const QString& title);
     /// Presses a button of the form of a table.
     void press_button(const char* table, const QString& words);
     void press(const char* table, const QKeySequence& keys);

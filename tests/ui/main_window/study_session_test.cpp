@@ -29,7 +29,7 @@ protected:
         open(project_copy(QStringLiteral("lsm-network")));
         select(SetupOwner::analysis, "recommended");
         ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
-        show_tab(QStringLiteral("Studies"));
+        show_group(QStringLiteral("Studies"));
     }
 };
 
@@ -95,7 +95,7 @@ TEST_F(StudySession, TwoAnalysesWithStudiesOfTheirOwnAreLookedAtInTurn) {
     open_network();
     select(SetupOwner::analysis, "paper");
     ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
-    show_tab(QStringLiteral("Studies"));
+    show_group(QStringLiteral("Studies"));
     press("add_study");
     const QString added = window_->selection().study();
     for (int i = 0; i < 2; ++i) {

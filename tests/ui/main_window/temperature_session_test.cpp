@@ -31,7 +31,7 @@ protected:
         open(path);
         select(SetupOwner::analysis, "a");
         ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
-        show_tab(QStringLiteral("Inputs"));
+        show_group(QStringLiteral("Inputs"));
         page_ = window_->properties().findChild<InputsPage*>();
         ASSERT_NE(page_, nullptr);
         auto* table = page_->findChild<QTableView*>();

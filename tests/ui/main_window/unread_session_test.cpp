@@ -80,7 +80,7 @@ TEST_F(UnreadSession, ACellHoldsTheRunUntilItCanBeRead) {
 TEST_F(UnreadSession, ACorrelationHoldsTheRunUntilItCanBeRead) {
     open(project_copy());
     wait_until_idle();
-    show_tab(QStringLiteral("Inputs"));
+    show_group(QStringLiteral("Inputs"));
     auto* edit = window_->properties().findChild<CorrelationEdit*>();
     ASSERT_NE(edit, nullptr);
     InputCorrelationModel& model = edit->model();
@@ -104,7 +104,7 @@ TEST_F(UnreadSession, AStudyHoldsItsOwnRun) {
     open(project_copy(QStringLiteral("lsm-network")));
     select(SetupOwner::analysis, "recommended");
     wait_until_idle();
-    show_tab(QStringLiteral("Studies"));
+    show_group(QStringLiteral("Studies"));
     window_->selection().select_study(QStringLiteral("station-angle"));
     type_into("axis_0_from", QStringLiteral("12 kg"));
     EXPECT_FALSE(problems().filter(QStringLiteral("kg")).isEmpty());
@@ -121,7 +121,7 @@ TEST_F(UnreadSession, WhatStoodInAnEntryThatIsGoneIsNotAskedFor) {
     open(project_copy(QStringLiteral("lsm-network")));
     select(SetupOwner::analysis, "recommended");
     wait_until_idle();
-    show_tab(QStringLiteral("Studies"));
+    show_group(QStringLiteral("Studies"));
     window_->selection().select_study(QStringLiteral("station-angle"));
     type_into("axis_0_from", QStringLiteral("12 kg"));
     Document& document = window_->document();
@@ -140,7 +140,7 @@ TEST_F(UnreadSession, TheTargetOfAStudyIsTypedIn) {
     open(project_copy(QStringLiteral("lsm-network")));
     select(SetupOwner::analysis, "recommended");
     wait_until_idle();
-    show_tab(QStringLiteral("Studies"));
+    show_group(QStringLiteral("Studies"));
     window_->selection().select_study(QStringLiteral("station-angle"));
     auto* target = field<TargetBox>("axis_0_target");
     const auto axis = [this] {

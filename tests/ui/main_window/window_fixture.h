@@ -35,7 +35,7 @@ protected:
         SaveAnswer save = SaveAnswer::discard;
         DiskAnswer disk = DiskAnswer::keep;
         QString file_to_save, file_to_import;
-        int recover = -1;
+        RecoverAnswer recover = {};
         bool confirm = true;
         QStringList messages;  ///< shown to the user
         int save_questions = 0;

@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     bool recovered = false;
     window.files().dialogs.recover = [&](const QStringList&) {
         recovered = true;
-        return 0;
+        return RecoverAnswer{RecoverAnswer::What::recover};
     };
     window.files().dialogs.show_message = [](const QString&, const QString&) {};
     window.show();

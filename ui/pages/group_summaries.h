@@ -1,0 +1,25 @@
+// What the heads of an analysis' groups say of them.
+#pragma once
+
+#include "core/project/project.h"
+#include "ui/run/run_state.h"
+
+namespace covaria::ui {
+
+class FoldGroups;
+
+/// In their order in the inspector.
+enum AnalysisGroup {
+    setup_group,
+    inputs_group,
+    options_group,
+    studies_group,
+    designs_group,
+    requirements_group,
+    notes_group
+};
+
+/// Each head answers what is in its group.
+void summarise_groups(FoldGroups& groups, const AnalysisEntry& analysis, const AnalysisStatus& status);
+
+}  // namespace covaria::ui
