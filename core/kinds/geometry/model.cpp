@@ -74,7 +74,7 @@ public:
         if (!evaluate(x, y)) return {};
         return geometry::geometry_layout(setup_, first_outputs_, x, y);
     }
-    std::vector<DataTable> evaluation() const override { return geometry::geometry_tables(setup_); }
+    std::vector<Table> evaluation() const override { return geometry::geometry_tables(setup_); }
 
     std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
         return std::make_shared<OutputFeatures>(id, *this);

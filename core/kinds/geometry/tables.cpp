@@ -102,13 +102,11 @@ ConditionOfFeature condition_of(const Feature& feature) {
 
 class ConditionTable {
 public:
-    DataTable table(const GeometrySetup& setup) {
-        table_.id = "condition";
-        table_.title = known_text<"How well the points determine the features">();
-        table_.columns = {{.header = "feature"},
-                          {.header = "quantity"},
-                          {.header = known_text<"at a standard deviation of 1 mm">(), .digits = 7},
-                          {.header = known_text<"at the scatter of the points">(), .digits = 4}};
+    Table table(const GeometrySetup& setup) {
+        table_.add("feature");
+        table_.add("quantity");
+        table_.add(known_text<"at a standard deviation of 1 mm">()).figure(7);
+        table_.add(known_text<"at the scatter of the points">()).figure(4);
         for (const Feature& feature : setup.features) add(feature);
         table_.notes = {
             tell<"Standard uncertainties that independent deviations of all coordinates alike would give, "
@@ -133,84 +131,80 @@ private:
         if (!(condition.radius > 0.0)) return;
         length(tell<"diameter">(), 2.0 * condition.radius);
         if (condition.angle > 0.0) angle(tell<"angle of the cone">(), condition.angle);
-        row(tell<"correlation of diameter and centre along the middle of the arc">(), condition.correlation,
+        line(tell<"correlation of diameter and centre along the middle of the arc">(), condition.correlation,
             {});
-        row(tell<"angle to both sides of that middle within which the points are">(),
+        line(tell<"angle to both sides of that middle within which the points are">(),
             Quantity{Unit::of("deg").from_si(condition.covered), Unit::of("deg")}, {});
     }
-    void row(Message words, TableCell factor, TableCell at_scatter) {
-        table_.rows.push_back({feature_->name, std::move(words), std::move(factor), std::move(at_scatter)});
+    void line(Message words, Cell factor, Cell at_scatter) {
+        table_.row({feature_->name, std::move(words), std::move(factor), std::move(at_scatter)});
     }
-    TableCell scaled(double root, const Unit& unit) const {
+    Cell scaled(double root, const Unit& unit) const {
         if (!(feature_->s > 0.0)) return {};
         return Quantity{unit.from_si(root * feature_->s), unit};
     }
     void length(Message words, double root) {
         const Unit mm = Unit::of("mm");
-        row(std::move(words), Quantity{root, mm}, scaled(root, mm));
+        line(std::move(words), Quantity{root, mm}, scaled(root, mm));
     }
     void angle(Message words, double root) {
         const Unit mrad = Unit::of("mrad");
-        row(std::move(words), Quantity{root, mrad}, scaled(root, mrad));
+        line(std::move(words), Quantity{root, mrad}, scaled(root, mrad));
     }
 
-    DataTable table_;
+    Table table_{"condition", known_text<"How well the points determine the features">()};
     const Feature* feature_ = nullptr;
 };
 
-DataTable features_table(const GeometrySetup& setup) {
+Table features_table(const GeometrySetup& setup) {
     const Unit mm = Unit::of("mm");
-    DataTable table;
-    table.id = "features";
-    table.title = known_text<"Features and the scatter of their points">();
-    table.columns = {{.header = "feature"},
-                     {.header = "form"},
-                     {.header = "points"},
-                     {.header = known_text<"degrees of freedom">()},
-                     {.header = "s", .unit = mm, .is_symbol = true, .digits = 9},
-                     {.header = known_text<"largest deviation">(), .unit = mm, .digits = 4},
-                     {.header = known_text<"of">()}};
+    Table table{"features", known_text<"Features and the scatter of their points">()};
+    table.add("feature");
+    table.add("form");
+    table.add("points");
+    table.add(known_text<"degrees of freedom">());
+    table.add("s").in(mm).symbol().figure(9);
+    table.add(known_text<"largest deviation">()).in(mm).figure(4);
+    table.add(known_text<"of">());
     for (const Feature& feature : setup.features) {
         const Deviations deviations = deviations_of(feature.fitted, feature.places());
         const auto largest = std::max_element(deviations.d.begin(), deviations.d.end(),
                                               [](double a, double b) { return std::abs(a) < std::abs(b); });
         const bool free = feature.degrees_of_freedom() > 0;
         const std::size_t i = std::size_t(largest - deviations.d.begin());
-        table.rows.push_back({feature.name, words_of(feature.form()), double(feature.points.size()),
-                              double(feature.degrees_of_freedom()), free ? TableCell(feature.s) : TableCell(),
-                              free ? TableCell(*largest) : TableCell(),
-                              free ? TableCell(feature.points[i].name) : TableCell()});
+        table.row({feature.name, words_of(feature.form()), double(feature.points.size()),
+                              double(feature.degrees_of_freedom()), free ? Cell(feature.s) : Cell(),
+                              free ? Cell(*largest) : Cell(),
+                              free ? Cell(feature.points[i].name) : Cell()});
     }
     table.notes = {
         tell<"s is the root of the sum of squares of the deviations over the degrees of freedom.">()};
     return table;
 }
 
-DataTable deviations_table(const GeometrySetup& setup) {
+Table deviations_table(const GeometrySetup& setup) {
     const Unit mm = Unit::of("mm");
-    DataTable table;
-    table.id = "deviations";
-    table.title = known_text<"Deviations of the points from their features">();
-    table.columns = {
-        {.header = "feature"}, {.header = "point"}, {.header = "deviation", .unit = mm, .digits = 4}};
+    Table table{"deviations", known_text<"Deviations of the points from their features">()};
+    table.add("feature");
+    table.add("point");
+    table.add("deviation").in(mm).figure(4);
     const bool has_circle = std::any_of(setup.features.begin(), setup.features.end(),
                                         [](const Feature& f) { return f.form() == Form::circle; });
     if (has_circle)
-        table.columns.push_back(
-            {.header = known_text<"above the plane of the circle">(), .unit = mm, .digits = 4});
+        table.add(known_text<"above the plane of the circle">()).in(mm).figure(4);
     for (const Feature& feature : setup.features) {
         const Deviations deviations = deviations_of(feature.fitted, feature.places());
         // the normal that is stated, not that of the local axes
         const bool turned =
             feature.fitted.sign < 0.0 && (feature.form() == Form::plane || feature.form() == Form::line_2d);
         for (std::size_t i = 0; i < feature.points.size(); ++i) {
-            std::vector<TableCell> row{feature.name, feature.points[i].name,
+            std::vector<Cell> row{feature.name, feature.points[i].name,
                                        turned ? -deviations.d[i] : deviations.d[i]};
             if (has_circle)
                 row.push_back(deviations.heights.empty()
-                                  ? TableCell()
-                                  : TableCell(feature.fitted.sign * deviations.heights[i]));
-            table.rows.push_back(std::move(row));
+                                  ? Cell()
+                                  : Cell(feature.fitted.sign * deviations.heights[i]));
+            table.row(std::move(row));
         }
     }
     table.notes = {
@@ -221,7 +215,7 @@ DataTable deviations_table(const GeometrySetup& setup) {
 
 }  // namespace
 
-std::vector<DataTable> geometry_tables(const GeometrySetup& setup) {
+std::vector<Table> geometry_tables(const GeometrySetup& setup) {
     return {features_table(setup), ConditionTable().table(setup), deviations_table(setup)};
 }
 

@@ -4,13 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "core/base/data_table.h"
 #include "core/kinds/geometry/setup.h"
 #include "core/model/layout.h"
+#include "core/text/table.h"
 
 namespace covaria::geometry {
 
-std::vector<DataTable> geometry_tables(const GeometrySetup& setup);
+std::vector<Table> geometry_tables(const GeometrySetup& setup);
 
 /// Warns of features that their points determine badly.
 void warn_of_condition(const GeometrySetup& setup, Problems& problems);

@@ -9,7 +9,9 @@
 
 #include "core/kinds/registries.h"
 #include "core/propagation/engine.h"
+#include "core/text/cell.h"
 #include "tests/core/kinds/geometry/nist_points.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::geometry_test {
 
@@ -93,11 +95,11 @@ inline Eigen::Vector3d direction_in(const Results& results, const std::string& g
 inline std::vector<double> column(const MeasurementModel& model, const std::string& id,
                                   const std::string& word) {
     std::vector<double> found;
-    for (const DataTable& table : model.evaluation())
-        for (const auto& row : table.rows)
+    for (const Table& table : model.evaluation())
+        for (const auto& row : test::rows_of(table))
             if (table.id == id && english_of(row[1]).find(word) != std::string::npos)
                 found.push_back(std::holds_alternative<Quantity>(row[2]) ? std::get<Quantity>(row[2]).value
-                                                                         : std::get<double>(row[2]));
+                                                                         : test::si_of(row[2]));
     return found;
 }
 
