@@ -327,7 +327,13 @@ const std::vector<AnalysisTemplate>& analysis_templates() {
          "loads"},
         {Topic::points, "Distance meter on a baseline",
          "Zero offset and standard deviation of a distance meter, with the tests of ISO 17123-4.",
-         "distance-meter", "zero-offset"}};
+         "distance-meter", "zero-offset"},
+        {Topic::robot, "Accuracy and repeatability of a robot",
+         "AP and RP of ISO 9283 from measured poses, and whether the maker's figures are met.",
+         "robot-performance", "five-poses"},
+        {Topic::points, "Acceptance test of a tracker",
+         "Two-face and length tests against their limits, with the uncertainty of the test.", "tracker-test",
+         "acceptance"}};
     return templates;
 }
 
