@@ -22,6 +22,9 @@
 #include "core/kinds/robot/model.h"
 #include "core/kinds/robot_identification/from_poses_model.h"
 #include "core/kinds/robot_identification/from_trajectories_model.h"
+#include "core/kinds/sheets/models.h"
+#include "core/kinds/sheets/robot_poses_model.h"
+#include "core/kinds/sheets/tracker_tests_model.h"
 
 namespace covaria {
 namespace {
@@ -41,7 +44,8 @@ const std::vector<ModelDescriptor>& model_registry() {
         geometry_from_points_model(), feature_relations_model(),   tcp_from_ballbars_model(),
         robot_pose_model(),           robot_circle_points_model(), robot_calibration_model(),
         force_channels_model(),       force_loads_model(),         measurement_equation_model(),
-        calibration_curve_model(),    group_observations_model()};
+        calibration_curve_model(),    group_observations_model(),  distance_meter_model(),
+        robot_poses_model(),          tracker_tests_model()};
     return models;
 }
 

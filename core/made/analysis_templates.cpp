@@ -330,7 +330,16 @@ const std::vector<AnalysisTemplate>& analysis_templates() {
          "Errors and uncertainty of the channels of a multi-axis sensor.", "force-moment-sensor", "combined"},
         {Topic::equation, "Forces and moments from readings",
          "Loads from the readings of a multi-axis sensor by its calibration matrix.", "force-moment-sensor",
-         "loads"}};
+         "loads"},
+        {Topic::points, "Distance meter on a baseline",
+         "Zero offset and standard deviation of a distance meter, with the tests of ISO 17123-4.",
+         "distance-meter", "zero-offset"},
+        {Topic::robot, "Accuracy and repeatability of a robot",
+         "AP and RP of ISO 9283 from measured poses, and whether the maker's figures are met.",
+         "robot-performance", "five-poses"},
+        {Topic::points, "Acceptance test of a tracker",
+         "Two-face and length tests against their limits, with the uncertainty of the test.", "tracker-test",
+         "acceptance"}};
     return templates;
 }
 

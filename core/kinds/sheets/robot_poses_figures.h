@@ -1,0 +1,56 @@
+// What the cycles of a robot say: barycentres, RP and its law, distances, and which series belong together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/kinds/sheets/repeatability_law.h"
+#include "core/kinds/sheets/robot_poses_setup.h"
+#include "core/text/plot_specification.h"
+#include "core/text/table.h"
+
+namespace covaria::sheets {
+
+struct SeriesFigures {
+    Eigen::Vector3d barycentre = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of a single cycle
+    double rp = 0.0;                                       ///< as ISO 9283 defines it
+    RepeatabilityLaw law;                                  ///< for the cycles and the scatter seen
+    Eigen::Vector3d angles = Eigen::Vector3d::Zero();      ///< mean deviation
+    Eigen::Vector3d s_angles = Eigen::Vector3d::Zero();
+    std::size_t pose = 0;  ///< index of its commanded pose
+    double ap(const PoseSeries& series) const { return (barycentre - series.commanded).norm(); }
+    /// Of AP along its direction, from the scatter of the cycles.
+    double u_ap(const PoseSeries& series) const;
+    /// Mean AP of a robot whose barycentre would be right with infinitely many cycles.
+    double floor_of_ap(const PoseSeries& series) const;
+};
+
+struct DistanceFigures {
+    std::string label;
+    double commanded = 0.0, mean = 0.0, s = 0.0;
+    int cycles = 0;
+};
+
+/// RP of the instrument from a target that does not move.
+struct InstrumentFigures {
+    double rp = 0.0;
+    RepeatabilityLaw law;
+};
+
+struct RobotPosesFigures {
+    std::vector<SeriesFigures> series;
+    std::vector<DistanceFigures> distances;
+    std::optional<InstrumentFigures> instrument;
+    std::vector<std::vector<std::size_t>>
+        directions;                                ///< series of one pose and time from several directions
+    std::vector<std::vector<std::size_t>> drifts;  ///< series of one pose and direction, by rising time
+};
+
+RobotPosesFigures figures_of(const RobotPosesSetup& setup);
+
+std::vector<Table> robot_poses_tables(const RobotPosesSetup& setup, const RobotPosesFigures& figures);
+std::vector<PlotSpecification> robot_poses_plots(const RobotPosesSetup& setup,
+                                                 const RobotPosesFigures& figures);
+
+}  // namespace covaria::sheets
