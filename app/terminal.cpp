@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <set>
 
 #include "core/base/printable.h"
 #include "core/text/numbers.h"
@@ -44,13 +45,16 @@ void print_error(const Error& error) {
 }
 
 void print_problems(const Problems& problems) {
+    static std::set<std::string> warned;
     end_progress_line();
     for (const Problem& p : problems.items()) {
         const char* kind = p.severity == Severity::error ? "error: " : "warning: ";
         const std::string where =
             p.file.empty() ? "" : p.file + (p.line > 0 ? ":" + std::to_string(p.line) : "") + ": ";
         const std::string path = p.path.empty() ? "" : p.path + ": ";
-        std::fprintf(stderr, "%s%s%s%s\n", where.c_str(), kind, path.c_str(), p.message.english().c_str());
+        const std::string line = where + kind + path + p.message.english() + "\n";
+        if (p.severity == Severity::warning && !warned.insert(line).second) continue;
+        std::fputs(line.c_str(), stderr);
     }
 }
 

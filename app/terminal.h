@@ -11,7 +11,8 @@ namespace covaria {
 
 /// "covaria: FILE:LINE: /json/path: message"
 void print_error(const Error& error);
-/// One line per problem, as "FILE:LINE: error: /json/path: message".
+/// One line per problem, as "FILE:LINE: error: /json/path: message". A warning that has been printed is not
+/// printed again: a table of values reads the same project for each row.
 void print_problems(const Problems& problems);
 void print_message(const std::string& message);
 

@@ -61,13 +61,25 @@ std::string with_guess(const std::string& sentence, const std::string& meant) {
     return meant.empty() ? sentence : sentence + " (did you mean '" + meant + "'?)";
 }
 
-/// "; it is an option of 'report' and 'compare'": of a name that other commands know.
-std::string where_it_is(const std::string& name, const CLI::App& app) {
+std::vector<std::string> commands_with(const std::string& name, const CLI::App& app) {
     std::vector<std::string> having;
     for (const CLI::App* command : commands_of(app))
         if (is_among(name, options_of(*command))) having.push_back(command->get_name());
-    if (having.empty()) return {};
-    return "; it is an option of " + listed(having);
+    if (is_among(name, options_of(app))) having.push_back(app.get_name());
+    return having;
+}
+
+/// "; it is an option of 'report' and 'compare'": of a name that other commands know, or one like it.
+std::string where_it_is(const std::string& name, const CLI::App& app) {
+    if (const auto having = commands_with(name, app); !having.empty())
+        return "; it is an option of " + listed(having);
+    constexpr std::size_t telling = 6;  // of fewer letters others are near by chance
+    std::vector<std::string> all = options_of(app);
+    for (const CLI::App* command : commands_of(app))
+        for (const std::string& option : options_of(*command)) all.push_back(option);
+    const std::string meant = name.size() < telling ? std::string() : guess(name, all);
+    if (meant.empty()) return {};
+    return "; " + in_quotes(meant) + " is an option of " + listed(commands_with(meant, app));
 }
 
 std::string no_option(const std::string& word, const std::string& name, const CLI::App& app,

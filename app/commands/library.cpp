@@ -1,7 +1,9 @@
 // covaria library: the assets that can be copied into projects.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <sstream>
 
 #include "app/asset_picture.h"
 #include "app/commands/commands.h"
@@ -22,6 +24,32 @@ int tell_problems(const Library& library) {
     return library.problems.has_errors() ? exit_bad_input : exit_success;
 }
 
+/// For words that nothing has, those of names and kinds that are nearest: " (did you mean 'leica'?)".
+std::string words_meant(const Library& library, const std::string& words) {
+    std::vector<std::string> known;
+    for (const LibraryItem& item : library.items) {
+        std::istringstream texts(item.asset.id + ' ' + item.asset.name + ' ' + item.collection);
+        for (std::string word; texts >> word;) known.push_back(word);
+        std::string id = item.asset.id;
+        std::replace(id.begin(), id.end(), '-', ' ');
+        std::istringstream parts(id);
+        for (std::string word; parts >> word;) known.push_back(word);
+    }
+    std::string meant;
+    bool is_other = false;
+    std::istringstream wanted(words);
+    for (std::string word; wanted >> word;) {
+        const bool is_known = std::any_of(library.items.begin(), library.items.end(), [&](const auto& item) {
+            return has_words(searched_texts(item), word);
+        });
+        const std::string near = is_known ? word : nearest_name(word, known);
+        if (near.empty()) return {};
+        is_other = is_other || near != word;
+        meant += (meant.empty() ? "" : " ") + near;
+    }
+    return is_other ? " (did you mean '" + meant + "'?)" : std::string();
+}
+
 int list_library(const std::string& words) {
     const Library library = load_library();
     std::string collection;
@@ -39,8 +67,8 @@ int list_library(const std::string& words) {
             "Own collections are project files in %s\n",
             own_library_folder().c_str());
     else if (!any)
-        print_message("nothing in the library has the words \"" + words +
-                      "\"; \"covaria library list\" shows all of it");
+        print_message("nothing in the library has the words \"" + words + "\"" + words_meant(library, words) +
+                      "; \"covaria library list\" shows all of it");
     const int status = tell_problems(library);
     return any || words.empty() ? status : exit_bad_input;
 }

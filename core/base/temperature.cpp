@@ -17,25 +17,25 @@ Message reading_objection(const Unit& given, const Unit& expected) {
         "difference: give both in %1, or both in %2">(given.display(), expected.display());
 }
 
-Message factor_objection(const Message& reading, const std::string& written) {
+Message factor_objection(const Message& reading, const std::string& written, const Unit& scale) {
     return tell<
-        "%1 is a temperature in degC, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a "
-        "difference, give it in K; for its reading in degC write (%2 - 0 [degC]). Only the ratio of two "
-        "temperatures in degC is taken in kelvin">(reading, written);
+        "%1 is a temperature in %3, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a "
+        "difference, give it in %4; for its reading in %3 write (%2 - 0 [%3]). Only the ratio of two "
+        "temperatures in %3 is taken in kelvin">(reading, written, scale.text(), scale.interval().text());
 }
 
-Message multiple_objection(const Message& multiple) {
+Message multiple_objection(const Message& multiple, const Unit& scale) {
     return tell<
-        "%1 is a multiple of a temperature in degC, which depends on where the scale has its zero: if the "
-        "temperature is a difference, give it in K; else multiply its reading, as in 1.5*(t - 0 [degC])">(
-        multiple);
+        "%1 is a multiple of a temperature in %2, which depends on where the scale has its zero: if the "
+        "temperature is a difference, give it in %3; else multiply its reading, as in 1.5*(t - 0 [%2])">(
+        multiple, scale.text(), scale.interval().text());
 }
 
 Message part_objection(const Unit& of_value) {
     if (!of_value.has_offset()) return {};
     return tell<
         "a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: "
-        "give the figure in K">(of_value.display());
+        "give the figure in %2">(of_value.display(), of_value.interval().display());
 }
 
 Message taken_objection(const TakenTemperature& taken, const TakenTemperature& taker) {

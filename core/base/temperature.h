@@ -1,7 +1,8 @@
 // Temperature is not a difference of temperatures: the one rule for what may be done with either.
 //
-// A unit with a zero of its own (degC) states a reading on its scale. K states a difference of temperatures
-// or a thermodynamic temperature, so a reading may be given in K, but a difference never in degC. Of readings
+// A unit with a zero of its own (degC, degF) states a reading on its scale. K (and degR, the interval of
+// degF) states a difference of temperatures or a thermodynamic temperature, so a reading may be given in K,
+// but a difference never in degC. Of readings
 // there are the difference of two, the ratio of two (in kelvin), the mean, and one shifted by a difference.
 // Everything else would depend on where the scale has its zero. Equations, statements, links, limits,
 // studies, designs and imports ask here.
@@ -33,10 +34,10 @@ bool is_reading_for_difference(const Unit& given, const Unit& expected);
 Message reading_objection(const Unit& given, const Unit& expected);
 
 /// Of a reading in a product, a quotient, a power or a function that would take it in kelvin. `written` is
-/// how an equation has it: "t".
-Message factor_objection(const Message& reading, const std::string& written);
+/// how an equation has it: "t"; `scale` its unit.
+Message factor_objection(const Message& reading, const std::string& written, const Unit& scale);
 /// Of a multiple of a reading ("1.001*t"): it has no place on the scale.
-Message multiple_objection(const Message& multiple);
+Message multiple_objection(const Message& multiple, const Unit& scale);
 /// Why no part of a value in this unit can be stated (in %, ppm), nor a multiple of it be taken; empty: it
 /// can.
 Message part_objection(const Unit& of_value);

@@ -35,12 +35,12 @@ tl::unexpected<Error> malformed(std::string_view text, Message what) {
 }
 
 /// Signs people type, in the plain letters the parser reads. "°C" needs no entry: "deg" + "C".
-constexpr std::array<std::pair<std::string_view, std::string_view>, 22> signs{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 23> signs{
     {{"\u00B5", "u"},      {"\u03BC", "u"},      {"\u03A9", "ohm"},  {"\u2126", "ohm"}, {"\u00B0", "deg"},
      {"\u2032", "arcmin"}, {"\u2033", "arcsec"}, {"\u2103", "degC"}, {"\u00B7", "*"},   {"\u22C5", "*"},
      {"\u00D7", "*"},      {"\u2212", "-"},      {"\u207B", "-"},    {"\u00B9", "1"},   {"\u00B2", "2"},
-     {"\u00B3", "3"},      {"\u2074", "4"},      {"\u2075", "5"},    {"\u2076", "6"},   {"\u2077", "7"},
-     {"\u2078", "8"},      {"\u2079", "9"}}};
+     {"\u2109", "degF"},   {"\u00B3", "3"},      {"\u2074", "4"},    {"\u2075", "5"},   {"\u2076", "6"},
+     {"\u2077", "7"},      {"\u2078", "8"},      {"\u2079", "9"}}};
 
 std::string plain_letters(std::string_view text) {
     std::string plain;
@@ -246,7 +246,8 @@ Unit Unit::of(std::string_view text) {
 }
 
 Unit Unit::interval() const {
-    return has_offset() ? of("K") : *this;
+    if (!has_offset()) return *this;
+    return of(numerator_ == denominator_ ? "K" : "degR");
 }
 
 }  // namespace covaria

@@ -78,6 +78,8 @@ constexpr std::array units{
     UnitEntry{"rpm", "rpm", pi, 30, angular_velocity},
     UnitEntry{"K", "K", 1, 1, temperature, all, {"kelvin"}},
     UnitEntry{"degC", "°C", 1, 1, temperature, none, {"celsius"}, 273.15},
+    UnitEntry{"degF", "°F", 5, 9, temperature, none, {"fahrenheit"}, 459.67 * 5.0 / 9.0},
+    UnitEntry{"degR", "°R", 5, 9, temperature, none, {"rankine"}},
     UnitEntry{"s", "s", 1, 1, duration, all, {"second", "sec"}},
     UnitEntry{"min", "min", 60, 1, duration, none, {"minute"}},
     UnitEntry{"h", "h", 3600, 1, duration, none, {"hour"}},

@@ -24,7 +24,7 @@ struct UnitEntry {
     Dimension dimension;
     Prefixes prefixes = Prefixes::none;
     std::array<std::string_view, 3> words = {};  ///< what people call it; the first two may be spellings
-    double offset = 0.0;                         ///< SI value of zero on the scale (degC)
+    double offset = 0.0;                         ///< SI value of zero on the scale (degC, degF)
     /// A name for one kind of quantity only (Bq, Gy): never chosen as the name of a dimension.
     bool one_kind_only = false;
 };

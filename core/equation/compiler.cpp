@@ -214,11 +214,20 @@ private:
         const std::string text = written(reading);
         const auto [known, is_new] = refused_readings_.try_emplace(text, problems_.size());
         if (is_new)
-            refuse(reading.place,
-                   is_multiple ? multiple_objection(used.text) : factor_objection(text_of(reading), text));
+            refuse(reading.place, is_multiple ? multiple_objection(used.text, scale_of(reading))
+                                              : factor_objection(text_of(reading), text, scale_of(reading)));
         if (known->second >= problems_.size()) return;
         problems_[known->second].reading = text;
         problems_[known->second].readings.push_back(reading.place);
+    }
+
+    /// As it is written; degC of what has been computed.
+    Unit scale_of(const Node& reading) const {
+        if (reading.operation == Operation::constant && reading.unit.has_offset()) return reading.unit;
+        const auto known = quantity_.find(reading.text);
+        const bool is_quantity = reading.operation == Operation::symbol && known != quantity_.end();
+        const Unit unit = is_quantity ? symbols_[known->second].unit : Unit();
+        return unit.has_offset() ? unit : Unit::of("degC");
     }
 
     void nodes(std::size_t first, std::size_t last) {

@@ -7,6 +7,7 @@
 #include "core/base/counted_problems.h"
 #include "core/base/file_io.h"
 #include "core/project/table_columns.h"
+#include "core/setup/column_words.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
@@ -67,14 +68,14 @@ private:
         }
         if (column.kind == FieldKind::flag) {
             if (const auto flag = csv_flag(text)) return *flag;
-            report(line, tell<"column '%1': '%2' is neither true nor false">(column.key, text));
+            report(line, tell<"column '%1': '%2' is neither true nor false">(column_title(column), text));
             return {};
         }
         return column.kind == FieldKind::choice ? choice_key(column, text) : text;
     }
 
     Message not_a_number(const ColumnSpec& column, const std::string& text) const {
-        const Message words = tell<"column '%1': '%2' is not a number">(column.key, text);
+        const Message words = tell<"column '%1': '%2' is not a number">(column_title(column), text);
         if (!csv_number(text, !decimal_comma_)) return words;
         std::string right = text;
         std::replace(right.begin(), right.end(), decimal_comma_ ? '.' : ',', decimal_comma_ ? ',' : '.');
@@ -155,6 +156,11 @@ private:
         std::vector<std::size_t> read;  // columns of the file
         const std::vector<std::string> all = headers_in(row);
         const auto columns = match_columns(field_, renamed_headers(all, renamed_, read, found), found);
+        for (std::size_t i = 0; columns && i < field_.columns.size(); ++i)  // the head is in the file
+            if (const ColumnSpec& column = field_.columns[i]; column.kind == FieldKind::number)
+                if (const Message objection = column_unit_objection(field_, column, columns->units[i]);
+                    !objection.empty())
+                    found.error({}, objection);
         for (const Problem& problem : found.items()) out_.problems.add(problem_at(row.line, problem.message));
         if (!columns || found.has_errors()) return;
         out_.table.units = columns->units;

@@ -165,22 +165,25 @@ private:
         if (!objection.empty()) {
             problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
                            objection);
-            add_remedy(inputs.quantities[input], is_reading(from, taken.temperature), problems);
+            add_remedy(inputs.quantities[input],
+                       !is_reading(from, taken.temperature) ? to.interval()
+                       : from.has_offset()                  ? from
+                                                            : Unit::of("degC"),
+                       problems);
             return {};
         }
         return ModelLink{input, *part, *output};
     }
 
     /// The quantity becomes what is taken for it, where the set-up states its unit.
-    void add_remedy(const InputQuantity& quantity, bool as_temperature, Problems& problems) const {
+    void add_remedy(const InputQuantity& quantity, const Unit& unit, Problems& problems) const {
         const AnalysisEntry* entry = project_.find_analysis(path_.back());
         const SetupSchema* schema = entry ? schema_of(*entry) : nullptr;
         if (!schema || !schema->find(&FieldSpec::states_quantities) || quantity.source.empty()) return;
-        const std::string unit = as_temperature ? "degC" : "K";
-        problems.items().back().remedies = {{as_temperature
-                                                 ? tell<"a temperature: %1 in degC">(quantity.symbol)
-                                                 : tell<"a difference: %1 in K">(quantity.symbol),
-                                             {{"/setup" + quantity.source + "/unit", unit}}}};
+        problems.items().back().remedies = {
+            {unit.has_offset() ? tell<"a temperature: %1 in %2">(quantity.symbol, unit.text())
+                               : tell<"a difference: %1 in %2">(quantity.symbol, unit.display()),
+             {{"/setup" + quantity.source + "/unit", unit.text()}}}};
     }
 
     Index upstream(const PlacedLink& placed, Problems& problems) {

@@ -86,7 +86,7 @@ private:
     static std::string name_of(const Json& entry) {
         if (entry.is_object() && entry.contains("id") && entry["id"].is_string()) return entry["id"];
         if (entry.is_array() && !entry.empty() && entry[0].is_string()) return entry[0];
-        return {};
+        return key_of(entry);  // of a column, whose head is a text
     }
 
     Json* at_;

@@ -11,7 +11,8 @@ namespace covaria {
 /// A place in a project file and what is to stand there.
 struct ValueAt {
     /// JSON pointer. A list is also entered by the "id" of an entry, a table's row by its first cell, its
-    /// cell by the column's key: "/analyses/gauge/setup/quantities/rows/l_S/value". Within names '~1' stands
+    /// cell and the head of a column by the column's key: "/analyses/gauge/setup/quantities/rows/l_S/value",
+    /// ".../columns/value". Within names '~1' stands
     /// for '/', '~0' for '~' (RFC 6901).
     std::string pointer;
     std::string

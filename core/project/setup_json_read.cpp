@@ -7,7 +7,9 @@
 #include "core/project/json_location.h"
 #include "core/project/setup_json.h"
 #include "core/project/table_columns.h"
+#include "core/project/what_to_write.h"
 #include "core/quantity/distribution.h"
+#include "core/setup/column_words.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
@@ -96,9 +98,11 @@ private:
             if (auto cell = read_cell(row[i], column.kind))
                 cells[columns.target[i]] = *cell;
             else
-                refuse(tell<"'%1' in row %2 of %3 must be %4, not %5">(
-                           column.key, index + 1, title(), cell_words(column.kind), json_words(row[i])),
-                       place + "/" + column.key);
+                refuse(
+                    tell<"'%1' in row %2 of %3 must be %4, not %5: %6">(
+                        column_title(column), index + 1, title(), cell_words(column.kind), json_words(row[i]),
+                        cell_to_write(row[i], column.kind, columns.units[columns.target[i]])),
+                    place + "/" + column.key);
         }
         return cells;
     }
@@ -203,7 +207,8 @@ private:
                 title(), dimension_words(field_.unit), shortest_number(value.get<double>()),
                 field_.unit.text()));
         if (!value.is_object())
-            return refuse(tell<"%1 must be a number, not %2">(title(), json_words(value)));
+            return refuse(tell<"%1 must be a number, not %2: %3">(title(), json_words(value),
+                                                                  number_to_write(value, field_.unit)));
         const auto quantity = quantity_from(value, path_, context_.problems);
         return quantity ? SetupValue(*quantity) : SetupValue{};
     }
@@ -228,7 +233,8 @@ private:
 
     SetupValue flag(const Json& value) {
         if (!value.is_boolean())
-            return refuse(tell<"%1 must be true or false, not %2">(title(), json_words(value)));
+            return refuse(tell<"%1 must be true or false, not %2: %3">(
+                title(), json_words(value), cell_to_write(value, FieldKind::flag, Unit())));
         return value.get<bool>();
     }
 

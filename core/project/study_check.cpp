@@ -119,18 +119,19 @@ private:
         }
         if (target.kind == Kind::estimate && !inputs_) return;
         const std::string unit_place = path + at(&StudyAxis::unit);
-        const Message in_kelvin = tell<"a difference: %1 in K">(target.title.message());
         if (axis.change == StudyChange::added && is_reading(axis.unit)) {
-            problems_.error(unit_place, tell<"a difference of temperatures is given in K">());
+            const Unit interval = axis.unit.interval();
+            problems_.error(unit_place,
+                            tell<"a difference of temperatures is given in %1">(interval.display()));
             problems_.items().back().remedies =
-                remedies_as_difference(in_kelvin, axis.unit, Unit::of("K"), unit_place);
+                remedies_as_difference(target.title.message(), axis.unit, interval, unit_place);
             return;
         }
         const Message objection = unit_objection(target.title.message(), {axis.from, axis.unit}, target.unit);
         if (!objection.empty() && std::isfinite(axis.from)) {
             problems_.error(unit_place, objection);
             problems_.items().back().remedies =
-                remedies_as_difference(in_kelvin, axis.unit, target.unit, unit_place);
+                remedies_as_difference(target.title.message(), axis.unit, target.unit, unit_place);
         }
     }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/project/object_reader.h"
+#include "core/setup/column_words.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
@@ -42,14 +43,13 @@ Unit column_unit(const FieldSpec& table, const ColumnSpec& column, const std::st
     if (!is_number(column)) {
         if (!text.empty() && text != "1")
             problems.error(path, tell<"column '%1' of '%2' has no unit; it is not a measured number">(
-                                     column.key, Message::declared(table.title)));
+                                     column_title(column), Message::declared(table.title)));
         return {};
     }
     const std::size_t before = problems.items().size();
     const Unit unit = text.empty() ? Unit{} : unit_from(text, path, problems);
-    if (problems.items().size() > before) return unit;
-    const Message objection = column_unit_objection(table, column, unit);
-    if (!objection.empty()) problems.error(path, objection);
+    if (problems.items().size() > before || unit.dimension() == column.unit.dimension()) return unit;
+    problems.error(path, column_unit_objection(table, column, unit));
     return unit;
 }
 

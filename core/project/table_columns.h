@@ -16,8 +16,9 @@ struct TableColumns {
 };
 
 /// Matches headers (key or title, a unit in brackets) with the columns of `table`, in any order. Optional
-/// columns may be missing. Empty after an error: unknown, repeated or missing column, missing or wrong unit.
-/// Paths: "/columns/2".
+/// columns may be missing. Empty after an error: unknown, repeated or missing column, missing unit or one of
+/// another dimension. Paths: "/columns/2". Whether a temperature stands for a difference is left to the check
+/// of the set-up, which knows the way out.
 std::optional<TableColumns> match_columns(const FieldSpec& table, const std::vector<std::string>& headers,
                                           Problems& problems);
 

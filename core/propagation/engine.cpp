@@ -149,18 +149,25 @@ Result<UncertaintyResult> Evaluation::run() {
 
 /// A sensitivity coefficient of one side of a kink is none: the trials know both.
 void Evaluation::warn_about_derivatives() {
-    std::vector<Message> without, bent;
-    const std::vector<bool> kinks = outputs_with_kink(model_, inputs_, law_);
+    std::vector<Message> without, bent, rounded;
+    const DoubtfulCoefficients doubtful = doubtful_coefficients(model_, inputs_, law_);
     for (std::size_t j = 0; j < result_.outputs.size(); ++j) {
         const Message name = symbol_in_group(result_.outputs[j].quantity);
         if (!law_.differentiable[j]) without.push_back(name);
-        if (kinks[j]) bent.push_back(name);
-        if (kinks[j] && options_.method != Method::first_order) withdraw_first_order(j);
+        if (doubtful.is_rounding[j]) rounded.push_back(name);
+        if (doubtful.has_kink[j]) bent.push_back(name);
+        if (doubtful.has_kink[j] && options_.method != Method::first_order) withdraw_first_order(j);
     }
     if (!without.empty())
         result_.warnings.push_back(
             tell<"Monte Carlo answers alone for %1: the measurement model has no sensitivity coefficients at "
                  "the estimates of its input quantities.">(in_a_row(without)));
+    if (!rounded.empty())
+        result_.warnings.push_back(
+            tell<"The figures of the set-up are too far apart in size for %1: the last digits of the "
+                 "estimates "
+                 "change its sensitivity coefficients by more than a tenth. Give coordinates from a place "
+                 "nearby.">(in_a_row(rounded)));
     if (bent.empty()) return;
     if (options_.method == Method::first_order)
         result_.warnings.push_back(

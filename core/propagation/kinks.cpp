@@ -13,6 +13,9 @@ constexpr std::array<double, 2> kink_distances{1e-5, 1e-6};  // in standard unce
 constexpr double noticeable_jump = 1e-3;
 /// A curve's difference falls with the distance, or with its root at the ends of a domain.
 constexpr double jump_stays = 0.7;
+constexpr double last_digits = 1e-15;    // relative change of the estimates that means nothing
+constexpr double mostly_rounding = 0.1;  // of the uncertainty, in the change that this makes
+constexpr double above_rounding = 10.0;  // a jump of less may be one of the last digits
 
 /// Of each output: contributions c u of the quantities.
 Result<Eigen::MatrixXd> contributions_at(const MeasurementModel& model, const Eigen::VectorXd& x,
@@ -26,11 +29,11 @@ Result<Eigen::MatrixXd> contributions_at(const MeasurementModel& model, const Ei
 
 }  // namespace
 
-std::vector<bool> outputs_with_kink(const MeasurementModel& model, const InputSet& inputs,
-                                    const LawOfPropagation& law) {
+DoubtfulCoefficients doubtful_coefficients(const MeasurementModel& model, const InputSet& inputs,
+                                           const LawOfPropagation& law) {
     const auto outputs = static_cast<std::size_t>(law.estimate.size());
-    std::vector<bool> kinks(outputs, false);
-    if (outputs * inputs.quantities.size() > affordable_numbers || !law.is_differentiable()) return kinks;
+    DoubtfulCoefficients found{std::vector<bool>(outputs, false), std::vector<bool>(outputs, false)};
+    if (outputs * inputs.quantities.size() > affordable_numbers || !law.is_differentiable()) return found;
     Eigen::VectorXd u(law.inputs.size()), direction(law.inputs.size());
     for (Eigen::Index i = 0; i < u.size(); ++i) {
         constexpr double golden = 0.6180339887498949;
@@ -43,18 +46,25 @@ std::vector<bool> outputs_with_kink(const MeasurementModel& model, const InputSe
     for (std::size_t k = 0; k < kink_distances.size(); ++k) {
         const auto above = contributions_at(model, law.inputs + kink_distances[k] * direction, u);
         const auto below = contributions_at(model, law.inputs - kink_distances[k] * direction, u);
-        if (!above || !below) return kinks;
+        if (!above || !below) return found;
         jumps[k] = (*above - *below).cwiseAbs();
         size = size.cwiseMax(above->rowwise().norm()).cwiseMax(below->rowwise().norm());
     }
+    const auto here = contributions_at(model, law.inputs, u);
+    const auto beside = contributions_at(model, (1.0 + last_digits) * law.inputs, u);
+    if (!here || !beside) return found;
+    const Eigen::VectorXd rounding = (*here - *beside).cwiseAbs().rowwise().maxCoeff();
     for (std::size_t j = 0; j < outputs; ++j) {
         const auto row = static_cast<Eigen::Index>(j);
-        for (Eigen::Index i = 0; i < u.size(); ++i) {
+        found.is_rounding[j] = rounding(row) > mostly_rounding * size(row);
+        for (Eigen::Index i = 0; i < u.size() && !found.is_rounding[j]; ++i) {
             const double far = jumps[0](row, i), near = jumps[1](row, i);
-            if (near > noticeable_jump * size(row) && near > jump_stays * far) kinks[j] = true;
+            if (near > noticeable_jump * size(row) && near > jump_stays * far &&
+                near > above_rounding * rounding(row))
+                found.has_kink[j] = true;
         }
     }
-    return kinks;
+    return found;
 }
 
 }  // namespace covaria::detail

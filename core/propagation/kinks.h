@@ -1,4 +1,4 @@
-// Outputs that bend sharply where the law of propagation looks at them.
+// Outputs whose sensitivity coefficients mean nothing where the law of propagation takes them.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,18 @@
 
 namespace covaria::detail {
 
-/// By output: whether its sensitivity coefficients on both sides of the estimates stay different however near
-/// they are taken (|x| at 0, max(a, b) at a = b). Looked for along one line through the estimates that is
-/// parallel to no component. Of large models nothing is known: all false.
-std::vector<bool> outputs_with_kink(const MeasurementModel& model, const InputSet& inputs,
-                                    const LawOfPropagation& law);
+/// By output.
+struct DoubtfulCoefficients {
+    /// Those on both sides of the estimates stay different however near they are taken (|x| at 0, max(a, b)
+    /// at a = b).
+    std::vector<bool> has_kink;
+    /// The last digits of the estimates change them by more than a tenth: what is left is rounding.
+    std::vector<bool> is_rounding;
+};
+
+/// Looked for along one line through the estimates that is parallel to no component. Of large models nothing
+/// is known: all false.
+DoubtfulCoefficients doubtful_coefficients(const MeasurementModel& model, const InputSet& inputs,
+                                           const LawOfPropagation& law);
 
 }  // namespace covaria::detail

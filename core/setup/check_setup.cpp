@@ -4,6 +4,7 @@
 
 #include "core/base/in_quotes.h"
 #include "core/base/temperature.h"
+#include "core/setup/column_words.h"
 #include "core/setup/difference_remedy.h"
 #include "core/setup/message_text.h"
 #include "core/setup/setup_schema.h"
@@ -48,8 +49,8 @@ Message unit_problem(const Title& title, const Quantity& given, const Unit& expe
                                                 dimension_words(given.unit));
     }
     if (is_reading_for_difference(given.unit, expected))
-        return tell<"%1 is a difference of temperatures: give it in K, not in %2">(in_quotes(title()),
-                                                                                   given.unit.text());
+        return tell<"%1 is a difference of temperatures: give it in %2, not in %3">(
+            in_quotes(title()), given.unit.interval().display(), given.unit.display());
     return {};
 }
 
@@ -173,6 +174,8 @@ private:
             const Message objection = column_unit_objection(field_, column, table_.units[i]);
             if (objection.empty()) continue;
             problems_.error(place + "/columns", objection);
+            if (table_.csv_file.empty())  // its head is in the project
+                problems_.items().back().remedies = remedies_as_difference(column, table_.units[i], place);
             fit = false;
         }
         return fit;
@@ -259,16 +262,17 @@ Message unit_objection(const Message& title, const Quantity& given, const Unit& 
 
 Message column_unit_objection(const FieldSpec& table, const ColumnSpec& column, const Unit& unit) {
     const Message of = Message::declared(table.title);
+    const Message title = column_title(column);
     if (unit.dimension() != column.unit.dimension()) {
         const Message expected = dimension_words(column.unit);
-        return unit == Unit{} ? tell<"column '%1' of '%2' is %3; its unit is missing: write \"%1 [%4]\"">(
-                                    column.key, of, expected, column.unit.text())
+        return unit == Unit{} ? tell<"column '%1' of '%2' is %3; its unit is missing: write \"%4 [%5]\"">(
+                                    title, of, expected, column.key, column.unit.text())
                               : tell<"column '%1' of '%2' is %3; '%4' is the unit of %5">(
-                                    column.key, of, expected, unit.text(), dimension_words(unit));
+                                    title, of, expected, unit.text(), dimension_words(unit));
     }
     if (is_reading_for_difference(unit, column.unit))
-        return tell<"column '%1' of '%2' is a difference of temperatures: give it in K, not in %3">(
-            column.key, of, unit.text());
+        return tell<"column '%1' of '%2' is a difference of temperatures: give it in %3, not in %4">(
+            title, of, unit.interval().display(), unit.display());
     return {};
 }
 

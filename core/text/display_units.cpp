@@ -28,11 +28,12 @@ const Unit& DisplayUnits::of(const Unit& unit) const {
 
 std::vector<Unit> DisplayUnits::choices(const Unit& unit) {
     static constexpr std::array usual{
-        "m",      "cm",     "mm", "um", "nm",    "in",  "ft",  "thou", "rad",  "mrad", "urad", "deg", "gon",
-        "arcmin", "arcsec", "N",  "kN", "mN",    "lbf", "N*m", "N*mm", "K",    "mK",   "degC", "d",   "h",
-        "min",    "s",      "ms", "us", "kg",    "g",   "mg",  "lb",   "V",    "mV",   "uV",   "A",   "mA",
-        "ohm",    "kohm",   "L",  "mL", "Pa",    "kPa", "MPa", "bar",  "psi",  "Hz",   "kHz",  "mol", "mmol",
-        "W",      "mW",     "J",  "kJ", "rad/s", "rpm", "m/s", "km/h", "mV/V", "1/K",  "%",    "ppm"};
+        "m",   "cm",   "mm",     "um",     "nm",  "in",   "ft",   "thou", "rad",  "mrad", "urad",
+        "deg", "gon",  "arcmin", "arcsec", "N",   "kN",   "mN",   "lbf",  "N*m",  "N*mm", "K",
+        "mK",  "degC", "degF",   "d",      "h",   "min",  "s",    "ms",   "us",   "kg",   "g",
+        "mg",  "lb",   "V",      "mV",     "uV",  "A",    "mA",   "ohm",  "kohm", "L",    "mL",
+        "Pa",  "kPa",  "MPa",    "bar",    "psi", "Hz",   "kHz",  "mol",  "mmol", "W",    "mW",
+        "J",   "kJ",   "rad/s",  "rpm",    "m/s", "km/h", "mV/V", "1/K",  "%",    "ppm"};
     std::vector<Unit> units;
     for (const char* text : usual) {
         const Result<Unit> candidate = Unit::parse(text);

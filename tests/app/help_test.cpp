@@ -177,6 +177,8 @@ TEST(Help, MistypedCommandsAndOptionsAreGuessed) {
         {{"library", "show", "leica-at500", "--pciture", "a.png"}, "did you mean '--picture'"},
         {{"validate", gauge, "--format", "pdf"}, "it is an option of 'run'"},
         {{"--langauge", "de"}, "did you mean '--language'"},
+        {{"report", gauge, "--langage", "de"}, "'--language' is an option of 'covaria'"},
+        {{"validate", gauge, "--certifcate"}, "'--certificate' is an option of "},
         {{"run", gauge, "--qqqqqqqq"}, "\"covaria run --help\" lists its options"},
         {{"frobnicate"}, "covaria has no command 'frobnicate'"}};
     for (const auto& [words, said] : cases) {
@@ -193,6 +195,10 @@ TEST(Help, MistypedCommandsAndOptionsAreGuessed) {
     EXPECT_NE(run_program({"run", gauge, "--trials", "-5"}).err.find("'-5' is not a whole number"),
               std::string::npos);
     EXPECT_NE(run_program({"nowhere.covaria"}).err.find("nowhere.covaria"), std::string::npos);
+    const Outcome search = run_program({"library", "search", "laica", "at500"});
+    EXPECT_EQ(search.status, 1);
+    EXPECT_NE(search.err.find("(did you mean 'leica at500'?)"), std::string::npos) << search.err;
+    EXPECT_EQ(run_program({"library", "search", "qqqqqq"}).err.find("did you mean"), std::string::npos);
     EXPECT_EQ(run_program({"describe", "spherical-instrumnet"}).status, 1);
     EXPECT_NE(
         run_program({"describe", "spherical-instrumnet"}).err.find("did you mean 'spherical-instrument'"),

@@ -78,27 +78,29 @@ const StatedComponent* first_row(const StatedEquations& stated, const std::strin
     return found == stated.components.end() ? nullptr : &*found;
 }
 
-/// As a difference, and as a thermodynamic temperature: all rows of the quantity in K.
+/// As a difference, and as a thermodynamic temperature: all rows of the quantity in K (in degR, where they
+/// are in degF).
 void add_remedies_of_quantity(const StatedEquations& stated, const std::string& symbol, const Unit& unit,
                               std::vector<Remedy>& remedies) {
-    Remedy difference{tell<"a difference: %1 in K">(symbol), {}};
-    Remedy thermodynamic{tell<"a thermodynamic temperature: %1 in K">(symbol), {}};
+    const Unit interval = unit.interval();
+    Remedy difference{tell<"a difference: %1 in %2">(symbol, interval.display()), {}};
+    Remedy thermodynamic{tell<"a thermodynamic temperature: %1 in %2">(symbol, interval.display()), {}};
     bool has_limits = false;
     for (std::size_t row = 0; row < stated.components.size(); ++row) {
         const StatedComponent& component = stated.components[row];
         if (plain_symbol(component.symbol) != symbol) continue;
         has_limits = has_limits || component.statement == "limits";
-        const auto put_in_kelvin = [&](std::string StatedComponent::*column) {
+        const auto take_zero_away = [&](std::string StatedComponent::*column) {
             const Result<Unit> typed = Unit::parse(component.*column);
             if (!typed || !typed->has_offset()) return;
             for (Remedy* remedy : {&difference, &thermodynamic})
-                remedy->values.push_back(cell(row, column, std::string("K")));
+                remedy->values.push_back(cell(row, column, typed->interval().text()));
         };
-        put_in_kelvin(&StatedComponent::unit);
-        put_in_kelvin(&StatedComponent::stated_unit);
+        take_zero_away(&StatedComponent::unit);
+        take_zero_away(&StatedComponent::stated_unit);
+        const double from_zero = interval.from_si(unit.to_si(component.value.value_or(0.0)));
         if (component.value)
-            thermodynamic.values.push_back(
-                cell(row, &StatedComponent::value, without_tail(unit.to_si(*component.value))));
+            thermodynamic.values.push_back(cell(row, &StatedComponent::value, without_tail(from_zero)));
     }
     remedies.push_back(std::move(difference));
     const bool is_observed =
@@ -111,17 +113,22 @@ std::vector<Remedy> remedies_of(const equation::TextProblem& problem, const Stat
     std::vector<Remedy> remedies;
     if (problem.reading.empty()) return remedies;
     const std::string& reading = problem.reading;
-    const auto shift = [](const std::string& text) { return "(" + text + " - 0 [degC])"; };
     if (reading.ends_with(']')) {  // a number with its unit, which is written as a difference instead
-        const std::string in_kelvin = reading.substr(0, reading.find(" [")) + " [K]";
-        remedies.push_back({tell<"a difference: %1">(in_kelvin),
-                            rewritten(stated, problem.readings, [&](const auto&) { return in_kelvin; })});
+        const std::size_t behind = reading.find(" [");
+        const std::string typed = reading.substr(behind + 2, reading.size() - behind - 3);
+        const Unit interval = Unit::parse(typed).value_or(Unit::of("K")).interval();
+        const std::string difference = reading.substr(0, behind) + " [" + interval.text() + "]";
+        remedies.push_back({tell<"a difference: %1">(difference),
+                            rewritten(stated, problem.readings, [&](const auto&) { return difference; })});
         return remedies;
     }
     const StatedComponent* row = first_row(stated, reading);
     const Result<Unit> unit = row ? Unit::parse(row->unit) : Result<Unit>(Unit());
-    if (row && unit && unit->has_offset()) add_remedies_of_quantity(stated, reading, *unit, remedies);
-    Remedy on_scale{tell<"its reading in degC: %1 - 0 [degC]">(reading),
+    const bool is_stated = row && unit && unit->has_offset();
+    if (is_stated) add_remedies_of_quantity(stated, reading, *unit, remedies);
+    const std::string scale = is_stated ? unit->text() : "degC";
+    const auto shift = [&](const std::string& text) { return "(" + text + " - 0 [" + scale + "])"; };
+    Remedy on_scale{tell<"its reading in %2: %1 - 0 [%2]">(reading, scale),
                     rewritten(stated, problem.readings, shift)};
     remedies.insert(remedies.begin() + (remedies.empty() ? 0 : 1), std::move(on_scale));
     return remedies;
@@ -146,17 +153,18 @@ std::vector<Remedy> remedies_for_part(const StatedEquations& stated, std::size_t
     const double further = component.statement == "mpe" ? component.b.value_or(0.0) / 100.0 : 0.0;
     if (!is_part && further == 0.0) return {};
     const double reading = std::abs(unit.from_si(estimate));
+    const Unit interval = unit.interval();
     const auto figure = [&](double part) {  // in K, or in the unit in which it is typed
         return without_tail(is_part ? reading * typed->interval_to_si(part)
-                                    : part + typed->interval_from_si(reading * further));
+                                    : part + typed->interval_from_si(interval.to_si(reading * further)));
     };
     const double a = without_tail(figure(*component.a) + (is_part ? reading * further : 0.0));
-    const double in_kelvin = is_part ? a : typed->interval_to_si(a);
-    Remedy remedy{tell<"a part of its reading in degC: %1 K">(readable_number(in_kelvin)),
+    const double in_interval = without_tail(is_part ? a : interval.from_si(typed->interval_to_si(a)));
+    Remedy remedy{tell<"a part of its reading in %1: %2">(unit.text(), quantity_words(in_interval, interval)),
                   {cell(row, &StatedComponent::a, a)}};
     if (further != 0.0) remedy.values.push_back(cell(row, &StatedComponent::b, std::monostate()));
     if (!is_part) return {remedy};
-    remedy.values.push_back(cell(row, &StatedComponent::stated_unit, std::string("K")));
+    remedy.values.push_back(cell(row, &StatedComponent::stated_unit, interval.text()));
     if (kind->b_has_unit && !kind->b.empty() && component.b)
         remedy.values.push_back(cell(row, &StatedComponent::b, figure(*component.b)));
     return {remedy};
@@ -172,11 +180,12 @@ std::vector<Remedy> remedies_for_statement(const StatedEquations& stated, std::s
         !is_reading_for_difference(*typed, unit))
         return {};
     const std::string symbol = plain_symbol(component.symbol);
-    std::vector<Remedy> remedies{{tell<"a difference: %1 in K">(symbol),
-                                  {cell(row, &StatedComponent::stated_unit, std::string("K"))}}};
+    const Unit interval = typed->interval();
+    std::vector<Remedy> remedies{{tell<"a difference: %1 in %2">(symbol, interval.display()),
+                                  {cell(row, &StatedComponent::stated_unit, interval.text())}}};
     if (first_row(stated, symbol) == &component)
-        remedies.push_back({tell<"a temperature: %1 in degC">(symbol),
-                            {cell(row, &StatedComponent::unit, std::string("degC"))}});
+        remedies.push_back({tell<"a temperature: %1 in %2">(symbol, typed->text()),
+                            {cell(row, &StatedComponent::unit, typed->text())}});
     return remedies;
 }
 

@@ -36,7 +36,7 @@ public:
                          : setup_.between == Between::components
                              ? tell<"components of variance between and within the groups">()
                              : tell<"scatter of all observations">();
-        component.unit = setup_.unit.to_si(0.0) == 0.0 ? setup_.unit : Unit::of("K");
+        component.unit = setup_.unit.interval();
         component.distribution = Distribution::of(StudentT{0.0, variances_.u, variances_.degrees_of_freedom});
         component.type = EvaluationType::type_a;
         component.degrees_of_freedom = variances_.degrees_of_freedom;

@@ -103,7 +103,7 @@ private:
 };
 
 Unit deviation_unit(const Unit& unit) {
-    return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
+    return unit.interval();
 }
 
 Table groups_table(const GroupSetup& setup) {

@@ -44,6 +44,21 @@ TEST(Unit, AnglesAreFractionsOfPi) {
     EXPECT_NE(Unit::of("deg").dimension(), Unit::of("mm").dimension());
 }
 
+TEST(Unit, FahrenheitHasAnIntervalOfItsOwn) {
+    const Unit fahrenheit = Unit::of("°F");
+    EXPECT_EQ(fahrenheit, Unit::of("degF"));
+    EXPECT_EQ(fahrenheit, Unit::of("℉"));
+    for (const auto& [f, k] : {std::pair(-459.67, 0.0), {32.0, 273.15}, {68.0, 293.15}, {212.0, 373.15}}) {
+        EXPECT_NEAR(fahrenheit.to_si(f), k, 1e-12);
+        EXPECT_NEAR(fahrenheit.from_si(k), f, 1e-12);
+    }
+    EXPECT_TRUE(fahrenheit.has_offset());
+    EXPECT_EQ(fahrenheit.interval(), Unit::of("degR"));
+    EXPECT_FALSE(Unit::of("degR").has_offset());
+    EXPECT_DOUBLE_EQ(fahrenheit.interval().to_si(9.0), 5.0);
+    EXPECT_DOUBLE_EQ(Unit::of("1/degF").to_si(5.0), 9.0);
+}
+
 TEST(Unit, CelsiusHasAnOffsetOnlyByItself) {
     const Unit celsius = Unit::of("degC");
     EXPECT_DOUBLE_EQ(celsius.to_si(20.0), 293.15);

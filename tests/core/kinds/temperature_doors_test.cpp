@@ -8,7 +8,9 @@
 
 #include "core/base/temperature.h"
 #include "core/kinds/registries.h"
+#include "core/project/csv_table.h"
 #include "core/project/remedies.h"
+#include "core/project/set_values.h"
 #include "core/quantity/statement.h"
 #include "tests/core/made.h"
 
@@ -219,6 +221,11 @@ void expect_of(const Door& door, const std::string& unit, double expected) {
     EXPECT_NEAR(door.of_u ? found.u : found.estimate, expected, 1e-12 * std::abs(expected)) << where;
 }
 
+void expect_taken(const Door& door, const std::string& unit, bool taken) {
+    const Found found = found_in(project_of(replaced(door.analyses, "@", unit)));
+    EXPECT_EQ(found.objection.empty(), taken) << door.name << " with " << unit << ": " << found.objection;
+}
+
 TEST(TemperatureDoors, EachTakesATemperatureOrADifferenceForWhatItIs) {
     std::size_t doors = 0;
     for (const auto& some :
@@ -227,6 +234,10 @@ TEST(TemperatureDoors, EachTakesATemperatureOrADifferenceForWhatItIs) {
             ++doors;
             for (const char* unit : {"degC", "°C", "℃"}) expect_of(door, unit, door.in_celsius);
             expect_of(door, "K", door.in_kelvin);
+            // The other scale, and its interval: taken and refused as these.
+            for (const char* unit : {"degF", "°F", "℉"})
+                expect_taken(door, unit, !std::isnan(door.in_celsius));
+            expect_taken(door, "degR", !std::isnan(door.in_kelvin));
         }
     EXPECT_GT(doors, 40u);
 }
@@ -357,14 +368,61 @@ TEST(TemperatureDoors, OneClickLeadsOut) {
          R"("requirements": [{"symbol": "y", "lowerLimit": {"value": 1, "unit": "K"}, "priorMean": {"value": 20, "unit": "degC"}, "priorStandardDeviation": {"value": 1, "unit": "K"}}])",
          R"("inputs": [{"symbol": "t", "estimate": {"value": 20, "unit": "degC"}}])",
          R"("studies": [{"id": "s", "axes": [{"target": "/inputs/t/estimate", "from": 18, "to": 22, "unit": "degC"}]}])",
-         R"("studies": [{"id": "s", "axes": [{"target": "/inputs/t/estimate", "change": "added", "from": 1, "to": 2, "unit": "degC"}]}])"}) {
+         R"("studies": [{"id": "s", "axes": [{"target": "/inputs/t/estimate", "change": "added", "from": 1, "to": 2, "unit": "degC"}]}])",
+         R"("designs": [{"id": "d", "variables": [{"target": "/inputs/t/estimate", "from": 18, "to": 22, "unit": "degC"}]}])"}) {
         const Found mended = mended_by(analysis("a", "y = t", difference, "K", place), 0);
         EXPECT_EQ(mended.objection, "") << place;
         EXPECT_NEAR(mended.estimate, 20.0, 1e-12) << place;
     }
+    // On the other scale all of it stays there.
+    const std::string gain = analysis("a", "y = 0.01 [1/degR]*t", row("t", "68", "degF", "standard", "0.9"));
+    for (const std::size_t way : {0u, 1u}) EXPECT_NEAR(mended_by(gain, way).estimate, 0.68, 1e-12) << way;
+    EXPECT_NEAR(mended_by(gain, 2).estimate, 0.01 * (68.0 + 459.67), 1e-12);
+    for (const std::size_t way : {0u, 1u, 2u}) EXPECT_NEAR(mended_by(gain, way).u, 0.009, 1e-15) << way;
+    for (const char* unit : {"K", "degR"}) {
+        const double in_kelvin = 5.0 / 9.0, size = unit == std::string("K") ? 1.0 : in_kelvin;
+        EXPECT_NEAR(mended_by(analysis("a", "y = t", row("t", "68", "degF", "mpe", "0.3", "0.5", unit)), 0).u,
+                    (0.3 * size + 0.34 * in_kelvin) / std::sqrt(3.0), 1e-12)
+            << unit;
+    }
     const std::string upstream = analysis("up", "y = t - 15 [degC]", t, "K");
     const std::string link = R"("links": [{"input": "t", "analysis": "up", "output": "y"}])";
     EXPECT_NEAR(mended_by(upstream + ", " + analysis("a", "y = t", t, "", link), 0).estimate, 5.0, 1e-12);
+}
+
+// Of a column in a project the head is mended; that of a file stands in the file, which is refused.
+TEST(TemperatureDoors, ColumnsOfDifferencesTakeNoTemperature) {
+    ColumnSpec rise;
+    rise.key = "rise";
+    rise.title = "temperature rise";
+    rise.unit = Unit::of("K");
+    FieldSpec films;
+    films.key = "films";
+    films.title = "films";
+    films.kind = FieldKind::table;
+    films.columns = {rise};
+    for (const auto& [given, mended] : {std::pair("degC", "K"), {"degF", "degR"}}) {
+        covaria::Setup setup;
+        setup.values["films"] = SetupTable{{Unit::of(given)}, {{20.0}}, {}, {}};
+        Problems problems;
+        check_setup(SetupSchema({films}), setup, problems);
+        ASSERT_EQ(problems.items().size(), 1u);
+        const Problem& problem = problems.items().front();
+        EXPECT_NE(problem.message.english().find("'temperature rise' of 'films'"), std::string::npos);
+        ASSERT_EQ(problem.remedies.size(), 1u) << problem.message.english();
+        ASSERT_EQ(problem.remedies[0].values.size(), 1u);
+        const Remedy::Value& value = problem.remedies[0].values[0];
+        const std::string head = std::get<std::string>(value.value),
+                          file = std::string("rise [") + given + "]";
+        const auto text = with_values(R"({"films": {"columns": [")" + file + R"("], "rows": [[20]]}})",
+                                      {{value.place, in_quotation(head)}});
+        ASSERT_TRUE(text) << text.error().message.english();
+        EXPECT_NE(text->find(std::string("rise [") + mended + "]"), std::string::npos) << *text;
+        const auto csv = read_csv(file + "\n20\n");
+        ASSERT_TRUE(csv);
+        EXPECT_TRUE(table_from_csv(*csv, films).problems.has_errors());
+        EXPECT_FALSE(table_from_csv(*csv, films, {{file, head}}).problems.has_errors()) << "read as K";
+    }
 }
 
 }  // namespace

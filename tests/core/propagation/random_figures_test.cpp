@@ -258,6 +258,31 @@ TEST(Kinks, AreSaidAndLeaveTheFirstOrderEmpty) {
         }
 }
 
+// Coefficients that the last digits of an estimate change have no kink; what they have is said instead.
+TEST(Kinks, RoundingIsNone) {
+    for (const double size : {1.0, 1e60}) {
+        const FunctionModel model(
+            normal_inputs({{5.0, 1.0}, {7.0, 1.0}}), outputs_named({"y"}),
+            [=](std::span<const double> x, std::span<double> y) {
+                y[0] = size * (x[0] + x[1]);
+                return true;
+            },
+            [=](std::span<const double> x, Eigen::MatrixXd& jacobian) {
+                jacobian << size * std::sin(1e17 * x[0]), size * std::sin(1e17 * x[1]);
+                return true;
+            });
+        for (const Method method : {Method::first_order, Method::monte_carlo}) {
+            EvaluationOptions options;
+            options.method = method;
+            options.trials = 10'000;
+            const UncertaintyResult result = evaluated(model, options);
+            ASSERT_EQ(result.warnings.size(), 1u);
+            EXPECT_NE(result.warnings[0].english().find("the last digits"), std::string::npos)
+                << result.warnings[0];
+        }
+    }
+}
+
 /// Without sensitivity coefficients Monte Carlo answers, and says so; the law of propagation is refused.
 TEST(Kinks, MonteCarloAnswersWhereThereIsNoDerivative) {
     const FunctionModel model = model_of(

@@ -1,0 +1,14 @@
+// What a project file is to say where it says something of another kind, as far as that can be seen.
+#pragma once
+
+#include "core/project/object_reader.h"
+#include "core/setup/setup_schema.h"
+
+namespace covaria {
+
+/// Of a cell in a column of this unit: "write 1.5" for the text '1,5'.
+Message cell_to_write(const Json& given, FieldKind kind, const Unit& unit);
+/// Of a number field: "write {"value": 1.5, "unit": "mm"}" for the text '1,5 mm'.
+Message number_to_write(const Json& given, const Unit& unit);
+
+}  // namespace covaria

@@ -1,0 +1,13 @@
+// What a column of a table is called in messages.
+#pragma once
+
+#include "core/base/message.h"
+#include "core/setup/setup_schema.h"
+
+namespace covaria {
+
+inline Message column_title(const ColumnSpec& column) {
+    return Message::declared(column.title.empty() ? column.key : column.title);
+}
+
+}  // namespace covaria
