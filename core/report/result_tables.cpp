@@ -280,7 +280,7 @@ void each_further_table(const Project& project, const EvaluatedAnalysis& evaluat
     if (evaluated.analysis && evaluated.analysis->model) {
         for (DataTable& table : evaluated.analysis->model->evaluation()) take(std::move(table));
         if (const auto redundant = evaluated.analysis->model->redundant_readings())
-            take(data_table(seen_table(*redundant, evidence::see(*redundant))));
+            take(data_table(seen_table(*redundant, evidence::seen_of(*redundant))));
     }
     for (const auto& study : evaluated.studies) take(study_table(*study));
 }
