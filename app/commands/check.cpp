@@ -61,7 +61,7 @@ TestCase tolerance_case(const std::string& name, const RequirementResult& verdic
 /// A stated figure that the residuals contradict is a failure.
 TestCase seen_case(const evidence::StatedFigure& figure, const evidence::SeenFigure& seen) {
     TestCase made{"seen, " + figure.name.english(), {}};
-    if (seen.verdict == evidence::Verdict::larger)
+    if (evidence::is_contradicted(seen))
         made.failure = verdict_words(seen.verdict).english() + ": " + format_significant(seen.factor, 3) +
                        " (" + format_significant(seen.low, 3) + " to " + format_significant(seen.high, 3) +
                        ") times what is stated";

@@ -76,9 +76,7 @@ Result<bool> see(const SeenArguments& arguments) {
     else
         print_tables((*opened)->project(), all);
     return std::ranges::none_of(all, [](const SeenAnalysis& one) {
-        return std::ranges::any_of(one.seen.figures, [](const evidence::SeenFigure& figure) {
-            return figure.verdict == evidence::Verdict::larger;
-        });
+        return std::ranges::any_of(one.seen.figures, evidence::is_contradicted);
     });
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct StatedFigure {
     double least = 0.0;       ///< the smallest standard uncertainty of a reading that rests on it, SI
     double most = 0.0;        ///< the largest
     std::size_t count = 0;    ///< of readings
-    std::string source = {};  ///< place in the set-up
+    std::string source = {};  ///< place in the set-up, where it or the first of its readings stands
 };
 
 /// The choice in the set-up by which uncertainties are those that the residuals see, and stay so when
@@ -28,6 +29,20 @@ struct StatedFigure {
 struct TakeOver {
     std::string field;               ///< key; empty: there is no such choice
     std::string as_stated, as_seen;  ///< its values
+};
+
+/// A place for what is computed of readings that nobody changes any more. A copy may be changed, and begins
+/// anew.
+class ComputedOnce {
+public:
+    struct Place;
+    ComputedOnce();
+    ComputedOnce(const ComputedOnce&) : ComputedOnce() {}
+    ComputedOnce& operator=(const ComputedOnce&);
+    Place& place() const { return *place_; }
+
+private:
+    std::shared_ptr<Place> place_;
 };
 
 /// At the least sum of squares with the uncertainties that are stated, about which the readings count as
@@ -47,12 +62,12 @@ struct RedundantReadings {
     std::vector<Eigen::MatrixXd> shares = {};
     Eigen::MatrixXd others = {};  ///< the same of what is not asked about
     std::vector<StatedFigure> figures = {};
-    std::vector<Message> names = {};        ///< of the readings
-    std::vector<std::string> sources = {};  ///< of the readings, places in the set-up
+    std::vector<Message> names = {};  ///< of the readings
     std::vector<double> w = {};  ///< standardised residuals as stated; NaN where nothing controls a reading
     std::vector<std::size_t> measurands = {};  ///< unknowns whose mean u says what follows
     Unit unit_of_measurands = {};
     TakeOver take_over = {};
+    ComputedOnce computed = {};
 };
 
 }  // namespace covaria::evidence

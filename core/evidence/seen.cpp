@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <numeric>
 #include <optional>
 
@@ -22,7 +23,8 @@ constexpr double least_seen = 1e-4;    ///< redundancy of a figure that has an e
 constexpr double least_apart = 1e-6;   ///< eigenvalue of N, of unit diagonal, along which nothing is told
 constexpr double least_square = 1e-8;  ///< a component that is smaller is held there, and is zero
 constexpr double at_rest = 1e-10;      ///< relative change of a component
-constexpr int most_rounds = 200;
+constexpr int most_rounds = 400;
+constexpr int undamped_rounds = 40;  ///< components that go to and fro come to rest in half steps
 constexpr std::size_t none = RedundantReadings::no_figure;
 
 /// Sums over M = Q⁻¹R with the components as they are now, by figures.
@@ -197,7 +199,7 @@ public:
             start();
             bool joined = false;
             for (int round = 0; round < most_rounds && !joined; ++round) {
-                if (!sum() || !solve(joined)) return false;
+                if (!sum() || !solve(round < undamped_rounds ? 1.0 : 0.5, joined)) return false;
                 if (!joined && change_ < at_rest) return true;
             }
             if (!joined) return false;
@@ -256,8 +258,8 @@ private:
     }
 
     /// Factors of the components by one solution of N s = l; false: nothing has redundancy. `joined`: classes
-    /// that N cannot tell apart have become one.
-    bool solve(bool& joined) {
+    /// that N cannot tell apart have become one. `step`: the part of the way that is gone.
+    bool solve(double step, bool& joined) {
         std::vector<Eigen::Index> asked;
         for (std::size_t k = 0; k < count_; ++k) {
             const auto at = static_cast<Eigen::Index>(k);
@@ -282,7 +284,7 @@ private:
             const Eigen::Index k = asked[a];
             change_ = std::max(change_, std::abs(s[at] - 1.0));
             u_square_[k] = square_[k] * std::sqrt(std::max(0.0, covariance(at, at)));
-            square_[k] *= std::max(s[at], 0.05);
+            square_[k] *= std::max(1.0 + step * (s[at] - 1.0), 0.05);
             if (square_[k] > least_square) continue;
             square_[k] = least_square;
             state_[static_cast<std::size_t>(k)] = State::clamped;
@@ -361,7 +363,7 @@ void describe(const Components& components, const Weighing& weighing, double lev
 }
 
 /// What the residuals say without a look at figures.
-Seen global_test(const Weighing& stated, double level) {
+Seen test_of(const Weighing& stated, double level) {
     Seen seen;
     seen.degrees_of_freedom = stated.degrees_of_freedom();
     if (seen.degrees_of_freedom <= 0) return seen;
@@ -375,15 +377,41 @@ Seen global_test(const Weighing& stated, double level) {
 
 }  // namespace
 
+struct ComputedOnce::Place {
+    std::once_flag asked;
+    Seen seen;
+};
+
+ComputedOnce::ComputedOnce() : place_(std::make_shared<Place>()) {}
+
+ComputedOnce& ComputedOnce::operator=(const ComputedOnce& other) {
+    if (this != &other) place_ = std::make_shared<Place>();
+    return *this;
+}
+
+const Seen& seen_of(const RedundantReadings& readings) {
+    ComputedOnce::Place& place = readings.computed.place();
+    std::call_once(place.asked, [&] { place.seen = see(readings); });
+    return place.seen;
+}
+
+std::size_t most_readings_of(const RedundantReadings& readings) {
+    return readings.shares.empty() ? most_readings : most_sharing_readings;
+}
+
+Seen global_test(const RedundantReadings& readings, double level) {
+    return test_of(*weighing_of(readings), level);
+}
+
 Seen see(const RedundantReadings& readings, double level) {
     const std::unique_ptr<Weighing> weighing = weighing_of(readings);
-    Seen seen = global_test(*weighing, level);
+    Seen seen = test_of(*weighing, level);
     if (seen.degrees_of_freedom <= 0) return seen;
     const auto figures = static_cast<Eigen::Index>(readings.figures.size());
     const auto mean_u = weighing->mean_u(Eigen::VectorXd::Ones(figures));
     if (!mean_u) return seen;
     seen.mean_u_stated = seen.mean_u_seen = *mean_u;
-    if (static_cast<std::size_t>(readings.residuals.size()) > most_readings) return seen;
+    if (static_cast<std::size_t>(readings.residuals.size()) > most_readings_of(readings)) return seen;
     Components components(*weighing, readings.figures.size());
     if (components.find()) describe(components, *weighing, level, seen);
     return seen;

@@ -12,6 +12,9 @@ namespace covaria::evidence {
 inline constexpr double least_redundancy = 10.0;
 /// Readings of which variance components are computed at most; each of them costs a solution.
 inline constexpr std::size_t most_readings = 6000;
+/// The same of readings that share components, whose matrices are full.
+inline constexpr std::size_t most_sharing_readings = 2000;
+std::size_t most_readings_of(const RedundantReadings& readings);
 
 enum class Verdict {
     agrees,      ///< the interval holds the stated figure
@@ -33,6 +36,15 @@ struct SeenFigure {
     std::vector<std::size_t> not_apart = {};  ///< figures that only have one factor together with this one
 };
 
+/// The data contradict what is stated. A figure that is stated too large is cautious, and not wrong.
+inline bool is_contradicted(const SeenFigure& figure) {
+    return figure.verdict == Verdict::larger;
+}
+/// It may stand in the place of the stated one.
+inline bool is_known(const SeenFigure& figure) {
+    return figure.verdict != Verdict::too_little && !figure.clamped;
+}
+
 struct Seen {
     std::vector<SeenFigure> figures;
     double sum_of_squares = 0.0;  ///< vᵀ C⁻¹ v as stated
@@ -50,5 +62,10 @@ struct Seen {
 /// Figures that N cannot tell apart get one factor. Without redundancy, or with more readings than
 /// `most_readings`, nothing is found.
 Seen see(const RedundantReadings& readings, double level = 0.05);
+/// At the level of 5 %, computed when it is first asked for: report, tables and results.json ask for the
+/// same.
+const Seen& seen_of(const RedundantReadings& readings);
+/// Without a look at figures, for any number of readings.
+Seen global_test(const RedundantReadings& readings, double level = 0.05);
 
 }  // namespace covaria::evidence

@@ -43,7 +43,7 @@ void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated, co
     blocks.push_back(HeadingBlock{2, in.say(tell<"Evaluation of the set-up">())});
     for (const Table& table : tables) blocks.push_back(evaluation_block(table, in));
     if (redundant) {
-        Table seen = seen_table(*redundant, evidence::see(*redundant), in);
+        Table seen = seen_table(*redundant, evidence::seen_of(*redundant), in);
         for (Message& note : seen.notes) note = Message(in.say(note));
         blocks.push_back(TableBlock{std::move(seen), {{}, 2, in}});
     }

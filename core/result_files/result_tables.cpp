@@ -278,7 +278,7 @@ void each_further_table(const Project& project, const EvaluatedAnalysis& evaluat
     if (evaluated.analysis && evaluated.analysis->model) {
         for (const Table& table : evaluated.analysis->model->evaluation()) take(table);
         if (const auto redundant = evaluated.analysis->model->redundant_readings())
-            take(seen_table(*redundant, evidence::see(*redundant)));
+            take(seen_table(*redundant, evidence::seen_of(*redundant)));
     }
     for (const auto& study : evaluated.studies) take(study_table(*study));
 }

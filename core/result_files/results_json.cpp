@@ -354,7 +354,7 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
         json["requirements"].push_back(requirement_json(evaluated, r));
     if (const auto readings =
             evaluated.analysis->model ? evaluated.analysis->model->redundant_readings() : nullptr)
-        json["seen"] = seen_json(*readings, evidence::see(*readings));
+        json["seen"] = seen_json(*readings, evidence::seen_of(*readings));
     for (const auto& study : evaluated.studies) json["studies"].push_back(study_json(*study));
     return json;
 }

@@ -121,10 +121,10 @@ std::vector<Message> seen_notes(const evidence::RedundantReadings& readings, con
     if (seen.degrees_of_freedom <= 0) return {tell<"Nothing is redundant: the readings say nothing.">()};
     std::vector<Message> notes;
     if (!seen.found)
-        notes.push_back(
-            readings.names.size() > evidence::most_readings
-                ? tell<"More than %1 readings: their factors are not computed.">(evidence::most_readings)
-                : tell<"The factors of the figures do not come to rest.">());
+        notes.push_back(readings.names.size() > evidence::most_readings_of(readings)
+                            ? tell<"More than %1 readings: their factors are not computed.">(
+                                  evidence::most_readings_of(readings))
+                            : tell<"The factors of the figures do not come to rest.">());
     notes.push_back(
         passes(seen)
             ? tell<"Global test: s₀ = %1 with %2 degrees of freedom passes (%3 to %4).">(

@@ -73,6 +73,7 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
             [this, evaluation](bool any) { offer(*stage_, *tabs_, *evaluation, any); });
     seen_ = new SeenTab(document, runner, selection);
     add_unoffered(*tabs_, seen_, tr("Seen"));
+    connect(seen_, &SeenTab::place_wanted, this, &ResultsPane::place_wanted);
     connect(seen_, &SeenTab::filled, tabs_, [this](bool any) { offer(*stage_, *tabs_, *seen_, any); });
     study_ = new StudyTab(document, runner, selection);
     tabs_->addTab(study_, tr("Study"));

@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -39,6 +40,10 @@ SeenTab::SeenTab(Document& document, AnalysisRunner& runner, Selection& selectio
     connect(&selection_, &Selection::analysis_changed, this, &SeenTab::refresh);
     connect(&document_, &Document::project_changed, this, &SeenTab::show_take_over);
     connect(table_, &SortableTable::row_selected, this, &SeenTab::show_charts);
+    connect(table_, &SortableTable::row_activated, this, &SeenTab::go_to_source);
+    table_->extend_menu = [this](QMenu& menu, int row) {
+        menu.addAction(tr("Go to Source"), this, [this, row] { go_to_source(row); });
+    };
 }
 
 QWidget* SeenTab::make_head() {
@@ -72,29 +77,29 @@ void SeenTab::refresh() {
     const auto prepared = runner_.status(selection_.analysis()).prepared;
     // The tab stays where it is while the analysis has a problem.
     if (!prepared || !prepared->model) return;
-    auto readings = prepared->model->redundant_readings();
-    if (readings == readings_ && (seen_ || !readings_)) return;
-    readings_ = std::move(readings);
-    emit filled(readings_ != nullptr);
+    if (prepared == prepared_) return;
+    // Until the new readings speak, the old ones are not taken over into another analysis.
+    if (prepared_ && prepared_->id != prepared->id) take_over_->setEnabled(false);
+    prepared_ = prepared;
     start();
 }
 
 void SeenTab::start() {
-    if (!readings_) {
-        job_.cancel();
-        return show_seen(nullptr);
-    }
-    const auto see = [this, readings = readings_,
+    if (!prepared_) return;
+    const auto see = [this, prepared = prepared_,
                       level = level()](const std::stop_token&) -> JobQueue::Delivery {
-        return [this, seen = std::make_shared<const evidence::Seen>(evidence::see(*readings, level))] {
-            show_seen(seen);
-        };
+        Found found{prepared->model->redundant_readings(), nullptr};
+        if (found.readings)
+            found.seen = std::make_shared<const evidence::Seen>(evidence::see(*found.readings, level));
+        return [this, found = std::move(found)] { show_seen(found); };
     };
     job_.start(see, [this](const Error& error) { summary_->setText(to_qt(error.message)); });
 }
 
-void SeenTab::show_seen(std::shared_ptr<const evidence::Seen> seen) {
-    seen_ = std::move(seen);
+void SeenTab::show_seen(Found found) {
+    readings_ = std::move(found.readings);
+    seen_ = std::move(found.seen);
+    emit filled(readings_ != nullptr);
     model_.set_seen(readings_, seen_);
     QStringList said;
     if (readings_ && seen_)
@@ -104,6 +109,14 @@ void SeenTab::show_seen(std::shared_ptr<const evidence::Seen> seen) {
     if (table_->current_row() < 0) table_->select_row(0);
     show_take_over();
     show_charts();
+}
+
+void SeenTab::go_to_source(int row) {
+    const auto number = static_cast<std::size_t>(row);
+    if (!readings_ || number >= readings_->figures.size()) return;
+    const std::string& source = readings_->figures[number].source;
+    const SetupAddress own{SetupOwner::analysis, to_std(selection_.analysis())};
+    if (!source.empty()) emit place_wanted(to_qt(setup_path(document_.project(), own) + source));
 }
 
 void SeenTab::show_charts() {
@@ -131,10 +144,7 @@ void SeenTab::show_take_over() {
         taken ? tr("The results follow from the stated uncertainties again")
               : tr("The results, and all that hang on them, follow from the uncertainties that the residuals "
                    "see, and change with the readings; can be undone"));
-    const bool any = seen_ && std::ranges::any_of(seen_->figures, [](const evidence::SeenFigure& figure) {
-                         return figure.verdict != evidence::Verdict::too_little && !figure.clamped;
-                     });
-    take_over_->setEnabled(taken || any);
+    take_over_->setEnabled(taken || (seen_ && std::ranges::any_of(seen_->figures, evidence::is_known)));
 }
 
 void SeenTab::take_over() {

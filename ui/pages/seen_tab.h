@@ -35,12 +35,19 @@ public:
 signals:
     /// Whether there is anything to show.
     void filled(bool any);
+    /// The field that states a figure, or the first of its readings, is asked for.
+    void place_wanted(const QString& path);
 
 private:
     QWidget* make_head();
     void refresh();
     void start();
-    void show_seen(std::shared_ptr<const evidence::Seen> seen);
+    struct Found {
+        std::shared_ptr<const evidence::RedundantReadings> readings;  ///< null: there are none
+        std::shared_ptr<const evidence::Seen> seen;
+    };
+    void show_seen(Found found);
+    void go_to_source(int row);
     void show_charts();
     void show_take_over();
     void take_over();
@@ -51,6 +58,7 @@ private:
     AnalysisRunner& runner_;
     Selection& selection_;
     SeenTableModel model_;
+    std::shared_ptr<const PreparedAnalysis> prepared_;  ///< what was asked
     std::shared_ptr<const evidence::RedundantReadings> readings_;
     std::shared_ptr<const evidence::Seen> seen_;
     SortableTable* table_ = nullptr;

@@ -5,8 +5,10 @@
 
 #include "core/base/name.h"
 #include "core/kinds/curve/covariance.h"
+#include "core/kinds/curve/evidence.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 
@@ -63,8 +65,12 @@ ModelEquation curve_equation(const CurveSetup& setup) {
 
 class CalibrationCurve : public EquationModel<CalibrationCurve> {
 public:
-    CalibrationCurve(CurveSetup setup, Fit fit, std::vector<InversePlace> inverse)
-        : setup_(std::move(setup)), fit_(std::move(fit)), inverse_(std::move(inverse)) {
+    CalibrationCurve(CurveSetup setup, Fit fit, std::vector<InversePlace> inverse,
+                     std::shared_ptr<const evidence::RedundantReadings> evidence)
+        : setup_(std::move(setup)),
+          fit_(std::move(fit)),
+          inverse_(std::move(inverse)),
+          evidence_(std::move(evidence)) {
         if (setup_.from_residuals)
             add_terms_as_inputs();
         else
@@ -90,6 +96,9 @@ public:
         return {curve_equation(setup_), all[setup_.from_residuals ? 1 : setup_.has_covariance() ? 3 : 2]};
     }
     std::vector<Table> evaluation() const override { return curve::curve_evaluation(setup_, fit_, inverse_); }
+    std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
+        return evidence_;
+    }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
@@ -179,15 +188,25 @@ private:
     }
 
     void add_coordinate(std::size_t i, const char* axis, double value, double u, const Unit& unit) {
+        const bool is_x = axis == std::string("x");
+        const evidence::TakenFactor& seen = is_x ? setup_.seen_x : setup_.seen_y;
         const std::string symbol = std::string(axis) + "_" + std::to_string(i + 1);
         inputs_.add({.symbol = symbol,
                      .name = tell<"%1 of point %2">(axis, i + 1),
                      .unit = unit,
                      .offset = value,
-                     .group = axis == std::string("x") ? own_name<"points, x">() : own_name<"points, y">(),
+                     .group = is_x ? own_name<"points, x">() : own_name<"points, y">(),
                      .source = curve::curve_fields().place(&CurveSetup::stated_points, i)},
                     {stated(symbol + ".stated", tell<"stated uncertainty of %1">(axis), unit, u,
                             tell<"table of points">())});
+        if (!seen.is_seen()) return;
+        UncertaintyComponent& component = inputs_.components.back();
+        component.type = EvaluationType::type_a;
+        component.degrees_of_freedom = seen.degrees_of_freedom;
+        component.origin =
+            tell<"as seen: %1 times what was stated">(Message::number(format_significant(seen.factor, 3)));
+        const bool one = setup_.uncertainties == evidence::UncertaintiesFrom::one_factor;
+        inputs_.rest_on_estimate(one || !is_x ? "seen.y" : "seen.x", inputs_.components.size() - 1);
     }
 
     void add_points_as_inputs() {
@@ -262,6 +281,7 @@ private:
     CurveSetup setup_;
     Fit fit_;
     std::vector<InversePlace> inverse_;
+    std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< with what was stated
     InputSet inputs_;
     VarianceEstimate estimate_;  ///< the residuals' s
     std::vector<OutputQuantity> outputs_;
@@ -275,6 +295,9 @@ std::unique_ptr<MeasurementModel> create_curve_model(const SetupReader& reader, 
     auto setup = curve::read_curve_setup(reader, assets, problems);
     if (!setup) return nullptr;
     auto fit = curve::fit_of(*setup);
+    const auto evidence = fit ? curve::redundant_readings(*setup, *fit) : nullptr;
+    if (fit) curve::take_as_seen(*setup, evidence.get(), problems);
+    if (setup->seen_x.is_seen() || setup->seen_y.is_seen()) fit = curve::fit_of(*setup);
     if (!fit) {
         problems.error(curve::curve_fields().place(&CurveSetup::stated_points),
                        setup->has_u_x() ? tell<"no curve of this degree was found: the iteration for the "
@@ -297,7 +320,8 @@ std::unique_ptr<MeasurementModel> create_curve_model(const SetupReader& reader, 
         inverse.push_back(*found);
     }
     if (problems.has_errors()) return nullptr;
-    return std::make_unique<CalibrationCurve>(std::move(*setup), std::move(*fit), std::move(inverse));
+    return std::make_unique<CalibrationCurve>(std::move(*setup), std::move(*fit), std::move(inverse),
+                                              evidence);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The fields of "calibration curve".
 #include "core/kinds/curve/setup.h"
+#include "core/kinds/points/component_evidence.h"
 
 namespace covaria::curve {
 
@@ -98,8 +99,14 @@ void add_curve(Fields<CurveSetup>& fields) {
         .choice(&CurveSetup::from_residuals, "uncertainty", "Uncertainty",
                 "From the scatter of the residuals about the curve (JCGM 100 H.3), or as stated for "
                 "each point.",
-                {{true, "residuals", "from the residuals"}, {false, "stated", "as stated for x and y"}},
-                true);
+                {{true, "residuals", "from the residuals"}, {false, "stated", "as stated for x and y"}}, true)
+        .choice(
+            &CurveSetup::uncertainties, uncertainties_key, "Uncertainties of the points",
+            "Stated ones weigh the points and are used as they are; or they are used as the residuals see "
+            "them: times one common factor, or times one of x and one of y. Either has the degrees of "
+            "freedom of its estimate. What all points share stays as stated.",
+            choices_of_uncertainties(), evidence::UncertaintiesFrom::stated)
+        .shown_where(&CurveSetup::from_residuals, {false}, &CurveSetup::uncertainties);
 }
 
 void add_use(Fields<CurveSetup>& fields) {

@@ -68,31 +68,6 @@ void check_correlations(const CurveSetup& setup, Problems& problems) {
     }
 }
 
-/// Of all x, then all y; nothing where no two are correlated.
-void make_covariance(CurveSetup& setup) {
-    const bool common = setup.common_u_x > 0.0 || setup.common_u_y > 0.0;
-    if (setup.from_residuals || (setup.correlations.empty() && !common)) return;
-    const auto n = Eigen::Index(setup.points.size());
-    setup.covariance = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-    setup.covariance.topLeftCorner(n, n).setConstant(setup.common_u_x * setup.common_u_x);
-    setup.covariance.bottomRightCorner(n, n).setConstant(setup.common_u_y * setup.common_u_y);
-    Eigen::VectorXd u(2 * n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const Point& p = setup.points[std::size_t(i)];
-        u[i] = p.u_x;
-        u[n + i] = p.u_y;
-    }
-    setup.covariance.diagonal() += u.cwiseAbs2();
-    for (const StatedCorrelation& stated : setup.correlations) {
-        const auto a = coordinate_of(stated.first, setup.points.size());
-        const auto b = coordinate_of(stated.second, setup.points.size());
-        const Eigen::Index i = Eigen::Index(a->point) + (a->is_y ? n : 0);
-        const Eigen::Index j = Eigen::Index(b->point) + (b->is_y ? n : 0);
-        setup.covariance(i, j) += stated.coefficient * u[i] * u[j];
-        setup.covariance(j, i) = setup.covariance(i, j);
-    }
-}
-
 /// From the units of x and y to SI.
 void convert(CurveSetup& setup) {
     const Unit &x = setup.x_unit, &y = setup.y_unit;
@@ -140,6 +115,31 @@ bool CurveSetup::has_u_x() const {
     if (from_residuals) return false;
     return common_u_x > 0.0 ||
            std::any_of(points.begin(), points.end(), [](const Point& p) { return p.u_x > 0.0; });
+}
+
+// All x, then all y; nothing where no two are correlated.
+void make_covariance(CurveSetup& setup) {
+    const bool common = setup.common_u_x > 0.0 || setup.common_u_y > 0.0;
+    if (setup.from_residuals || (setup.correlations.empty() && !common)) return;
+    const auto n = Eigen::Index(setup.points.size());
+    setup.covariance = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    setup.covariance.topLeftCorner(n, n).setConstant(setup.common_u_x * setup.common_u_x);
+    setup.covariance.bottomRightCorner(n, n).setConstant(setup.common_u_y * setup.common_u_y);
+    Eigen::VectorXd u(2 * n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Point& p = setup.points[std::size_t(i)];
+        u[i] = p.u_x;
+        u[n + i] = p.u_y;
+    }
+    setup.covariance.diagonal() += u.cwiseAbs2();
+    for (const StatedCorrelation& stated : setup.correlations) {
+        const auto a = coordinate_of(stated.first, setup.points.size());
+        const auto b = coordinate_of(stated.second, setup.points.size());
+        const Eigen::Index i = Eigen::Index(a->point) + (a->is_y ? n : 0);
+        const Eigen::Index j = Eigen::Index(b->point) + (b->is_y ? n : 0);
+        setup.covariance(i, j) += stated.coefficient * u[i] * u[j];
+        setup.covariance(j, i) = setup.covariance(i, j);
+    }
 }
 
 std::optional<CurveSetup> read_curve_setup(const SetupReader& reader, const AssetLibrary& assets,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evidence/as_seen.h"
 #include "core/kinds/curve/polynomials.h"
 #include "core/model/measurement_model.h"
 #include "core/setup/fields.h"
@@ -62,6 +63,8 @@ struct CurveSetup {
     bool through_origin = false;  ///< no constant term: the curve is 0 at x_0
     double origin = 0.0;          ///< x_0
     bool from_residuals = true;
+    evidence::UncertaintiesFrom uncertainties = evidence::UncertaintiesFrom::stated;
+    evidence::TakenFactor seen_x = {}, seen_y = {};  ///< by which the u of `points` are not those stated
     Unit x_unit, y_unit;
     bool has_u_x() const;
     bool has_covariance() const { return covariance.size() > 0; }
@@ -71,6 +74,8 @@ struct CurveSetup {
 };
 
 const Fields<CurveSetup>& curve_fields();
+/// Of what is stated of the points and between them.
+void make_covariance(CurveSetup& setup);
 std::optional<CurveSetup> read_curve_setup(const SetupReader& reader, const AssetLibrary& assets,
                                            Problems& problems);
 

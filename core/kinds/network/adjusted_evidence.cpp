@@ -3,10 +3,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
-#include "core/evidence/seen.h"
+#include "core/base/disjoint_sets.h"
+#include "core/evidence/as_seen.h"
 #include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/network/seen_figures.h"
+#include "core/kinds/points/component_evidence.h"
 
 namespace covaria::network {
 
@@ -73,31 +75,38 @@ Message words_of_figure(const FigureKey& key) {
     return key.instrument.empty() ? kind : tell<"%1 of %2">(kind, key.instrument);
 }
 
+FigureKey key_of(const AdjustedNetwork& network, const AdjustedReading& reading) {
+    const bool of_point = is_of_coordinates(reading.kind) &&
+                          reading.source == adjustment_fields().place(&StatedAdjustment::points,
+                                                                      network.points[reading.from].row);
+    return {static_cast<int>(first_alike(reading.kind)), of_point, reading.instrument};
+}
+
 class FiguresOfNetwork {
 public:
     explicit FiguresOfNetwork(const AdjustedNetwork& network) : network_(network) {
         for (const AdjustedReading& reading : network.readings) {
-            const bool of_point = is_of_coordinates(reading.kind) && is_stated_of_point(reading);
-            const FigureKey key{static_cast<int>(first_alike(reading.kind)), of_point, reading.instrument};
+            const FigureKey key = key_of(network, reading);
             const auto [known, added] = numbers_.try_emplace(key, keys_.size());
             if (added) keys_.push_back(key);
             key_of_.push_back(known->second);
         }
-        leader_.resize(keys_.size());
-        std::iota(leader_.begin(), leader_.end(), std::size_t{0});
-        for (const adjustment::CovarianceBlock& block : network.blocks)
-            for (const std::size_t reading : block.readings) join(block.readings.front(), reading);
     }
 
     void put(evidence::RedundantReadings& readings) const {
+        DisjointSets one_figure(keys_.size());
+        for (const adjustment::CovarianceBlock& block : network_.blocks)
+            for (const std::size_t reading : block.readings)
+                one_figure.join(key_of_[block.readings.front()], key_of_[reading]);
         std::vector<std::size_t> number_of(keys_.size());
         for (std::size_t k = 0; k < keys_.size(); ++k) {
-            if (leader_of(k) == k) {
+            const std::size_t leader = one_figure.leader_of(k);
+            if (leader == k) {
                 number_of[k] = readings.figures.size();
                 readings.figures.push_back({.name = words_of_figure(keys_[k])});
                 continue;
             }
-            number_of[k] = number_of[leader_of(k)];
+            number_of[k] = number_of[leader];
             evidence::StatedFigure& figure = readings.figures[number_of[k]];
             figure.name = tell<"%1 and %2">(figure.name, words_of_figure(keys_[k]));
         }
@@ -118,42 +127,23 @@ public:
     }
 
 private:
-    bool is_stated_of_point(const AdjustedReading& reading) const {
-        return reading.source ==
-               adjustment_fields().place(&StatedAdjustment::points, network_.points[reading.from].row);
-    }
-    std::size_t leader_of(std::size_t k) const {
-        while (leader_[k] != k) k = leader_[k];
-        return k;
-    }
-    /// The smaller number leads, which comes first.
-    void join(std::size_t reading, std::size_t other) {
-        const std::size_t a = leader_of(key_of_[reading]), b = leader_of(key_of_[other]);
-        leader_[std::max(a, b)] = std::min(a, b);
-    }
-
     const AdjustedNetwork& network_;
     std::map<FigureKey, std::size_t> numbers_;
     std::vector<FigureKey> keys_;
     std::vector<std::size_t> key_of_;  ///< of each reading
-    std::vector<std::size_t> leader_;  ///< of each key among those that have one figure
 };
 
-struct Factor {
-    double factor = 1.0;
-    double degrees_of_freedom = infinity;
-};
-
-/// Of each reading; 1 with infinite degrees of freedom: as stated.
+/// Readings with the factors of the figures that are seen.
 void scale(AdjustedNetwork& network, const std::vector<std::size_t>& figure_of,
-           const std::vector<Factor>& factors, Problems& problems) {
+           const std::vector<evidence::TakenFactor>& factors) {
     Eigen::VectorXd by(static_cast<Eigen::Index>(network.readings.size()));
     for (std::size_t i = 0; i < network.readings.size(); ++i) {
-        const Factor& of = factors[figure_of[i]];
+        const evidence::TakenFactor& of = factors[figure_of[i]];
         AdjustedReading& reading = network.readings[i];
         by[static_cast<Eigen::Index>(i)] = 1.0 / of.factor;
-        if (std::isinf(of.degrees_of_freedom)) continue;
+        if (!of.is_seen()) continue;
         reading.estimate = figure_of[i];
+        reading.seen_in.clear();
         reading.factor = of.factor;
         reading.degrees_of_freedom = of.degrees_of_freedom;
         reading.u *= of.factor;
@@ -163,21 +153,10 @@ void scale(AdjustedNetwork& network, const std::vector<std::size_t>& figure_of,
         block.covariance *= factor * factor;
     }
     network.whitening = adjustment::SparseRows(by.asDiagonal() * network.whitening);
-    adjust(network, problems);
 }
 
 void warn(Problems& problems, Message words) {
     problems.warning(adjustment_fields().place(&StatedAdjustment::uncertainties), std::move(words));
-}
-
-void take_one_factor(AdjustedNetwork& network, Problems& problems) {
-    const adjustment::Reliability found = reliability_of(network);
-    if (!(found.s0 > 0.0))
-        return warn(problems,
-                    tell<"The readings have no residuals that could tell their uncertainty: it stays as "
-                         "stated">());
-    scale(network, std::vector<std::size_t>(network.readings.size(), 0),
-          {{found.s0, static_cast<double>(found.degrees_of_freedom)}}, problems);
 }
 
 }  // namespace
@@ -189,10 +168,9 @@ evidence::RedundantReadings redundant_readings(const AdjustedNetwork& network) {
     readings.residuals = residuals_of(network, network.state.data());
     readings.datum = network.datum;
     FiguresOfNetwork(network).put(readings);
-    const adjustment::Reliability found = reliability_of(network);
+    const adjustment::Reliability& found = reliability_of(network);
     for (std::size_t i = 0; i < network.readings.size(); ++i) {
         readings.names.push_back(words_of(network, network.readings[i]));
-        readings.sources.push_back(network.readings[i].source);
         readings.w.push_back(found.readings[i].controlled ? found.readings[i].w
                                                           : std::numeric_limits<double>::quiet_NaN());
     }
@@ -204,31 +182,91 @@ evidence::RedundantReadings redundant_readings(const AdjustedNetwork& network) {
             readings.measurands.push_back(k);
     }
     readings.unit_of_measurands = Unit::of("mm");
-    readings.take_over = {"uncertainties", "stated", "seen"};
+    readings.take_over = take_over_of_uncertainties();
     return readings;
 }
 
-void take_as_seen(AdjustedNetwork& network, ReadingUncertainties from, Problems& problems) {
-    if (from == ReadingUncertainties::stated) return;
-    if (!network.evidence)
+void take_as_seen(AdjustedNetwork& network, UncertaintiesFrom from, Problems& problems) {
+    if (from == UncertaintiesFrom::stated) return;
+    if (network.adjusted->degrees_of_freedom() == 0)
         return warn(problems, tell<"Nothing is redundant: uncertainties of the readings stay as stated">());
-    if (from == ReadingUncertainties::one_factor) return take_one_factor(network, problems);
-    const evidence::Seen seen = evidence::see(*network.evidence);
-    if (!seen.found)
-        return warn(problems, tell<"The residuals give no factors: uncertainties of the readings stay as "
-                                   "stated">());
-    std::vector<Factor> factors(seen.figures.size());
-    Message kept;
-    for (std::size_t k = 0; k < factors.size(); ++k) {
-        const evidence::SeenFigure& figure = seen.figures[k];
-        if (figure.verdict != evidence::Verdict::too_little && !figure.clamped) {
-            factors[k] = {figure.factor, figure.degrees_of_freedom};
-            continue;
-        }
-        kept += Message(kept.empty() ? "" : ", ") + network.evidence->figures[k].name;
+    network.evidence = std::make_shared<const evidence::RedundantReadings>(redundant_readings(network));
+    const evidence::AsSeen taken = evidence::as_seen(*network.evidence, from);
+    if (!taken.kept.empty()) warn(problems, taken.kept);
+    if (!taken.has_any()) return;
+    // One factor rests on one estimate.
+    const bool one = from == UncertaintiesFrom::one_factor;
+    scale(network, one ? std::vector<std::size_t>(network.readings.size(), 0) : network.evidence->figure_of,
+          taken.factors);
+    adjust(network, problems);
+}
+
+std::shared_ptr<const evidence::RedundantReadings> NetworkEvidence::readings() const {
+    if (network.evidence || network.adjusted->degrees_of_freedom() == 0) return network.evidence;
+    std::call_once(asked_, [&] {
+        readings_ = std::make_shared<const evidence::RedundantReadings>(redundant_readings(network));
+    });
+    return readings_;
+}
+
+std::optional<SeenFigureOfReadings> NetworkEvidence::figure_of(ReadingKind kind,
+                                                               const std::string& instrument) const {
+    const auto redundant = readings();
+    if (!redundant) return {};
+    const evidence::Seen& seen = evidence::seen_of(*redundant);
+    const FigureKey sought{static_cast<int>(first_alike(kind)), false, instrument};
+    for (std::size_t i = 0; i < network.readings.size() && seen.found; ++i) {
+        if (key_of(network, network.readings[i]) != sought) continue;
+        const std::size_t k = redundant->figure_of[i];
+        if (!evidence::is_known(seen.figures[k])) return {};
+        SeenFigureOfReadings figure{seen.figures[k].factor, {}, seen.figures[k].degrees_of_freedom, k};
+        const evidence::StatedFigure& stated = redundant->figures[k];
+        const auto alike = std::ranges::count_if(network.readings, [&](const AdjustedReading& reading) {
+            return key_of(network, reading) == sought;
+        });
+        if (static_cast<std::size_t>(alike) == stated.count &&
+            stated.most - stated.least <= 1e-12 * stated.most)
+            figure.u = figure.factor * stated.least;
+        return figure;
     }
-    if (!kept.empty()) warn(problems, tell<"Too little redundancy to say, so they stay as stated: %1">(kept));
-    scale(network, network.evidence->figure_of, factors, problems);
+    return {};
+}
+
+void take_seen_elsewhere(AdjustedNetwork& network, const SeenFiguresSource& source, const std::string& id,
+                         const std::string& name, Problems& problems) {
+    std::map<FigureKey, std::optional<SeenFigureOfReadings>> figures;
+    std::vector<std::size_t> figure_of;
+    std::vector<evidence::TakenFactor> factors;
+    Message kept;
+    for (AdjustedReading& reading : network.readings) {
+        const FigureKey key = key_of(network, reading);
+        const auto [known, added] = figures.try_emplace(key);
+        if (added && !key.is_stated_of_point)
+            known->second = source.figure_of(reading.kind, reading.instrument);
+        if (added && !known->second) kept += Message(kept.empty() ? "" : ", ") + words_of_figure(key);
+        figure_of.push_back(factors.size());
+        factors.emplace_back();
+        if (!known->second) continue;
+        const SeenFigureOfReadings& figure = *known->second;
+        factors.back() = {figure.u ? *figure.u / reading.u : figure.factor, figure.degrees_of_freedom};
+    }
+    if (!kept.empty())
+        problems.warning(adjustment_fields().place(&StatedAdjustment::seen_in),
+                         tell<"%1 does not see these figures, so they stay as stated here: %2">(name, kept));
+    for (const adjustment::CovarianceBlock& block : network.blocks)
+        for (const std::size_t i : block.readings)
+            if (factors[i].factor != factors[block.readings.front()].factor)
+                return problems.error(
+                    adjustment_fields().place(&StatedAdjustment::seen_in),
+                    tell<"readings of figures that are seen elsewhere are correlated with others here">());
+    scale(network, figure_of, factors);
+    for (AdjustedReading& reading : network.readings) {
+        const auto& figure = figures.at(key_of(network, reading));
+        if (!figure) continue;
+        reading.seen_in = id;
+        reading.seen_in_name = name;
+        reading.estimate = figure->estimate;
+    }
 }
 
 }  // namespace covaria::network

@@ -26,8 +26,10 @@ InputSet adjustment_inputs(const AdjustedNetwork& network) {
         if (seen) {
             component.type = EvaluationType::type_a;
             component.degrees_of_freedom = reading.degrees_of_freedom;
-            component.origin = tell<"as seen: %1 times what was stated">(
-                Message::number(format_significant(reading.factor, 3)));
+            const Message factor = Message::number(format_significant(reading.factor, 3));
+            component.origin = reading.seen_in.empty() ? tell<"as seen: %1 times what was stated">(factor)
+                                                       : tell<"as seen in %1: %2 times what is stated here">(
+                                                             reading.seen_in_name, factor);
         }
         InputQuantity quantity{.symbol = reading.symbol,
                                .name = words_of(network, reading),
@@ -36,7 +38,11 @@ InputSet adjustment_inputs(const AdjustedNetwork& network) {
                                .group = network.points[reading.from].name,
                                .source = reading.source};
         const std::size_t added = inputs.add(std::move(component));
-        if (seen) inputs.rest_on_estimate("seen." + std::to_string(reading.estimate), added);
+        const std::string estimate = "seen." + std::to_string(reading.estimate);
+        // The figures of another analysis are the same wherever they are used.
+        if (seen && reading.seen_in.empty()) inputs.rest_on_estimate(estimate, added);
+        if (seen && !reading.seen_in.empty())
+            inputs.rest_on_estimate(reading.seen_in + "." + estimate, added, true);
         quantity.shares.push_back({added, 1.0});
         inputs.quantities.push_back(std::move(quantity));
     }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/name.h"
-#include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/network/seen_figures.h"
 #include "core/kinds/points/output_points.h"
 #include "core/model/measurement_model.h"
 
@@ -14,13 +14,29 @@ namespace {
 
 using network::AdjustedNetwork;
 
+/// Its points, and what its residuals see.
+class NetworkAsAsset : public OutputPoints, public network::SeenFiguresSource {
+public:
+    NetworkAsAsset(const std::string& analysis, const std::vector<OutputQuantity>& outputs,
+                   std::shared_ptr<const network::NetworkEvidence> evidence)
+        : OutputPoints(analysis, outputs), evidence_(std::move(evidence)) {}
+    std::optional<network::SeenFigureOfReadings> figure_of(network::ReadingKind kind,
+                                                           const std::string& instrument) const override {
+        return evidence_->figure_of(kind, instrument);
+    }
+
+private:
+    std::shared_ptr<const network::NetworkEvidence> evidence_;
+};
+
 /// y of x: the unknowns where J₀ᵀ C⁻¹ (x − h(y)) = 0, J₀ the derivatives at the estimates. There it is the
 /// least sum of squares, and its sensitivities are the rows of the gain Q J₀ᵀ C⁻¹; elsewhere it differs from
 /// the least sum by terms of second order times the residuals.
 class NetworkAdjustment : public MeasurementModel {
 public:
     explicit NetworkAdjustment(AdjustedNetwork made)
-        : network_(std::move(made)),
+        : evidence_(std::make_shared<const network::NetworkEvidence>(std::move(made))),
+          network_(evidence_->network),
           inputs_(network::adjustment_inputs(network_)),
           tables_(network::adjustment_tables(network_)) {
         const adjustment::SparseRows weighted =
@@ -34,10 +50,10 @@ public:
     Layout layout(std::span<const double>) const override { return network::adjustment_layout(network_); }
     std::vector<Table> evaluation() const override { return tables_; }
     std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
-        return network_.evidence;
+        return evidence_->readings();
     }
     std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
-        return std::make_shared<OutputPoints>(id, outputs_);
+        return std::make_shared<NetworkAsAsset>(id, outputs_, evidence_);
     }
 
     bool evaluate(std::span<const double> x, std::span<double> y) const override {
@@ -210,7 +226,8 @@ private:
                    .maxCoeff() > machine_hall;
     }
 
-    AdjustedNetwork network_;
+    std::shared_ptr<const network::NetworkEvidence> evidence_;
+    const AdjustedNetwork& network_;  ///< of the evidence
     InputSet inputs_;
     std::vector<Table> tables_;
     adjustment::SparseRows to_gradient_;  ///< J₀ᵀ C⁻¹
@@ -223,15 +240,16 @@ std::unique_ptr<MeasurementModel> create_adjustment(const SetupReader& reader, c
     if (problems.has_errors()) return nullptr;
     std::optional<AdjustedNetwork> made = network::adjusted_network(stated, problems);
     if (!made) return nullptr;
+    if (stated.seen_in)
+        network::take_seen_elsewhere(*made, *stated.seen_in, stated.seen_in.id, stated.seen_in.name,
+                                     problems);
+    if (problems.has_errors()) return nullptr;
     network::find_start(*made, problems);
     if (problems.has_errors()) return nullptr;
     network::adjust(*made, problems);
     if (problems.has_errors()) return nullptr;
-    network::check_adjustment(*made, problems);
-    if (made->adjusted->degrees_of_freedom() > 0)
-        made->evidence =
-            std::make_shared<const evidence::RedundantReadings>(network::redundant_readings(*made));
     network::take_as_seen(*made, stated.uncertainties, problems);
+    network::check_adjustment(*made, problems);
     if (problems.has_errors()) return nullptr;
     return std::make_unique<NetworkAdjustment>(std::move(*made));
 }
@@ -287,7 +305,7 @@ ModelDescriptor network_adjustment_model() {
         "before."};
     d.help_page = "network-adjustment.md";
     d.example = "levelled-network.covaria";
-    d.capabilities = {"point-uncertainty"};
+    d.capabilities = {"point-uncertainty", "seen-figures"};
     d.schema = network::adjustment_fields().schema();
     d.create = create_adjustment;
     return d;

@@ -1,5 +1,6 @@
 // Fields of "network adjustment".
-#include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/network/seen_figures.h"
+#include "core/kinds/points/component_evidence.h"
 
 namespace covaria::network {
 
@@ -137,14 +138,16 @@ const Fields<StatedAdjustment>& adjustment_fields() {
                    "What was read between the points, one row for each figure, typed or from a CSV file.",
                    reading_columns(), {.min_rows = 1, .measured = true})
             .choice(
-                &Stated::uncertainties, "uncertainties", "Uncertainties of the readings",
+                &Stated::uncertainties, uncertainties_key, "Uncertainties of the readings",
                 "As typed in the table; or as the residuals of this adjustment see them: typed ones times "
                 "one common factor s_0, or times the factor of each kind of reading and instrument "
                 "(variance components). Either has the degrees of freedom of its estimate.",
-                {{ReadingUncertainties::stated, "stated", "as stated"},
-                 {ReadingUncertainties::one_factor, "one-factor", "as seen, one factor s_0"},
-                 {ReadingUncertainties::seen, "seen", "as seen, a factor for each figure"}},
-                ReadingUncertainties::stated)
+                choices_of_uncertainties(), UncertaintiesFrom::stated)
+            .add(&Stated::seen_in, "seen_in", "Figures as seen in",
+                 "Another network, rounds of a total station say, whose residuals see what its readings are "
+                 "worth. Readings of the same kind and instrument get the standard uncertainty that it sees, "
+                 "with its degrees of freedom, and follow its readings; others stay as stated here.",
+                 {.optional = true})
             .table(&Stated::stations, "stations", "Instruments that are not levelled",
                    "Where an instrument stands that is not levelled, or not exactly; all others are.",
                    station_columns(), {.optional = true})

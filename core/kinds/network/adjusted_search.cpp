@@ -93,6 +93,9 @@ private:
 
 void adjust(AdjustedNetwork& network, Problems& problems) {
     AdjustmentSearch(network, problems).run();
+    if (network.adjusted)
+        network.reliability = adjustment::reliability_of(*network.adjusted, network.whitening, network.blocks,
+                                                         residuals_of(network, network.state.data()));
 }
 
 }  // namespace covaria::network

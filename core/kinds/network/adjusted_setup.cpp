@@ -5,7 +5,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
+
+#include "core/base/disjoint_sets.h"
 
 namespace covaria::network {
 
@@ -247,23 +248,17 @@ private:
 
     /// Readings that are correlated, directly or through others, have one covariance matrix.
     void weigh() {
-        std::vector<std::size_t> leader(made_.readings.size());
-        std::iota(leader.begin(), leader.end(), 0);
-        const auto leader_of = [&](std::size_t i) {
-            while (leader[i] != i) i = leader[i] = leader[leader[i]];
-            return i;
-        };
-        for (const ReadingCorrelation& c : made_.correlations)
-            leader[leader_of(c.second)] = leader_of(c.first);
+        DisjointSets sets(made_.readings.size());
+        for (const ReadingCorrelation& c : made_.correlations) sets.join(c.first, c.second);
         std::map<std::size_t, std::size_t> blocks;
         std::vector<std::pair<std::size_t, Eigen::Index>> where(made_.readings.size());
-        for (const ReadingCorrelation& c : made_.correlations) blocks.try_emplace(leader_of(c.first), 0);
+        for (const ReadingCorrelation& c : made_.correlations) blocks.try_emplace(sets.leader_of(c.first), 0);
         for (auto& [first, number] : blocks) {
             number = made_.blocks.size();
             made_.blocks.emplace_back();
         }
         for (std::size_t i = 0; i < made_.readings.size(); ++i) {
-            const auto block = blocks.find(leader_of(i));
+            const auto block = blocks.find(sets.leader_of(i));
             if (block == blocks.end()) continue;
             auto& readings = made_.blocks[block->second].readings;
             where[i] = {block->second, static_cast<Eigen::Index>(readings.size())};

@@ -10,8 +10,9 @@
 
 #include "core/adjustment/adjustment.h"
 #include "core/adjustment/reliability.h"
-#include "core/evidence/redundant_readings.h"
+#include "core/evidence/as_seen.h"
 #include "core/model/layout.h"
+#include "core/model/offered.h"
 #include "core/quantity/input_quantity.h"
 #include "core/setup/fields.h"
 #include "core/text/table.h"
@@ -51,12 +52,8 @@ bool needs_heights(ReadingKind kind);
 /// It needs their places in the plane.
 bool needs_plane(ReadingKind kind);
 
-/// Where the standard uncertainties of the readings come from.
-enum class ReadingUncertainties {
-    stated,
-    one_factor,  ///< the stated ones times s_0 of this adjustment
-    seen,        ///< the stated ones times what the residuals see of each figure
-};
+using evidence::UncertaintiesFrom;
+class SeenFiguresSource;  // core/kinds/network/seen_figures.h
 
 /// As typed, SI.
 struct StatedAdjustment {
@@ -91,7 +88,8 @@ struct StatedAdjustment {
     std::vector<Station> stations;
     std::vector<Distance> distances;
     bool clockwise = false;
-    ReadingUncertainties uncertainties = ReadingUncertainties::stated;
+    UncertaintiesFrom uncertainties = UncertaintiesFrom::stated;
+    Offered<SeenFiguresSource> seen_in;  ///< empty: the table of readings states all of them
 };
 const Fields<StatedAdjustment>& adjustment_fields();
 
@@ -114,9 +112,10 @@ struct AdjustedReading {
     double height_from = 0.0, height_to = 0.0;
     std::string label = {};
     std::string instrument = {};
-    /// The readings themselves gave the u, as one estimate with others: its number, and how well it is known.
+    /// Readings gave the u, as one estimate with others: its number, and how well it is known.
     std::size_t estimate = no_round;
-    double factor = 1.0;  ///< of the u that was stated
+    std::string seen_in = {}, seen_in_name = {};  ///< those of another analysis; empty: of this one
+    double factor = 1.0;                          ///< of the u that was stated
     double degrees_of_freedom = infinity;
     std::string source = {};  ///< place in the set-up
     std::string symbol = {};  ///< of its input quantity
@@ -153,7 +152,8 @@ struct AdjustedNetwork {
     std::vector<adjustment::CovarianceBlock> blocks;
     adjustment::SparseRows whitening;
     std::shared_ptr<const adjustment::Adjustment> adjusted;  ///< at the estimates
-    /// With the uncertainties that were stated, whatever those in use are; null: nothing is redundant.
+    adjustment::Reliability reliability;                     ///< there
+    /// With the uncertainties that were stated, where others are in use; null: those in use were stated.
     std::shared_ptr<const evidence::RedundantReadings> evidence;
 
     std::size_t at(std::size_t point, std::size_t axis) const { return 3 * point + axis; }
@@ -175,7 +175,8 @@ Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading)
 std::optional<AdjustedNetwork> adjusted_network(const StatedAdjustment& stated, Problems& problems);
 /// Places what has no coordinates by the readings; errors name the points that cannot be.
 void find_start(AdjustedNetwork& network, Problems& problems);
-/// The least sum of squares: `state` and `adjusted`. Errors say what the readings leave open, by name.
+/// The least sum of squares: `state`, `adjusted` and `reliability`. Errors say what the readings leave open,
+/// by name.
 void adjust(AdjustedNetwork& network, Problems& problems);
 /// Sentences for the directions that neither a reading nor the datum determines.
 std::vector<Message> open_directions(const AdjustedNetwork& network, const adjustment::Adjustment& adjusted);
@@ -202,11 +203,13 @@ Eigen::VectorXd residuals_of(const AdjustedNetwork& network, const double* state
 evidence::RedundantReadings redundant_readings(const AdjustedNetwork& network);
 /// The readings with the uncertainties that the residuals see, and the least sum of squares anew. A figure of
 /// which they tell too little keeps what was stated; a warning says which.
-void take_as_seen(AdjustedNetwork& network, ReadingUncertainties from, Problems& problems);
+void take_as_seen(AdjustedNetwork& network, UncertaintiesFrom from, Problems& problems);
 
 InputSet adjustment_inputs(const AdjustedNetwork& network);
 Layout adjustment_layout(const AdjustedNetwork& network);
-adjustment::Reliability reliability_of(const AdjustedNetwork& network);
+inline const adjustment::Reliability& reliability_of(const AdjustedNetwork& network) {
+    return network.reliability;
+}
 /// The adjustment in figures, residuals with their reliability.
 std::vector<Table> adjustment_tables(const AdjustedNetwork& network);
 /// Warns where residuals are larger than the uncertainties allow.

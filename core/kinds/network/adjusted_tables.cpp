@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/points/component_evidence.h"
 #include "core/math/special_quantiles.h"
 #include "core/text/numbers.h"
 
@@ -123,27 +124,25 @@ Table readings_table(const AdjustedNetwork& network, const adjustment::Reliabili
 
 }  // namespace
 
-adjustment::Reliability reliability_of(const AdjustedNetwork& network) {
-    return adjustment::reliability_of(*network.adjusted, network.whitening, network.blocks,
-                                      residuals_of(network, network.state.data()));
-}
-
 std::vector<Table> adjustment_tables(const AdjustedNetwork& network) {
-    const adjustment::Reliability found = reliability_of(network);
+    const adjustment::Reliability& found = reliability_of(network);
     return {figures_table(network, found), readings_table(network, found)};
 }
 
 void check_adjustment(const AdjustedNetwork& network, Problems& problems) {
-    const adjustment::Reliability found = reliability_of(network);
+    const adjustment::Reliability& found = reliability_of(network);
     if (!is_too_large(found)) return;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < found.readings.size(); ++i)
         if (std::abs(found.readings[i].w) > std::abs(found.readings[worst].w)) worst = i;
-    problems.warning(
-        network.readings[worst].source,
-        tell<"%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty "
-             "is the %2. Look for mistyped or exchanged readings, or uncertainties that are too small">(
-            test_words(found), words_of(network, network.readings[worst])));
+    problems.add(
+        {.severity = Severity::warning,
+         .path = network.readings[worst].source,
+         .message =
+             tell<"%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty "
+                  "is the %2. Look for mistyped or exchanged readings, or uncertainties that are too small">(
+                 test_words(found), words_of(network, network.readings[worst])),
+         .remedies = {remedy_as_seen(adjustment_fields().place(&StatedAdjustment::uncertainties))}});
 }
 
 }  // namespace covaria::network

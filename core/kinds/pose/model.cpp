@@ -2,6 +2,7 @@
 #include "core/kinds/pose/model.h"
 
 #include "core/kinds/pose/equations.h"
+#include "core/kinds/pose/evidence.h"
 #include "core/kinds/pose/layout.h"
 #include "core/kinds/pose/tables.h"
 #include "core/model/equation_model.h"
@@ -13,8 +14,12 @@ namespace {
 
 class PoseFromPoints : public EquationModel<PoseFromPoints> {
 public:
-    PoseFromPoints(pose::PoseSetup setup, InputSet inputs, std::vector<pose::FrameFit> fits)
-        : setup_(std::move(setup)), inputs_(std::move(inputs)), fits_(std::move(fits)) {
+    PoseFromPoints(pose::PoseSetup setup, InputSet inputs, std::vector<pose::FrameFit> fits,
+                   std::shared_ptr<const evidence::RedundantReadings> evidence)
+        : setup_(std::move(setup)),
+          inputs_(std::move(inputs)),
+          fits_(std::move(fits)),
+          evidence_(std::move(evidence)) {
         const auto& info = rotation_convention(setup_.orientation);
         for (const pose::Pose& pose : setup_.poses) {
             for (const std::string axis : {"x", "y", "z"})
@@ -35,6 +40,9 @@ public:
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double> x) const override { return pose::pose_layout(setup_, x); }
     std::vector<Table> evaluation() const override { return pose::fit_tables(fits_); }
+    std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
+        return evidence_;
+    }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
@@ -45,6 +53,7 @@ private:
     pose::PoseSetup setup_;
     InputSet inputs_;
     std::vector<pose::FrameFit> fits_;
+    std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< with what was stated
     std::vector<OutputQuantity> outputs_;
 };
 
@@ -57,8 +66,19 @@ std::unique_ptr<MeasurementModel> create_pose_model(const SetupReader& setup, co
     InputSet inputs = pose::pose_inputs(*read);
     pose::warn_about(*read, inputs, problems);
     std::vector<pose::FrameFit> fits = pose::frame_fits(*read, inputs);
-    pose::warn_of_misfits(fits, problems);
-    return std::make_unique<PoseFromPoints>(std::move(*read), std::move(inputs), std::move(fits));
+    const ComponentEvidence evidence = pose::evidence_of(*read, inputs, fits);
+    if (read->a_posteriori && read->uncertainties != evidence::UncertaintiesFrom::stated) {
+        take_as_seen(inputs, evidence, read->uncertainties,
+                     pose::pose_fields().place(&pose::PoseSetup::uncertainties), problems);
+        // What exchanged names explain is no scatter, and stays a warning.
+        std::erase_if(fits, [](const pose::FrameFit& fit) { return !fit.explanation; });
+        pose::warn_of_misfits(fits, problems, false);
+        fits = pose::frame_fits(*read, inputs);
+    } else {
+        pose::warn_of_misfits(fits, problems, evidence.readings != nullptr);
+    }
+    return std::make_unique<PoseFromPoints>(std::move(*read), std::move(inputs), std::move(fits),
+                                            evidence.readings);
 }
 
 std::vector<ModelEquation> pose_equations() {

@@ -1,4 +1,5 @@
 // The fields of "pose from points".
+#include "core/kinds/points/component_evidence.h"
 #include "core/kinds/points/stated_figure.h"
 #include "core/kinds/pose/setup.h"
 
@@ -158,7 +159,12 @@ void add_poses(Fields<PoseSetup>& fields) {
                 "Numbers in which the result states the orientation of the moving frame. Angles are "
                 "undefined in gimbal lock; rotation vector and quaternion are not.",
                 orientations, RotationConvention::zyx)
-        .shown_where(&PoseSetup::a_posteriori, {true}, &PoseSetup::measured)
+        .choice(&PoseSetup::uncertainties, uncertainties_key, "Uncertainties of the points are used",
+                "As stated; or as the residuals of least-squares frames see them: stated ones times one "
+                "common factor, or times the factor of each figure (variance components). Either has the "
+                "degrees of freedom of its estimate. What all points share stays as stated.",
+                choices_of_uncertainties(), evidence::UncertaintiesFrom::stated)
+        .shown_where(&PoseSetup::a_posteriori, {true}, &PoseSetup::measured, &PoseSetup::uncertainties)
         .shown_where(&PoseSetup::a_posteriori, {false}, &PoseSetup::X_0b);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evidence/as_seen.h"
 #include "core/kinds/points/point_uncertainty.h"
 #include "core/math/frames.h"
 #include "core/math/rotation_convention.h"
@@ -73,6 +74,7 @@ struct PoseSetup {
     std::vector<Eigen::Vector3d> base_points;                ///< estimates of b_i in frame 0
     Eigen::Isometry3d X_0b = Eigen::Isometry3d::Identity();  ///< a priori: nominal pose of the base
     bool a_posteriori = false;
+    evidence::UncertaintiesFrom uncertainties = evidence::UncertaintiesFrom::stated;
     RotationConvention orientation = RotationConvention::zyx;
 };
 const Fields<PoseSetup>& pose_fields();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/kinds/points/component_evidence.h"
 #include "core/kinds/pose/equations.h"
 #include "core/math/decompositions.h"
 #include "core/math/special_quantiles.h"
@@ -300,13 +301,18 @@ std::vector<Table> fit_tables(const std::vector<FrameFit>& fits) {
     return {summary_table(fits), residual_table(fits)};
 }
 
-void warn_of_misfits(const std::vector<FrameFit>& fits, Problems& problems) {
+void warn_of_misfits(const std::vector<FrameFit>& fits, Problems& problems, bool can_be_seen) {
     for (const FrameFit& fit : fits) {
         const bool failed = fails(fit, fits.size());
         if (!failed && (fit.degrees_of_freedom > 0 || !fit.explanation)) continue;
-        Message text = misfit_of(fit, failed);
-        if (fit.explanation) text += "; " + words_of(fit, *fit.explanation);
-        problems.warning(pose_fields().place(&PoseSetup::measured), text);
+        Problem problem{.severity = Severity::warning,
+                        .path = pose_fields().place(&PoseSetup::measured),
+                        .message = misfit_of(fit, failed)};
+        if (fit.explanation)
+            problem.message += "; " + words_of(fit, *fit.explanation);
+        else if (can_be_seen)
+            problem.remedies = {remedy_as_seen(pose_fields().place(&PoseSetup::uncertainties))};
+        problems.add(std::move(problem));
     }
 }
 

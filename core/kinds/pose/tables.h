@@ -40,7 +40,8 @@ std::vector<FrameFit> frame_fits(const PoseSetup& setup, const InputSet& inputs)
 std::vector<Table> fit_tables(const std::vector<FrameFit>& fits);
 
 /// Warns of every set whose residuals are larger than the stated uncertainties allow (1 % for all sets
-/// together), and of what would explain them: two names exchanged, frame 0 left-handed.
-void warn_of_misfits(const std::vector<FrameFit>& fits, Problems& problems);
+/// together), and of what would explain them: two names exchanged, frame 0 left-handed. `can_be_seen`: where
+/// nothing explains them, the way out is uncertainties as seen.
+void warn_of_misfits(const std::vector<FrameFit>& fits, Problems& problems, bool can_be_seen);
 
 }  // namespace covaria::pose

@@ -9,16 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "core/kinds/points/component_evidence.h"
 #include "core/kinds/points/located_points.h"
 #include "core/kinds/robot/fields.h"
 #include "core/kinds/robot/serial_robot.h"
 #include "core/kinds/robot_identification/identified_parameters.h"
 #include "core/math/rotation.h"
 #include "core/quantity/input_quantity.h"
-
-namespace covaria::evidence {
-struct RedundantReadings;
-}
 
 namespace covaria::pose_calibration {
 
@@ -59,9 +56,9 @@ struct FitStatistics {
     Eigen::MatrixXd covariance;                ///< of the unknowns
     Eigen::VectorXd singular_values;           ///< of the weighted Jacobian with columns of length one
     Eigen::VectorXd weakest;                   ///< direction of the unknowns that belongs to the last
-    double scatter = 0.0;  ///< root mean square of residuals over what their uncertainties explain
-    double limit = 0.0;    ///< of |residual|/u, family-wise 5 %
-    std::shared_ptr<const evidence::RedundantReadings> evidence;  ///< of measured poses
+    double scatter = 0.0;        ///< root mean square of residuals over what their uncertainties explain
+    double limit = 0.0;          ///< of |residual|/u, family-wise 5 %
+    ComponentEvidence evidence;  ///< of measured poses, with the uncertainties that were stated
 };
 
 /// A row of the measured poses, SI.
@@ -88,6 +85,7 @@ struct StatedCalibration {
     double u_angle = 0.0;  ///< of a measured orientation, about each axis
     Eigen::Isometry3d ball = Eigen::Isometry3d::Identity();
     std::vector<HeldByUser> held_by_user;
+    evidence::UncertaintiesFrom uncertainties = evidence::UncertaintiesFrom::stated;
 
     const SerialRobotSource& robot() const { return *nominal; }
 };

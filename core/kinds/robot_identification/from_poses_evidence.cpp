@@ -1,10 +1,7 @@
 // What the residuals of an identification say about the uncertainties of the measured places and of the
 // joints' readings.
-#include <algorithm>
-#include <cmath>
 #include <map>
 
-#include "core/evidence/redundant_readings.h"
 #include "core/kinds/robot_identification/from_poses_fit.h"
 
 namespace covaria::pose_calibration {
@@ -13,32 +10,32 @@ namespace {
 
 using Eigen::Index;
 
-enum class Figure { places, orientations, encoders, repeatability, other_readings };
-
-Message words_of(Figure figure) {
-    switch (figure) {
-        case Figure::places:
-            return tell<"measured places">();
-        case Figure::orientations:
-            return tell<"measured orientations">();
-        case Figure::encoders:
-            return tell<"encoders of the joints">();
-        case Figure::repeatability:
-            return tell<"repeatability of the joints">();
-        case Figure::other_readings:
-            break;
-    }
-    return tell<"readings of the joints">();
-}
-
 bool is_called(const UncertaintyComponent& component, const InputQuantity& quantity, const char* id) {
     return component.id == quantity.symbol + "." + id;
 }
 
-/// Of each component of the fitted poses the figure that states it; those that several poses share, as a
-/// tracker's scale, are none: the unknowns take them up.
-std::map<std::size_t, Figure> figures_of_components(const Calibration& c) {
-    std::map<std::size_t, Figure> figures;
+FigureOfComponent figure_of_coordinate(const Calibration& c, const UncertaintyComponent& component,
+                                       bool turn) {
+    if (turn)
+        return {"2", tell<"measured orientations">(), component.unit, fields().place(&Calibration::u_angle)};
+    if (c.locator.typed)
+        return {"1", tell<"measured places">(), component.unit,
+                locator_fields().place(&PointLocator::u_point)};
+    return {"1 " + component.name.english(), component.name, component.unit, {}};
+}
+
+FigureOfComponent figure_of_reading(const UncertaintyComponent& component, const InputQuantity& input) {
+    if (is_called(component, input, "encoder"))
+        return {"3", tell<"encoders of the joints">(), component.unit};
+    if (is_called(component, input, "repeatability"))
+        return {"4", tell<"repeatability of the joints">(), component.unit};
+    return {"5", tell<"readings of the joints">(), component.unit};
+}
+
+/// Of each component of the fitted poses; those that several poses share, as a tracker's scale, have none:
+/// the unknowns take them up.
+std::map<std::size_t, FigureOfComponent> figures_of_components(const Calibration& c) {
+    std::map<std::size_t, FigureOfComponent> figures;
     std::map<std::size_t, std::size_t> pose_of;
     std::vector<std::size_t> shared;
     for (std::size_t k = 0; k < c.fitted_poses; ++k) {
@@ -47,41 +44,20 @@ std::map<std::size_t, Figure> figures_of_components(const Calibration& c) {
             for (const Share& share : input.shares) {
                 const auto [known, added] = pose_of.try_emplace(share.component, k);
                 if (!added && known->second != k) shared.push_back(share.component);
-                figures[share.component] = figure_of(c.inputs.components[share.component], input);
+                figures.insert_or_assign(share.component,
+                                         figure_of(c.inputs.components[share.component], input));
             }
         };
         const MeasuredPose& pose = c.poses[k];
         for (std::size_t row = 0; row < c.rows_per_pose(); ++row)
-            take(pose.first_input + row, [&](const UncertaintyComponent&, const InputQuantity&) {
-                return row < 3 ? Figure::places : Figure::orientations;
+            take(pose.first_input + row, [&](const UncertaintyComponent& component, const InputQuantity&) {
+                return figure_of_coordinate(c, component, row >= 3);
             });
         for (std::size_t j = 0; j < c.robot().joints().size(); ++j)
-            if (pose.reading[j] != no_input)
-                take(pose.reading[j], [](const UncertaintyComponent& component, const InputQuantity& input) {
-                    if (is_called(component, input, "encoder")) return Figure::encoders;
-                    return is_called(component, input, "repeatability") ? Figure::repeatability
-                                                                        : Figure::other_readings;
-                });
+            if (pose.reading[j] != no_input) take(pose.reading[j], figure_of_reading);
     }
     for (const std::size_t component : shared) figures.erase(component);
     return figures;
-}
-
-Eigen::MatrixXd columns_of(const Eigen::MatrixXd& all, const std::vector<Index>& chosen) {
-    Eigen::MatrixXd columns(all.rows(), static_cast<Index>(chosen.size()));
-    for (std::size_t i = 0; i < chosen.size(); ++i) columns.col(static_cast<Index>(i)) = all.col(chosen[i]);
-    return columns;
-}
-
-void add_component(evidence::StatedFigure& figure, const UncertaintyComponent& component, Figure kind) {
-    const double u = component.distribution.standard_uncertainty();
-    if (figure.count++ == 0) {
-        const bool is_length = component.unit.interval_from_si(1.0) != 0.0 && kind == Figure::places;
-        figure.unit = is_length ? Unit::of("mm") : component.unit;
-        figure.least = figure.most = u;
-    }
-    figure.least = std::min(figure.least, u);
-    figure.most = std::max(figure.most, u);
 }
 
 void name_rows(const Calibration& c, evidence::RedundantReadings& readings) {
@@ -90,7 +66,6 @@ void name_rows(const Calibration& c, evidence::RedundantReadings& readings) {
         const MeasuredPose& pose = c.poses[static_cast<std::size_t>(row / m)];
         readings.names.push_back(
             tell<"%1, %2">(pose.name, coordinate_words(static_cast<std::size_t>(row % m))));
-        readings.sources.push_back(pose.source);
         const double u = c.statistics.u_residuals[row];
         readings.w.push_back(u > 0.0 ? c.statistics.residuals[row] / u
                                      : std::numeric_limits<double>::quiet_NaN());
@@ -100,37 +75,15 @@ void name_rows(const Calibration& c, evidence::RedundantReadings& readings) {
 
 }  // namespace
 
-std::shared_ptr<const evidence::RedundantReadings> redundant_readings(const Calibration& c,
-                                                                      const Eigen::MatrixXd& design,
-                                                                      const Eigen::MatrixXd& shares) {
+void find_evidence(Calibration& c, const Eigen::MatrixXd& design, const Eigen::MatrixXd& shares) {
     auto readings = std::make_shared<evidence::RedundantReadings>();
     readings->design = design.sparseView();
     readings->residuals = c.statistics.residuals;
-    const std::map<std::size_t, Figure> figures = figures_of_components(c);
-    std::map<Figure, std::vector<Index>> members;
-    std::map<Figure, evidence::StatedFigure> stated;
-    std::vector<Index> others;
-    for (Index column = 0; column < shares.cols(); ++column) {
-        if (!(shares.col(column).squaredNorm() > 0.0)) continue;
-        const auto known = figures.find(static_cast<std::size_t>(column));
-        if (known == figures.end()) {
-            others.push_back(column);
-            continue;
-        }
-        members[known->second].push_back(column);
-        add_component(stated[known->second], c.inputs.components[static_cast<std::size_t>(column)],
-                      known->second);
-    }
-    if (members.empty()) return nullptr;
-    for (const auto& [kind, columns] : members) {
-        evidence::StatedFigure figure = stated[kind];
-        figure.name = words_of(kind);
-        readings->figures.push_back(std::move(figure));
-        readings->shares.push_back(columns_of(shares, columns));
-    }
-    readings->others = columns_of(shares, others);
+    ComponentsOfFigures figures = add_figures(c.inputs, figures_of_components(c), shares, *readings);
+    if (figures.empty()) return;
+    readings->take_over = take_over_of_uncertainties();
     name_rows(c, *readings);
-    return readings;
+    c.statistics.evidence = {std::move(readings), std::move(figures)};
 }
 
 }  // namespace covaria::pose_calibration

@@ -85,7 +85,13 @@ void add_method(Fields<Stated>& fields) {
                "Parameters that stay nominal although the poses could tell them.",
                Columns<HeldByUser>().add(&HeldByUser::parameter, "parameter", "parameter",
                                          "A parameter by its symbol, such as d_3 or alpha_4."),
-               {.optional = true});
+               {.optional = true})
+        .choice(&Stated::uncertainties, uncertainties_key, "Uncertainties of points and readings",
+                "As stated; or as the residuals of this fit see them: stated ones times one common factor, "
+                "or times the factor of each figure (variance components). Either has the degrees of freedom "
+                "of its estimate. What all poses share stays as stated.",
+                choices_of_uncertainties(), evidence::UncertaintiesFrom::stated)
+        .shown_where(&Stated::simulated, {false}, &Stated::uncertainties);
 }
 
 }  // namespace

@@ -163,12 +163,17 @@ void warn_of_residuals(const Calibration& c, Problems& problems) {
     Index worst = 0;
     if (size.maxCoeff(&worst) > s.limit && s.u_residuals[worst] > 0.0)
         warn_of_outlier(c, worst, size[worst], problems);
-    if (s.scatter > std::sqrt(chi_squared_quantile(0.99, freedom) / freedom))
-        problems.warning(
-            fields().place(&Calibration::measured),
+    if (!(s.scatter > std::sqrt(chi_squared_quantile(0.99, freedom) / freedom))) return;
+    Problem problem{
+        .severity = Severity::warning,
+        .path = fields().place(&Calibration::measured),
+        .message =
             tell<"the residuals are %1 times as large as the uncertainties of points and readings explain: "
                  "there is more than these (a joint's elasticity, temperature, an outlier), and the "
-                 "uncertainty of the parameters is stated too small">(format_short(s.scatter)));
+                 "uncertainty of the parameters is stated too small">(format_short(s.scatter))};
+    if (c.uncertainties == evidence::UncertaintiesFrom::stated && s.evidence.readings)
+        problem.remedies = {remedy_as_seen(fields().place(&Calibration::uncertainties))};
+    problems.add(std::move(problem));
 }
 
 void warn_of_weakness(const Calibration& c, const std::string& place, Problems& problems) {
@@ -375,7 +380,7 @@ private:
         s.scatter = expected > 0.0 ? w_.cwiseProduct(s.residuals).norm() / std::sqrt(expected) : 0.0;
         const auto rows = static_cast<double>(s.residuals.size());
         s.limit = t_quantile(1.0 - 0.025 / rows, infinity);
-        if (!c_.simulated) s.evidence = redundant_readings(c_, design, from_inputs);
+        if (!c_.simulated) find_evidence(c_, design, from_inputs);
         if (checks(c_).count() == 0) return;
         const MatrixXd D =
             jacobian_of(c_, c_.solution, checks(c_)) * unknowns - residual_sensitivity(checks(c_));

@@ -10,10 +10,9 @@ namespace covaria::pose_calibration {
 /// error; warns of outliers, of residuals larger than their uncertainties and of weakly determined unknowns.
 bool fit(Calibration& c, Problems& problems);
 
-/// The rows of the fit with what makes them uncertain. `design`: rows by unknowns; `shares`: rows by
-/// components, each times its standard uncertainty. Null: nothing that is stated belongs to single poses.
-std::shared_ptr<const evidence::RedundantReadings> redundant_readings(const Calibration& c,
-                                                                      const Eigen::MatrixXd& design,
-                                                                      const Eigen::MatrixXd& shares);
+/// The rows of the fit with what makes them uncertain, as evidence in the statistics. `design`: rows by
+/// unknowns; `shares`: rows by components, each times its standard uncertainty. None where nothing that is
+/// stated belongs to single poses.
+void find_evidence(Calibration& c, const Eigen::MatrixXd& design, const Eigen::MatrixXd& shares);
 
 }  // namespace covaria::pose_calibration

@@ -30,7 +30,7 @@ public:
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     std::vector<Table> evaluation() const override { return tables(c_); }
     std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
-        return c_.statistics.evidence;
+        return c_.statistics.evidence.readings;
     }
     Layout layout(std::span<const double>) const override { return pose_calibration::layout(c_); }
 

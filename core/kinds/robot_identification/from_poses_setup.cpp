@@ -44,11 +44,25 @@ public:
         }
         add_inputs();
         list_unknowns();
-        if (problems_.has_errors() || !fit(c_, problems_)) return {};
+        if (problems_.has_errors()) return {};
+        const bool seen = !c_.simulated && c_.uncertainties != evidence::UncertaintiesFrom::stated;
+        const ComponentEvidence evidence = seen ? evidence_as_stated() : ComponentEvidence();
+        if (seen)
+            take_as_seen(c_.inputs, evidence, c_.uncertainties, fields().place(&Calibration::uncertainties),
+                         problems_);
+        if (!fit(c_, problems_)) return {};
+        if (seen) c_.statistics.evidence = evidence;
         return std::move(c_);
     }
 
 private:
+    /// Of a fit by itself; what there is to say of it will be said of the one that follows.
+    ComponentEvidence evidence_as_stated() const {
+        Calibration stated = c_;
+        Problems unsaid;
+        return fit(stated, unsaid) ? stated.statistics.evidence : ComponentEvidence();
+    }
+
     void add_pose(MeasuredPose pose) {
         const auto& joints = c_.robot().joints();
         for (std::size_t j = 0; j < joints.size(); ++j)

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "core/kinds/points/component_evidence.h"
 #include "core/kinds/points/located_points.h"
 #include "core/kinds/robot/fields.h"
 #include "core/kinds/robot/serial_robot.h"
@@ -41,6 +42,7 @@ struct StatedIdentification {
     PointLocator locator;
     PlaneFit plane = PlaneFit::total_least_squares;
     double parallel_limit = 0.0;
+    evidence::UncertaintiesFrom uncertainties = evidence::UncertaintiesFrom::stated;
 
     const SerialRobotSource& robot() const { return *nominal; }
 };
@@ -53,7 +55,11 @@ struct Identification : StatedIdentification {
     std::vector<IdentifiedParameter> parameters;
     std::vector<HeldParameter> missing;
     InputSet inputs;
+    ComponentEvidence evidence;  ///< with the uncertainties that were stated
 };
+
+/// Distances of the measured points from their circles, along the normal and along the radius.
+ComponentEvidence evidence_of(const Identification& id);
 
 /// Empty if `problems` got an error.
 std::optional<Identification> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems);

@@ -63,7 +63,13 @@ void add_method(Fields<Stated>& fields) {
         .add(&Stated::parallel_limit, "parallel_limit", "Axes are parallel below",
              "Angle between two axes below which they are described by beta and not by their common "
              "perpendicular, whose place is then hardly determined.",
-             {.unit = deg, .range = {.low = 0.0, .high = 0.5}, .default_value = Quantity{1.0, deg}});
+             {.unit = deg, .range = {.low = 0.0, .high = 0.5}, .default_value = Quantity{1.0, deg}})
+        .choice(&Stated::uncertainties, uncertainties_key, "Uncertainties of the points",
+                "As stated; or as the distances of the points from their circles see them: stated ones times "
+                "one common factor, or times the factor of each figure (variance components). Either has the "
+                "degrees of freedom of its estimate. What all points share stays as stated.",
+                choices_of_uncertainties(), evidence::UncertaintiesFrom::stated)
+        .shown_where(&Stated::simulated, {false}, &Stated::uncertainties);
 }
 
 }  // namespace

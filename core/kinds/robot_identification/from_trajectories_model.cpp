@@ -33,6 +33,9 @@ public:
     const InputSet& inputs() const override { return id_.inputs; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     std::vector<Table> evaluation() const override { return circle_points::tables(id_); }
+    std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
+        return id_.evidence.readings;
+    }
     Layout layout(std::span<const double>) const override { return circle_points::layout(id_); }
 
     std::shared_ptr<const Asset> as_asset(const std::string& id) const override {

@@ -176,6 +176,10 @@ public:
         structure.decide();
         if (problems_.has_errors()) return {};
         structure.list_parameters();
+        id_.evidence = evidence_of(id_);
+        if (!id_.simulated)
+            take_as_seen(id_.inputs, id_.evidence, id_.uncertainties, place(&Identification::uncertainties),
+                         problems_);
         return std::move(id_);
     }
 

@@ -37,10 +37,9 @@ TrueNetwork rich_hall() {
     return net;
 }
 
-Adjusted as_seen(StatedAdjustment stated, ReadingUncertainties from) {
+Adjusted as_seen(StatedAdjustment stated, UncertaintiesFrom from) {
     Adjusted made(stated);
     if (!made.network || !made.network->adjusted) return made;
-    made.network->evidence = std::make_shared<const RedundantReadings>(redundant_readings(*made.network));
     take_as_seen(*made.network, from, made.problems);
     return made;
 }
@@ -93,7 +92,7 @@ TEST(AdjustedEvidence, TheDataSeeWhatIsStatedTooLarge) {
 // What is taken over is the network that states those uncertainties by hand.
 TEST(AdjustedEvidence, AsSeenIsTheSameAsStatingIt) {
     const TrueNetwork net = rich_hall();
-    const Adjusted made = as_seen(net.stated, ReadingUncertainties::seen);
+    const Adjusted made = as_seen(net.stated, UncertaintiesFrom::seen);
     ASSERT_TRUE(made.network && made.network->adjusted) << made.words();
     const Seen seen = evidence::see(*made.network->evidence);
     StatedAdjustment by_hand = net.stated;
@@ -121,8 +120,8 @@ TEST(AdjustedEvidence, OneFactorIsSNoughtWithItsDegreesOfFreedom) {
     const TrueNetwork net = rich_hall();
     const Adjusted stated(net.stated);
     ASSERT_TRUE(stated.network && stated.network->adjusted) << stated.words();
-    const adjustment::Reliability found = reliability_of(*stated.network);
-    const Adjusted made = as_seen(net.stated, ReadingUncertainties::one_factor);
+    const adjustment::Reliability& found = reliability_of(*stated.network);
+    const Adjusted made = as_seen(net.stated, UncertaintiesFrom::one_factor);
     ASSERT_TRUE(made.network && made.network->adjusted) << made.words();
     EXPECT_LT((made.network->state - stated.network->state).norm(), 1e-9);
     for (std::size_t k = 0; k < made.network->place_of.size(); ++k)
@@ -135,7 +134,7 @@ TEST(AdjustedEvidence, OneFactorIsSNoughtWithItsDegreesOfFreedom) {
 
 TEST(AdjustedEvidence, AFigureWithTooLittleRedundancyStaysAsStatedAndIsNamed) {
     const TrueNetwork net = hall(CoordinateRole::fixed, {});
-    const Adjusted made = as_seen(net.stated, ReadingUncertainties::seen);
+    const Adjusted made = as_seen(net.stated, UncertaintiesFrom::seen);
     ASSERT_TRUE(made.network && made.network->adjusted) << made.words();
     EXPECT_NE(made.words().find("Too little redundancy to say, so they stay as stated:"), std::string::npos)
         << made.words();

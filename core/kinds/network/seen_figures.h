@@ -1,0 +1,50 @@
+// Capability "seen-figures": what the residuals of one network see of its instruments, for another network.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "core/kinds/network/adjusted_setup.h"
+#include "core/model/capability.h"
+
+namespace covaria::network {
+
+/// What residuals say of readings of one kind by one instrument.
+struct SeenFigureOfReadings {
+    double factor = 1.0;      ///< of the u that was stated there
+    std::optional<double> u;  ///< where all of them have one, SI
+    double degrees_of_freedom = infinity;
+    std::size_t estimate = 0;  ///< its number in that analysis
+};
+
+class SeenFiguresSource : public Capability {
+public:
+    static constexpr const char* capability = "seen-figures";
+    static constexpr const char* lacking = "has no readings that are more than its unknowns need";
+    /// Empty: there are no such readings, or too few of them to say.
+    virtual std::optional<SeenFigureOfReadings> figure_of(ReadingKind kind,
+                                                          const std::string& instrument) const = 0;
+};
+
+/// The network with its evidence, which is made when it is first asked for.
+class NetworkEvidence {
+public:
+    explicit NetworkEvidence(AdjustedNetwork made) : network(std::move(made)) {}
+    const AdjustedNetwork network;
+    /// Null: nothing is redundant.
+    std::shared_ptr<const evidence::RedundantReadings> readings() const;
+    std::optional<SeenFigureOfReadings> figure_of(ReadingKind kind, const std::string& instrument) const;
+
+private:
+    mutable std::once_flag asked_;
+    mutable std::shared_ptr<const evidence::RedundantReadings> readings_;
+};
+
+/// The readings get what another analysis sees of their kind and instrument: the u that it sees where it has
+/// one for all of them, else that factor of what is stated here. Warns of readings that it does not see.
+void take_seen_elsewhere(AdjustedNetwork& network, const SeenFiguresSource& source, const std::string& id,
+                         const std::string& name, Problems& problems);
+
+}  // namespace covaria::network
